@@ -8,11 +8,11 @@
 #include "app/report/measure_json.h"
 #include "app/report/number_watch.h"
 #include "app/report/report.h"
+#include "renderer/advise/autopilot.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/small_letters.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {
@@ -47,7 +47,7 @@ Json advice_json(const TriedAdvice& t) {
 Json finding_json(const Finding& f) {
     return {{"severity", severity_word(f.severity)},
             {"text", f.text},
-            {"cure", f.cure.empty() ? Json() : Json(f.cure)},
+            {"cure", f.fix.empty() ? Json() : Json(f.fix)},
             {"settings", changes_json(f.settings)}};
 }
 
@@ -77,9 +77,9 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
     json["held"] = r.held;
     json["summary"] = r.summary;
     json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
-    json["best"] = {{"error", r.best.judged.error},
+    json["best"] = {{"error", r.best.classified.error},
                     {"ms", r.best.ms ? Json(*r.best.ms) : Json()},
-                    {"cost", cost_json(r.best.judged.work)},
+                    {"cost", cost_json(r.best.classified.work)},
                     {"settings", changes_json(setting_changes(measured_settings(before), r.best.settings))}};
     json["combinations"] = r.combinations;
     json["seconds"] = r.seconds;
@@ -93,7 +93,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
                                    {"ms_more", ms_json(d.ms)}});
     for (const AutopilotCase& c : r.cases)
         json["cases"].push_back({{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
-                                 {"error", c.judged.error},
+                                 {"error", c.classified.error},
                                  {"ms", c.ms ? Json(*c.ms) : Json()},
                                  {"holds", c.holds}});
     return json;
@@ -101,7 +101,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
 
 void print_advice(const TriedAdvice& t) {
     fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.idea.sentence,
-               t.why_not.empty() ? "" : ": " + t.why_not, sets_text(t.settings));
+               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.settings));
 }
 
 void print_report(const AdviceReport& r) {
@@ -109,8 +109,8 @@ void print_report(const AdviceReport& r) {
     fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
-        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.cure.empty() ? "" : "; ", f.cure,
-                   f.settings.empty() ? "" : "\n      " + sets_text(f.settings));
+        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
+                   f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
     for (const TriedAdvice& t : r.holds) print_advice(t);
@@ -172,7 +172,7 @@ private:
     HeadlessContext context_;
     Renderer renderer_;
     NumberWatch numbers_{renderer_, session_.settings, o_.check_numeric};
-    TruthCache cache_;
+    ReferenceCache cache_;
 
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;

@@ -11,7 +11,7 @@
 #include "app/report/map_report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {
@@ -22,7 +22,7 @@ void print_passes(const FrameResult& frame, const DriverInfo& driver) {
     static constexpr const char* kStates[] = {"ran", "reused", "skipped"};
     fmt::print("\n{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", "pass", "state", "ms", "draws", "triangles", "why");
     for (const PassInfo& p : frame.passes) {
-        const std::string ms = p.state == PassState::Ran ? fmt::format("{:.2f}", p.gpu_ms) : "-";
+        const std::string ms = p.state == PassState::Drawn ? fmt::format("{:.2f}", p.gpu_ms) : "-";
         fmt::print("{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", p.name, kStates[std::size_t(p.state)], ms, p.draws,
                    p.triangles, p.reason);
     }
@@ -54,7 +54,8 @@ void run_overview(const OverviewOptions& options) {
         const HeadlessContext context;
         Renderer renderer;
         FrameRequest request;
-        request.width = options.size.width, request.height = options.size.height;
+        request.width = options.size.width;
+        request.height = options.size.height;
         for (const char* view : {"shaded", "shadow-map", "visibility"}) {
             const std::string path = file(view == std::string("shaded") ? "scene.png" : fmt::format("{}.png", view));
             write_view(renderer, session.scene, session.settings, request, find_view(view), path);
@@ -62,8 +63,8 @@ void run_overview(const OverviewOptions& options) {
         }
         // All of it once more, now that programs are compiled, for the clock.
         request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
-        TruthCache truths;
-        trace_sources(renderer, session.scene, session.settings, request, truths);
+        ReferenceCache references;
+        trace_sources(renderer, session.scene, session.settings, request, references);
         request.timing = request.force = true;
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();

@@ -16,7 +16,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/inspect/lost_casters.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/param.h"
 
 namespace si {
@@ -51,11 +51,11 @@ MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settin
 /// @param preset of the other one; null: it is the truth
 double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
                      const Settings* preset, FrameResult& frame) {
-    TruthCache truths;
+    ReferenceCache references;
     Settings settings = session.settings;
     settings.view.panes = int(Panes::One);
     request.outputs.true_colour = preset == nullptr;
-    frame = render_with_truth(renderer, session.scene, settings, request, truths, tracing_workers());
+    frame = render_with_reference(renderer, session.scene, settings, request, references, tracing_workers());
     const ByteImage a = renderer.read_colour(frame.colour);
     ByteImage b;
     if (!preset) {
@@ -66,7 +66,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
         check_objects(session.scene, other, options.against, nullptr);
         request.outputs.true_colour = false;
         b = renderer.read_colour(
-            render_with_truth(renderer, session.scene, other, request, truths, tracing_workers()).colour);
+            render_with_reference(renderer, session.scene, other, request, references, tracing_workers()).colour);
     }
     write_png(options.output, options.difference   ? difference(a, b)
                               : options.swipe >= 0 ? swiped(a, b, options.swipe)
@@ -112,7 +112,8 @@ void run_render(const RenderOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     FrameRequest request;
-    request.width = options.size.width, request.height = options.size.height;
+    request.width = options.size.width;
+    request.height = options.size.height;
     request.timing = !options.report.empty();
     if (fit_camera) request.map_camera = map_camera_of(renderer, session, *fit_camera, request);
     FrameResult frame;
@@ -131,7 +132,8 @@ void run_render(const RenderOptions& options) {
         if (health) report["numeric_health"] = health_json(*health);
         if (against) report["against"] = {{"what", options.against}, {"mean_difference", mean}};
         const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
-        request.width = grid.width, request.height = grid.height;
+        request.width = grid.width;
+        request.height = grid.height;
         const auto map = map_report(renderer, session.scene, session.settings, request);
         report["shadow_map"] = map ? map_report_json(*map) : nlohmann::ordered_json(nullptr);
         write_file(options.report, json_text(report));

@@ -4,7 +4,8 @@
 
 namespace si {
 
-void EditorAdvice::start(const Scene& scene, const Settings& settings, int width, int height, const AdviceWish& wish) {
+void EditorAdvice::start(const Scene& scene, const Settings& settings, int width, int height,
+                         const AdviceRequest& wish) {
     found_.reset();
     const AdviceFound about{{}, {}, scene.id, settings, width, height};
     job_.start(
@@ -12,7 +13,7 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
             AdviceFound out = about;
             const HeadlessContext context;
             Renderer renderer;
-            TruthCache cache;
+            ReferenceCache cache;
             const auto tell = [&](double share, const std::string& what) { report({what, share}); };
             if (!wish.most_error && !wish.most_ms) {
                 out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = wish.cost}, cache,
@@ -29,7 +30,7 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
         {"the present settings", 0});
 }
 
-void EditorAdvice::fill(AdviceShown& shown, std::uint64_t scene, const Settings& settings, int width,
+void EditorAdvice::fill(AdvicePanelFacts& shown, std::uint64_t scene, const Settings& settings, int width,
                         int height) const {
     shown.advising = job_.progress();
     if (!found_ || found_->scene != scene) return;

@@ -23,8 +23,8 @@
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/read_images.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/trouble.h"
 
 namespace si {
 namespace {
@@ -77,7 +77,7 @@ private:
 ByteImage read_window(int width, int height) {
     ByteImage image{width, height, {}};
     image.data.resize(std::size_t(width) * std::size_t(height) * 4);
-    gl::begin_reading();
+    gl::prepare_read_back();
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.data.data());
     flip_rows(image.data, width, height, 4);
@@ -150,7 +150,10 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         else
             window.wait_events(model.busy() ? kLoadingPollSeconds : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
-        for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
+        for (const auto& path : window.take_dropped()) {
+            model.open(path);
+            due = kSettleFrames;
+        }
         if (take_file(portal, model)) due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
@@ -171,7 +174,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         const PressedKeys keys(window);
         ImGui::NewFrame();
         if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
-        const EditorActions actions = draw_editor(model.state, model.facts());
+        const EditorRequests actions = draw_editor(model.state, model.facts());
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         imgui.draw(width, height);
@@ -182,7 +185,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             model.save_shot(*actions.shot, read_window(width, height), scale);
         window.swap();
         try {
-            gl::require_context();
+            gl::check_context_alive();
         } catch (const gl::ContextLost&) {
             model.keep_now();  // the next start offers it
             throw;

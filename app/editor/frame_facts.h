@@ -6,24 +6,24 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
+#include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
 
 /// Numbers read back from it, each only while a panel shows it.
-struct ReadingFacts {
+struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
-    std::vector<Dossier> dossiers;  ///< of the probed pixel
-    Sections sections;              ///< of it, while the panel is shown
-    bool tracing_probe = false;     ///< they will follow
+    std::vector<PixelDiagnosis> diagnoses;  ///< of the probed pixel
+    Sections sections;                      ///< of it, while the panel is shown
+    bool tracing_probe = false;             ///< they will follow
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
-    std::optional<MapFacts> map_facts;
+    std::optional<MapPlots> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
     std::optional<double> exact_utilisation;
     std::vector<LostCaster> lost_casters;
@@ -33,9 +33,9 @@ struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;
     FrameRequest request;
-    ReadingFacts readings;
-    std::optional<TruthFacts> truth;
-    std::optional<AgainstFacts> against;
+    ReadBackFacts readings;
+    std::optional<ReferenceFacts> reference;
+    std::optional<PictureComparisonFacts> against;
     std::vector<Effect> effects;                  ///< empty unless asked for
     std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
     ArtefactSpots artefacts;                      ///< as EditorFrame has them

@@ -30,9 +30,9 @@ std::unique_ptr<Canvas> make_canvas(int width, int height) {
 }
 
 /// A truth was asked for that is still to be traced.
-bool lacks_truth(const EditorFrame& f) {
-    if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
-    return !f.truth->current;
+bool lacks_reference(const EditorFrame& f) {
+    if (!f.reference || !f.reference->wanted || !f.reference->problem.empty()) return false;
+    return !f.reference->current;
 }
 
 }  // namespace
@@ -55,13 +55,16 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
 
 void HeadlessEditor::smooth() {
     model_->smooths = true;
-    for (int i = 0; i <= kSmoothedMost; ++i) frame(), model_->finish_drawing();
+    for (int i = 0; i <= kSmoothedMost; ++i) {
+        frame();
+        model_->finish_drawing();
+    }
     frame();
 }
 
 HeadlessEditor::~HeadlessEditor() = default;
 
-EditorActions HeadlessEditor::frame() {
+EditorRequests HeadlessEditor::frame() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = 1.0f / 60;
@@ -75,7 +78,7 @@ EditorActions HeadlessEditor::frame() {
     mouse.wheel = 0;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    EditorActions actions = draw_editor(model_->state, model_->facts());
+    EditorRequests actions = draw_editor(model_->state, model_->facts());
     ImGui::Render();
     canvas_->bind();
     imgui_.draw(width_, height_);
@@ -92,9 +95,10 @@ void HeadlessEditor::settle() {
         for (int i = 0; i < 6; ++i) frame();
         if (model_->measuring()) {
             model_->finish_measuring();
-            frame(), frame();
+            frame();
+            frame();
         }
-    } while (model_->finish_drawing() || model_->busy() || lacks_truth(model_->facts()));
+    } while (model_->finish_drawing() || model_->busy() || lacks_reference(model_->facts()));
 }
 
 ByteImage HeadlessEditor::picture() const {

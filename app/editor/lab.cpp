@@ -24,13 +24,14 @@ void EditorPipelines::start(const Scene& scene, const LabOf& of) {
         {"four ways", 0});
 }
 
-void EditorPipelines::fill(LabShown& shown, const LabOf& present) const {
+void EditorPipelines::fill(LabFacts& shown, const LabOf& present) const {
     shown.comparing_pipelines = job_.progress();
     if (!found_) return;
     shown.pipelines = found_->errors;
     // The ways compared are all there are, whichever is chosen.
     LabOf of = found_->of;
-    of.settings.map.origin = present.settings.map.origin, of.settings.map.transform = present.settings.map.transform;
+    of.settings.map.origin = present.settings.map.origin;
+    of.settings.map.transform = present.settings.map.transform;
     shown.pipelines_current = holds(of, present);
 }
 
@@ -55,10 +56,11 @@ void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOpti
         {"the first frame", 0});
 }
 
-void EditorShimmer::fill(LabShown& shown, const LabOf& present) const {
+void EditorShimmer::fill(LabFacts& shown, const LabOf& present) const {
     shown.measuring_shimmer = job_.progress();
     if (!found_) return;
-    shown.shimmer = found_->variants, shown.shimmer_of = found_->options;
+    shown.shimmer = found_->variants;
+    shown.shimmer_of = found_->options;
     shown.shimmer_current = holds(found_->of, present);
 }
 

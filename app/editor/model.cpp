@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "app/editor/clipboard.h"
+#include "app/editor/requests.h"
 #include "app/editor/screenshot.h"
-#include "app/editor/wishes.h"
 #include "app/report/section_svg.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "ui/panels/section_view.h"
 
 namespace si {
@@ -43,17 +43,17 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     : check_numeric_(options.check_numeric),
       offers_pictures_(!options.headless),
       session_(options.report),
-      memory_(options.state_folder),
-      scenes_(state, memory_, std::move(read), options.headless),
-      presets_(state, memory_, scenes_),
+      persistence_(options.state_folder),
+      scenes_(state, persistence_, std::move(read), options.headless),
+      presets_(state, persistence_, scenes_),
       frames_(state, std::move(thread), session_),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
-    state.layout = memory_.workspace().layout;
+    state.layout = persistence_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
     state.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
-                         !memory_.workspace().welcomed && !memory_.lost();
+                         !persistence_.workspace().welcomed && !persistence_.lost();
     if (!options.preset.empty()) state.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
@@ -80,7 +80,7 @@ EditorFrame EditorModel::facts() const {
     f.verdict_follows = frames_.busy();
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
-    memory_.fill(f);
+    persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = asks_desktop;
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
@@ -104,11 +104,11 @@ void EditorModel::save_as(const std::filesystem::path& path) {
     attempt(state, [&] { presets_.save(preset_path(path).string(), state.file_dialog.about, false); });
 }
 
-void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {
+void EditorModel::save_shot(const ShotRequest& wish, const ByteImage& window, float pixels) {
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
         std::string svg;
-        if (const Section* const section = judged_section(); wish.of == Shot::Drawing && section)
+        if (const Section* const section = classified_section(); wish.of == Shot::Drawing && section)
             svg = section_svg(*section);
         const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
         std::error_code error;
@@ -122,14 +122,14 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
     });
 }
 
-const Section* EditorModel::judged_section() const {
+const Section* EditorModel::classified_section() const {
     const Sections& sections = frames_.facts().readings.sections;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
     return sections && light < sections->size() ? &(*sections)[light] : nullptr;
 }
 
-bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
-    const Section* const section = judged_section();
+bool EditorModel::save_drawing(const ShotRequest& wish, ImGuiSession& imgui) {
+    const Section* const section = classified_section();
     if (wish.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
@@ -145,7 +145,7 @@ void EditorModel::copy_command_line() {
 }
 
 void EditorModel::keep() {
-    memory_.follow(state, steady_seconds());
+    persistence_.follow(state, steady_seconds());
     try {
         session_.follow(steady_seconds(), state.log);
     } catch (const std::exception& e) {
@@ -158,15 +158,15 @@ void EditorModel::follow_memory(bool wanted) {
     constexpr double kFreshSeconds = 0.5;
     if (!wanted) held_.reset();
     if (!wanted || (held_ && steady_seconds() < held_at_s_ + kFreshSeconds)) return;
-    held_ = memory_facts();
+    held_ = memory_report();
     held_at_s_ = steady_seconds();
 }
 
-bool EditorModel::fulfil(const EditorActions& asked) {
-    EditorActions actions = asked;
+bool EditorModel::fulfil(const EditorRequests& asked) {
+    EditorRequests actions = asked;
     actions.search_all = check_numeric_;
     session_.note_frame();
-    if (actions.welcomed) memory_.note_welcome();
+    if (actions.welcomed) persistence_.note_welcome();
     follow_memory(actions.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.
@@ -175,17 +175,20 @@ bool EditorModel::fulfil(const EditorActions& asked) {
     const auto wish = [&](bool wished, const auto& what) {
         if (wished) changed |= attempt(state, what);
     };
-    wish(actions.cancel_load, [&] { scenes_.cancel_loading(), scenes_.keep_scene(); });
+    wish(actions.cancel_load, [&] {
+        scenes_.cancel_loading();
+        scenes_.keep_scene();
+    });
     wish(actions.load_scene.has_value(), [&] { scenes_.load({.scene_name = *actions.load_scene}); });
     wish(actions.load_preset.has_value(), [&] { presets_.open(*actions.load_preset); });
     wish(actions.open_file.has_value(), [&] { open(*actions.open_file); });
     wish(actions.save_preset.has_value(),
          [&] { presets_.save(*actions.save_preset, actions.save_about, actions.replace); });
     wish(actions.restore_lost, [&] { presets_.restore_lost(); });
-    wish(actions.discard_lost, [&] { memory_.forget_lost(); });
+    wish(actions.discard_lost, [&] { persistence_.forget_lost(); });
     wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
-    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, actions);
+    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, actions);
     changed |= work_.fulfil_saved(scenes_, frames_.facts().request, actions);
     wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
     wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });

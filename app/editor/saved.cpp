@@ -15,7 +15,7 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
             unforced.forced = {};  // what is forced is named by no effect
             const FrameResult frame = renderer.render(*copy, settings, unforced);
             const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
-            const std::vector<Saving> named = named_savings(effects);
+            const std::vector<Optimisation> named = named_optimisations(effects);
             out.times =
                 measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
                     report({"frames in turns", share});
@@ -25,7 +25,7 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
         {"the first frame", 0});
 }
 
-void EditorSaved::fill(EffectsShown& shown, std::uint64_t scene, const Settings& settings, int width,
+void EditorSaved::fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width,
                        int height) const {
     shown.measuring_saved = job_.progress();
     if (!found_ || found_->scene != scene) return;

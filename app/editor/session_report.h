@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "ui/state/log.h"
 
 namespace si {
@@ -36,7 +36,7 @@ public:
 private:
     struct Sample {
         double seconds = 0;
-        MemoryFacts memory;
+        MemoryReport memory;
     };
     void sample(double now_s);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "renderer/base/error.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 
 namespace si {
 
@@ -13,8 +13,8 @@ std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Sc
                                                     FrameRequest request, const Workers& workers) {
     request.outputs.health = true;
     request.timing = false;
-    TruthCache truths;
-    trace_sources(renderer, scene, settings, request, truths, workers);
+    ReferenceCache references;
+    trace_sources(renderer, scene, settings, request, references, workers);
     return renderer.numeric_health(renderer.render(scene, settings, request));
 }
 

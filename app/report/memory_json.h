@@ -3,11 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si {
 
 /// {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, bytes.
-nlohmann::ordered_json memory_json(const MemoryFacts& facts);
+nlohmann::ordered_json memory_json(const MemoryReport& facts);
 
 }  // namespace si

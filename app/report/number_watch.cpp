@@ -4,14 +4,14 @@
 
 #include <utility>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
-#include "renderer/measure/cures.h"
 
 namespace si {
 
 std::string sets_beyond(const Settings& base, const Settings& settings) {
-    return sets_text(setting_changes(base, settings));
+    return set_options_text(setting_changes(base, settings));
 }
 
 NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)

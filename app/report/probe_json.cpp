@@ -4,14 +4,14 @@
 
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json amount_json(const DepthAmount& a) {
+Json amount_json(const DepthShift& a) {
     return {{"depth", a.depth}, {"texels", a.texels}, {"metres", a.metres}};
 }
 
@@ -43,7 +43,7 @@ Json taps_json(const Probe::PerLight& p) {
     return taps;
 }
 
-Json account_json(const BiasAccount& a) {
+Json account_json(const BiasBreakdown& a) {
     return {{"terms",
              {{"constant", amount_json(a.amount(a.constant))},
               {"slope", amount_json(a.amount(a.slope))},
@@ -51,7 +51,7 @@ Json account_json(const BiasAccount& a) {
               {"normal", amount_json(a.amount(a.normal))},
               {"raster", amount_json(a.amount(a.raster))}}},
             {"worth", amount_json(a.amount(a.clears()))},
-            {"lifted", amount_json(a.amount(a.lifts))},
+            {"lifted", amount_json(a.amount(a.depth_shift))},
             {"least", amount_json(a.amount(a.least.total()))},
             {"least_parts",
              {{"kernel", amount_json(a.amount(a.least.kernel))},
@@ -92,7 +92,8 @@ Json per_light_json(const Probe::PerLight& p) {
                  {"verdict", p.verdict}};
     if (!p.casts) return json;
     json["bias"] = account_json(p.account);
-    json["taps_across"] = p.taps_size.x, json["taps_up"] = p.taps_size.y;
+    json["taps_across"] = p.taps_size.x;
+    json["taps_up"] = p.taps_size.y;
     json["taps"] = taps_json(p);
     json["kernel"] = {{"texels", p.kernel.texels}};
     if (!std::isnan(p.kernel.blocker_m)) json["kernel"]["blocker_m"] = p.kernel.blocker_m;
@@ -101,7 +102,8 @@ Json per_light_json(const Probe::PerLight& p) {
     if (!std::isnan(p.kernel.bound)) {
         for (const double moment : p.kernel.moments)
             if (!std::isnan(moment)) json["kernel"]["moments"].push_back(moment);
-        json["kernel"]["mean"] = p.kernel.mean, json["kernel"]["own"] = p.kernel.own;
+        json["kernel"]["mean"] = p.kernel.mean;
+        json["kernel"]["own"] = p.kernel.own;
         json["kernel"]["bound"] = p.kernel.bound;
         json["kernel"]["lines"] = p.kernel.lines;
         if (!std::isnan(p.kernel.margin)) json["kernel"]["margin"] = p.kernel.margin;
@@ -109,16 +111,16 @@ Json per_light_json(const Probe::PerLight& p) {
     return json;
 }
 
-Json dossier_json(const Dossier& d) {
+Json diagnosis_json(const PixelDiagnosis& d) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
                  {"artefact", "none"},
                  {"truth",
-                  {{"state", state_key(d.truth.state)},
-                   {"lit", d.truth.lit},
-                   {"area_share", d.truth.share},
-                   {"area_noise", d.truth.noise},
-                   {"gap_m", d.truth.gap_m}}},
+                  {{"state", state_key(d.reference.state)},
+                   {"lit", d.reference.lit},
+                   {"area_share", d.reference.share},
+                   {"area_noise", d.reference.noise},
+                   {"gap_m", d.reference.gap_m}}},
                  {"window",
                   {{"least", amount_json(d.least)},
                    {"occluder", amount_json(d.occluder)},
@@ -126,11 +128,11 @@ Json dossier_json(const Dossier& d) {
                    {"opening_resolution", d.opening_resolution}}},
                  {"remedy", nullptr}};
     for (const ArtefactStyle& style : artefact_styles())
-        if (style.artefact == d.truth.cause.artefact) json["artefact"] = style.key;
-    if (d.remedy) {
-        const auto& [key, value] = d.remedy->settings.front();
-        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.remedy->text}, {"settings", Json::object()}};
-        for (const auto& [k, v] : d.remedy->settings) json["remedy"]["settings"][k] = v;
+        if (style.artefact == d.reference.cause.artefact) json["artefact"] = style.key;
+    if (d.fix) {
+        const auto& [key, value] = d.fix->settings.front();
+        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.fix->text}, {"settings", Json::object()}};
+        for (const auto& [k, v] : d.fix->settings) json["remedy"]["settings"][k] = v;
     }
     json["also"] = Json::array();
     for (const ArtefactStyle& style : artefact_styles())
@@ -141,7 +143,7 @@ Json dossier_json(const Dossier& d) {
 
 }  // namespace
 
-Json probe_json(const Probe& probe, std::span<const Dossier> dossiers) {
+Json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses) {
     Json json = {{"hit", probe.hit}, {"x", probe.x}, {"y", probe.y}};
     if (!probe.hit) return json;
     json["object"] = probe.object;
@@ -150,8 +152,8 @@ Json probe_json(const Probe& probe, std::span<const Dossier> dossiers) {
     json["lights"] = Json::array();
     for (const auto& light : probe.lights) {
         json["lights"].push_back(per_light_json(light));
-        for (const Dossier& d : dossiers)
-            if (d.light == light.light) json["lights"].back()["dossier"] = dossier_json(d);
+        for (const PixelDiagnosis& d : diagnoses)
+            if (d.light == light.light) json["lights"].back()["dossier"] = diagnosis_json(d);
     }
     return json;
 }

@@ -4,11 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <span>
 
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {
 
 /// @param dossiers one for each light of the probe, or none where no truth was asked for
-nlohmann::ordered_json probe_json(const Probe& probe, std::span<const Dossier> dossiers);
+nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses);
 
 }  // namespace si

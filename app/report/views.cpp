@@ -8,9 +8,9 @@
 #include "app/base/output.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
-#include "renderer/inspect/depth_histogram.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/base/lower_case.h"
+#include "renderer/frame/depth_histogram.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 
@@ -137,10 +137,13 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     }
     const int width = request.width, height = request.height;
     const PaneGrid grid = picture_grid(settings, width, height);
-    if (grid.count() > 1) request.width = grid.width, request.height = grid.height;
-    TruthCache truths;
+    if (grid.count() > 1) {
+        request.width = grid.width;
+        request.height = grid.height;
+    }
+    ReferenceCache references;
     // The renderer's frame may lack what overlays judge by.
-    const FrameResult result = render_with_truth(renderer, scene, settings, request, truths, workers);
+    const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);
     if (frame) *frame = result;
     if (depth) {
         if (view.key == "shadow-map") require_map(settings, result);

@@ -8,11 +8,11 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
+#include "renderer/scene/extreme_points.h"
 #include "renderer/scene/ground.h"
-#include "renderer/scene/outline.h"
+#include "renderer/scene/placement.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
 
 namespace si {
 namespace {
@@ -119,17 +119,17 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
         }
         // What the lights of a file are placed by is known before they are placed.
-        measure_travel(scene, settings.fit_animation ? settings.animation : -1);
+        measure_animation_bounds(scene, settings.fit_animation ? settings.animation : -1);
         // Where the ground lies and what the camera frames do not depend on the moment that is shown.
         if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
             pose(scene, 0, 0);
-            keep_framed(scene);
+            store_framing_points(scene);
             if (grounded) add_ground(scene);
         }
         pose(scene, settings.animation, settings.time);
     }
     const bool moves = scene.rig && !scene.rig->animations.empty();
-    if (scene.framed.empty() && !scene.file_scenes.empty() && !moves) keep_framed(scene);
+    if (scene.framed.empty() && !scene.file_scenes.empty() && !moves) store_framing_points(scene);
     if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
     hide_objects(scene, hidden);
@@ -192,7 +192,8 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
     } catch (const UsageError& e) {
         if (!left_out) throw;
         left_out->push_back(e.what());
-        moment.animation = SceneSettings{}.animation, moment.time = SceneSettings{}.time;
+        moment.animation = SceneSettings{}.animation;
+        moment.time = SceneSettings{}.time;
         pose_scene(scene, moment);
     }
     ComposedSettings composed = compose_settings(plan, scene, moment, left_out);

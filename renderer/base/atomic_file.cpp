@@ -33,7 +33,7 @@ std::uint64_t unguessable() {
 }
 
 /// Hidden beside the target, and no longer than a name may be. Says whose it was.
-fs::path temporary_beside(const fs::path& target) {
+fs::path temporary_path(const fs::path& target) {
     constexpr std::size_t kTold = 100;
     std::string name = target.filename().string();
     if (name.size() > kTold) name.erase(0, name.size() - kTold);
@@ -67,7 +67,7 @@ class Temporary {
 public:
     Temporary(const fs::path& target, mode_t mode) {
         for (int i = 0; i < 8 && descriptor_ < 0; ++i) {
-            path_ = temporary_beside(target);
+            path_ = temporary_path(target);
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
             if (descriptor_ < 0 && errno != EEXIST) break;
         }

@@ -7,7 +7,7 @@
 namespace si {
 
 /// %41 -> A; a '%' that starts no escape stays as it is, as in file names that were never encoded.
-inline std::string percent_decoded(std::string_view uri) {
+inline std::string percent_decode(std::string_view uri) {
     const auto hex_value = [](char c) {
         if (c >= '0' && c <= '9') return c - '0';
         if (c >= 'a' && c <= 'f') return c - 'a' + 10;

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si {
 
@@ -77,18 +77,18 @@ public:
     void reserve(std::size_t count) { edit().reserve(count); }
     void clear() { *this = SharedArray(); }
 
-    /// From now on its bytes are told of once, however many share it. @param holder see HeldMemory
+    /// From now on its bytes are told of once, however many share it. @param holder see TrackedMemory
     void tell(std::string_view holder) {
         static std::mutex telling;  // others may tell of the same one
         const std::lock_guard lock(telling);
-        if (block_->held.bytes() != array_bytes(*this)) block_->held = HeldMemory(holder, array_bytes(*this));
+        if (block_->held.bytes() != array_bytes(*this)) block_->held = TrackedMemory(holder, array_bytes(*this));
     }
 
 private:
     struct Block {
         explicit Block(std::vector<T> of) : elements(std::move(of)) {}
         std::vector<T> elements;
-        HeldMemory held;
+        TrackedMemory held;
     };
     static const std::shared_ptr<Block>& none() {
         static const std::shared_ptr<Block> block = std::make_shared<Block>(std::vector<T>());

@@ -7,6 +7,6 @@
 namespace si {
 
 /// Whether each word of `text` stands in one of `places`, whatever the case of its letters. No word: it does.
-bool words_match(std::string_view text, std::initializer_list<std::string_view> places);
+bool matches_all_words(std::string_view text, std::initializer_list<std::string_view> places);
 
 }  // namespace si

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 
 #include "renderer/bias/light_receiver.h"
-#include "renderer/bias/polygon_offset.h"
 #include "renderer/bias/theory.h"
+#include "renderer/render/polygon_offset.h"
 
 namespace si {
 
@@ -20,13 +20,13 @@ struct SurfacePoint {
 /// How far a point's depth moves, three times. Texels and metres are those that the point moves by, found by the
 /// inverse of the depth curve: in perspective maps they are no multiples of the depth, and never more than there is to
 /// the light.
-struct DepthAmount {
+struct DepthShift {
     double depth = 0;   ///< depth-buffer units; above 0 is towards the light
     double texels = 0;  ///< along the view's axis in widths of a texel at the point, as bias.unit has them
     double metres = 0;  ///< along the light's ray
 };
 
-struct BiasAccount {
+struct BiasBreakdown {
     LightReceiver receiver;
     ReceiverPlane plane;
     DepthCurve curve;      ///< of the receiver's view
@@ -45,14 +45,14 @@ struct BiasAccount {
     double clears() const { return constant + slope + by_itself + normal + raster; }
     /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of
     /// the normal offset that is only its part along the light.
-    double lifts = 0;
+    double depth_shift = 0;
     /// Whether every texel is compared with a depth of its own (Bias::per_texel), and by how much that may differ from
     /// the one at the look-up (bias.plane_clamp).
     bool per_texel = false;
-    double most_moved = 0;
+    double max_texel_shift = 0;
     /// The depth that is compared with a texel. @param centre its map coordinates
-    double compared_at(const glm::dvec2& centre) const;
-    DepthAmount amount(double depth) const {
+    double compared_depth_at(const glm::dvec2& centre) const;
+    DepthShift amount(double depth) const {
         const double along_axis = curve.metres_nearer(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
@@ -63,7 +63,7 @@ struct BiasAccount {
 
 /// @param resolution of the map
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
-BiasAccount bias_account(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& point,
-                         const RasterTraits& driver);
+BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, int resolution,
+                             const SurfacePoint& point, const RasterTraits& driver);
 
 }  // namespace si

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "renderer/projection/projection.h"
 #include "renderer/settings/biases.h"
-#include "renderer/view/projection.h"
 
 namespace si {
 
@@ -16,7 +16,9 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.to_light = light.type == LightType::Directional || !(distance > 0) ? light.to_light : away / distance;
     r.n_dot_l = glm::dot(geometric_normal, r.to_light);
     const ChosenView chosen = light.chooser.choose(light.views, position_ws);
-    r.view = chosen.view, r.other_view = chosen.other, r.blend = chosen.share;
+    r.view = chosen.view;
+    r.other_view = chosen.other;
+    r.blend = chosen.share;
     const LightView& view = light.views[r.view];
     const auto to_unit = [&](const glm::dvec3& ndc) { return uvd_from_ndc(view.curve.convention, ndc); };
     r.clip = view.clip_from_relative(position_ws) * glm::dvec4(0, 0, 0, 1);
@@ -39,7 +41,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double rim = 1.0 / resolution;
     const bool shadowless = light.closed && (r.uvd.x < rim || r.uvd.x > 1 - rim || r.uvd.y < rim || r.uvd.y > 1 - rim);
     r.place = w <= 0                   ? MapPlace::Behind
-              : shadowless             ? MapPlace::BeyondShadows
+              : shadowless             ? MapPlace::OutsideCasterRegion
               : beyond                 ? MapPlace::BeyondFar
               : sides                  ? MapPlace::Sides
               : r.own_m < r.curve.near ? MapPlace::BeforeNear

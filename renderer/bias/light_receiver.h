@@ -1,10 +1,10 @@
-// A surface point as a light's map sees it: shaders/lib/receiver.glsl in double. bias_account() brings its bias.
+// A surface point as a light's map sees it: shaders/lib/receiver.glsl in double. bias_breakdown() brings its bias.
 #pragma once
 
 #include <glm/glm.hpp>
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 #include "shaders/shared/facing.h"
 
 namespace si {
@@ -14,8 +14,8 @@ inline bool faces_light(double n_dot_l) {
     return n_dot_l > double(shared::FACES_AWAY_COSINE);
 }
 
-/// BeyondShadows: where nothing can cast one, as the light's fit has found.
-enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind, BeyondShadows };
+/// OutsideCasterRegion: where nothing can cast one, as the light's fit has found.
+enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind, OutsideCasterRegion };
 
 struct LightReceiver {
     std::size_t view = 0;        ///< of the light's
@@ -40,7 +40,7 @@ struct LightReceiver {
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 
-/// Without the bias of bias.kind, which is bias_account()'s to bring.
+/// Without the bias of bias.kind, which is bias_breakdown()'s to bring.
 /// @param bias_normal unit, the one that bias.normal_source chooses
 /// @param resolution of the map
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,

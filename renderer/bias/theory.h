@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 
@@ -61,8 +61,8 @@ double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double e
 /// What roundings of map coordinates are worth on a plane, 4 2^-23 |P| (1 / across + |w'| / w) (|g_u| + |g_v|): they
 /// count where texels are compared with the plane's depth at their place. `across` is the width of the map at the point
 /// in its shortest texels, metres; w' that of a warped view.
-double placing_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
-                    int resolution);
+double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
+                        int resolution);
 
 /// The least offset along the normal (metres) that does the work of a depth bias `b_min`: moving a plane by h along n
 /// moves it by h / |n . r| along the light's ray r, so h is |n . r| times the metres that b_min is worth. For an

@@ -5,15 +5,15 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
+#include "renderer/projection/projection.h"
+#include "renderer/render/renderer_impl.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
-#include "renderer/view/kernel_reach.h"
-#include "renderer/view/placement.h"
-#include "renderer/view/projection.h"
-#include "renderer/view/sky.h"
+#include "renderer/view/lights/kernel_reach.h"
+#include "renderer/view/lights/sky.h"
 #include "shaders/shared/units.h"
 
 namespace si {

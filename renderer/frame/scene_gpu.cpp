@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "renderer/base/printable.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/trouble.h"
 #include "renderer/scene/face_normals.h"
 
 namespace si {
@@ -87,11 +87,11 @@ SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu
 
 bool SceneGpu::has_textures_of(const Scene& scene) const {
     return std::ranges::equal(textures_as_uploaded_, scene.textures,
-                              [](const SameTexture& before, const Texture& now) { return before.is(now); });
+                              [](const TextureIdentity& before, const Texture& now) { return before.is(now); });
 }
 
 bool SceneGpu::goes_on_with(const Scene& scene) {
-    const auto same_mesh = [&](const SameMesh& before, const Mesh& now) { return before.is(scene, now); };
+    const auto same_mesh = [&](const MeshIdentity& before, const Mesh& now) { return before.is(scene, now); };
     if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) || !has_textures_of(scene)) return false;
     scene_id_ = scene.id;
     return true;
@@ -105,14 +105,14 @@ void SceneGpu::find_bodies_of(const Scene& scene, SceneGpu* before) {
             bodies_[i] = std::move(before->bodies_[i]);
         // What is deformed changes with each pose.
         else if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
-            bodies_[i] = find_bodies(m.positions, m.indices);
+            bodies_[i] = check_watertight(m.positions, m.indices);
     }
 }
 
 void SceneGpu::upload_geometry(const Scene& scene) {
     std::size_t vertex_count = 0, index_count = 0;
     bool coloured = false;
-    std::vector<FacedMesh> faced(scene.meshes.size());
+    std::vector<FlatNormalMesh> faced(scene.meshes.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& m = scene.meshes[i];
         faced[i] = face_normals(m.positions, m.indices);
@@ -140,11 +140,12 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     std::vector<Attributes> attributes;
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const Mesh& m = scene.meshes[mesh];
-        const FacedMesh& f = faced[mesh];
+        const FlatNormalMesh& f = faced[mesh];
         const std::size_t n = f.normals.size();
         ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
-        attributes.resize(n), positions.resize(n);
+        attributes.resize(n);
+        positions.resize(n);
         SharedArray<glm::vec3> seamless = m.positions;
         for (const auto& [moved, there] : bodies_[mesh].joined) seamless.edit()[moved] = m.positions[there];
         const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
@@ -235,13 +236,13 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         }
         auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
         const int levels = t.mipmaps ? gl::mip_levels(std::max(t.width, t.height)) : 1;
-        gl::forget_errors();
+        gl::clear_gl_errors();
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
-        gl::require_memory(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
-                           "use a scene with smaller textures, or map.resolution below what it is");
+        gl::check_memory_errors(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
+                                "use a scene with smaller textures, or map.resolution below what it is");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
-        gl::hold_images(texture, "scene's textures", {.levels = levels});
+        gl::track_image_memory(texture, "scene's textures", {.levels = levels});
         const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
         const auto set = [&](GLuint id, GLint min_filter) {
             glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));
@@ -302,7 +303,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         const bool blend = material.alpha == AlphaMode::Blend;
         if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts))) {
             const SceneTexture& t = textures_[std::size_t(material.base_colour_texture)];
-            texture = t.whole.id(), finest_texture = t.finest_id();
+            texture = t.whole.id();
+            finest_texture = t.finest_id();
         }
         GLuint normal_texture = 0;
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
@@ -325,13 +327,22 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         } else {
             const MeshRange& r = ranges_[std::size_t(e.mesh)];
             Batch b;
-            b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
-            b.first_instance = GLuint(order_.size()), b.instances = 1;
-            b.texture = e.texture, b.finest_texture = e.finest_texture, b.normal_texture = e.normal_texture;
-            b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.index_count = r.index_count;
+            b.first_index = r.first_index;
+            b.base_vertex = r.base_vertex;
+            b.first_instance = GLuint(order_.size());
+            b.instances = 1;
+            b.texture = e.texture;
+            b.finest_texture = e.finest_texture;
+            b.normal_texture = e.normal_texture;
+            b.mirrored = e.mirrored;
+            b.masked = e.masked;
+            b.blend = e.blend;
             b.double_sided = material_of(scene, mesh).double_sided;
             b.tangents = !mesh.tangents.empty();
-            b.cast = e.cast, b.cull = e.cull, b.closed = bodies_[std::size_t(e.mesh)].closed;
+            b.cast = e.cast;
+            b.cull = e.cull;
+            b.closed = bodies_[std::size_t(e.mesh)].closed;
             b.ground = scene.objects[e.object].ground;
             b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
             batches_.push_back(b);

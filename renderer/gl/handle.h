@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si::gl {
 
@@ -47,12 +47,12 @@ public:
         if (id_) Traits::destroy(std::exchange(id_, 0));
         held_.drop();
     }
-    /// So many bytes are behind the name. @param holder see HeldMemory
-    void holds(std::string_view holder, std::uint64_t bytes) { held_ = HeldMemory(holder, bytes); }
+    /// So many bytes are behind the name. @param holder see TrackedMemory
+    void holds(std::string_view holder, std::uint64_t bytes) { held_ = TrackedMemory(holder, bytes); }
 
 private:
     GLuint id_ = 0;
-    HeldMemory held_;
+    TrackedMemory held_;
 };
 
 struct BufferTraits {

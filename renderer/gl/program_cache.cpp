@@ -6,12 +6,12 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 namespace si::gl {
 namespace {
 
-constexpr const char* kShaderRemedy =
+constexpr const char* kShaderFix =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
 /// A frame takes 5 to 40. On llvmpipe each takes some 4 MB, machine code and what it is made of (resident memory beside
@@ -42,11 +42,13 @@ GLuint compile(GLenum stage, const std::string& text, const std::vector<std::str
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (made_to_fail(Trouble::Shader, files.empty() ? std::string_view() : std::string_view(files.front()))) ok = 0;
+    if (is_injected_failure(DriverFailure::Shader,
+                            files.empty() ? std::string_view() : std::string_view(files.front())))
+        ok = 0;
     if (!ok) {
         const std::string log = info_log(shader, false);
         glDeleteShader(shader);
-        throw Error(fmt::format("shader does not compile (files: {}): {}{}", numbered(files), log, kShaderRemedy));
+        throw Error(fmt::format("shader does not compile (files: {}): {}{}", numbered(files), log, kShaderFix));
     }
     return shader;
 }
@@ -73,7 +75,7 @@ Program ProgramCache::build(const std::string& vertex, const std::string& fragme
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (!ok)
         throw Error(fmt::format("shader does not link (files: {}): {}{}", numbered(files), info_log(program.id(), true),
-                                kShaderRemedy));
+                                kShaderFix));
     return program;
 }
 
@@ -126,8 +128,10 @@ GLuint ProgramCache::use(Kept& kept) const {
 void ProgramCache::end_frame(std::size_t most) {
     const std::uint64_t now = frame_++;
     if (most == 0) most = kMostPrograms;
-    if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most)
-        by_request_.clear(), last_good_.clear();
+    if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most) {
+        by_request_.clear();
+        last_good_.clear();
+    }
     while (programs_.size() > most) {
         const auto oldest = std::min_element(programs_.begin(), programs_.end(), [](const auto& a, const auto& b) {
             return a.second.used < b.second.used;

@@ -35,8 +35,8 @@ struct Target {
                 const TargetExtent& more = {});
 };
 
-/// Has a texture tell how many bytes its images take, as its format says. @param holder see HeldMemory
-void hold_images(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
+/// Has a texture tell how many bytes its images take, as its format says. @param holder see TrackedMemory
+void track_image_memory(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
 
 /// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
@@ -49,10 +49,10 @@ Framebuffer make_framebuffer(std::string_view label, std::span<const Target> col
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
 
 /// What images of one number a pixel are read back as: GL_RED, or GL_DEPTH_COMPONENT.
-GLenum one_channel(GLenum internal_format);
+GLenum single_channel_format(GLenum internal_format);
 
 /// Before pixels are read back into memory: rows without gaps, and what is drawn is there. OpenGL promises the latter,
 /// but llvmpipe of Mesa 22.3 now and then hands out what a target held before, where all that is under way is a clear.
-void begin_reading();
+void prepare_read_back();
 
 }  // namespace si::gl

@@ -15,6 +15,6 @@ inline constexpr const char* kExtrasKey = "shadow_inspector";
 void read_scene_extras(Context& context, const Json& root, int scene_index, Scene& scene);
 
 /// Whether the exporter marked a number of a camera ("znear_automatic") as a stand-in.
-bool camera_flag(const Json& camera, const char* name);
+bool is_automatic_camera_field(const Json& camera, const char* name);
 
 }  // namespace si::gltf

@@ -16,10 +16,10 @@
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/base64.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/gltf.h"
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 namespace si {
 namespace {
@@ -96,7 +96,10 @@ int Writer::add_vectors(const SharedArray<Vec>& values, bool with_bounds) {
     Json accessor = {{"componentType", kFloat}, {"count", values.size()}, {"type", fmt::format("VEC{}", kLength)}};
     if (with_bounds) {
         Vec lo = values[0], hi = values[0];
-        for (const Vec& v : values) lo = glm::min(lo, v), hi = glm::max(hi, v);
+        for (const Vec& v : values) {
+            lo = glm::min(lo, v);
+            hi = glm::max(hi, v);
+        }
         for (int i = 0; i < kLength; ++i) {
             accessor["min"].push_back(double(lo[i]));
             accessor["max"].push_back(double(hi[i]));
@@ -194,7 +197,10 @@ void Writer::add_materials() {
             if (second_uv_[i]) out["normalTexture"]["texCoord"] = 1;
         }
         if (m.alpha == AlphaMode::Blend) out["alphaMode"] = "BLEND";
-        if (m.alpha == AlphaMode::Mask) out["alphaMode"] = "MASK", out["alphaCutoff"] = double(m.alpha_cutoff);
+        if (m.alpha == AlphaMode::Mask) {
+            out["alphaMode"] = "MASK";
+            out["alphaCutoff"] = double(m.alpha_cutoff);
+        }
         if (m.double_sided) out["doubleSided"] = true;
         if (m.unlit) out["extensions"]["KHR_materials_unlit"] = Json::object(), extensions_["KHR_materials_unlit"];
         root_["materials"].push_back(std::move(out));
@@ -290,7 +296,7 @@ void Writer::add_lights() {
 }
 
 /// Whether a reader of the lights alone suggests the same settings of lights.
-bool lights_say_all(const Scene& scene) {
+bool lights_suggest_same_settings(const Scene& scene) {
     Scene lit;
     lit.lights = scene.lights;
     lit.bounds = scene.bounds;
@@ -311,7 +317,7 @@ Json Writer::document() {
     if (!scene_.name.empty()) scene["name"] = scene_.name;
     if (!roots_.empty()) scene["nodes"] = roots_;
     if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
-    const bool lights_suffice = lights_say_all(scene_);
+    const bool lights_suffice = lights_suggest_same_settings(scene_);
     for (const auto& [key, value] : scene_.suggested)
         if (!lights_suffice || !key.starts_with("light.")) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
     root_["scene"] = 0;
@@ -334,7 +340,10 @@ std::string text_of(const Json& document) {
             continue;
         }
         const char* comma = "[\n  ";
-        for (const Json& element : value) out += comma + dump(element), comma = ",\n  ";
+        for (const Json& element : value) {
+            out += comma + dump(element);
+            comma = ",\n  ";
+        }
         out += "\n]";
     }
     return out + "\n}\n";

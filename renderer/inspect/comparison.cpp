@@ -23,7 +23,7 @@ std::string_view place_name(MapPlace place) {
             return "beyond far";
         case MapPlace::Behind:
             return "behind";
-        case MapPlace::BeyondShadows:
+        case MapPlace::OutsideCasterRegion:
             return "beyond shadows";
     }
     return "";
@@ -52,7 +52,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
         return fmt::format("{}: beyond the light's far plane, the far-plane test decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
-    const DepthAmount all = p.account.amount(p.account.clears());
+    const DepthShift all = p.account.amount(p.account.clears());
     const std::string bias =
         std::isfinite(all.texels)
             ? fmt::format("bias and normal offset are worth {} ({})", metres_text(all.metres), texels_text(all.texels))
@@ -104,7 +104,7 @@ bool passes(const Settings& s, double own, double stored) {
     return nearer || (s.map.compare == int(Compare::LessEqual) && a == b);
 }
 
-KernelTap::Meets met(const BiasAccount& account, const DepthConvention& convention, double stored, double plane) {
+KernelTap::Meets met(const BiasBreakdown& account, const DepthConvention& convention, double stored, double plane) {
     if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
     if (account.plane.edge_on()) return KernelTap::Meets::Own;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
@@ -129,8 +129,12 @@ std::vector<RecordedTap> merged(const std::vector<RecordedTap>& taps) {
 void enclose_taps(Probe::PerLight& p) {
     if (p.taps.empty()) return;
     glm::ivec2 lo = p.taps.front().texel, hi = lo;
-    for (const KernelTap& t : p.taps) lo = glm::min(lo, t.texel), hi = glm::max(hi, t.texel);
-    p.taps_first = lo, p.taps_size = hi - lo + 1;
+    for (const KernelTap& t : p.taps) {
+        lo = glm::min(lo, t.texel);
+        hi = glm::max(hi, t.texel);
+    }
+    p.taps_first = lo;
+    p.taps_size = hi - lo + 1;
 }
 
 }  // namespace
@@ -151,7 +155,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         p.verdict = dark.empty() ? (p.visibility < 0.5 ? "dark: " : "lit: ") + light.reason : dark;
         return p;
     }
-    p.account = bias_account(light, settings, n, p.point, driver);
+    p.account = bias_breakdown(light, settings, n, p.point, driver);
     const LightReceiver& r = p.account.receiver;
     const LightView& view = light.views[r.view];
     const DepthCurve& range = view.curve;
@@ -163,29 +167,37 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         p.view += fmt::format(", {:.0f} % of {} blended in", 100 * r.blend,
                               view_name(light.chooser.choice, r.other_view, light.views.size()));
     p.n_dot_l = r.n_dot_l;
-    p.clip = r.clip, p.ndc = r.ndc, p.uvd = r.uvd, p.tap = r.tap;
+    p.clip = r.clip;
+    p.ndc = r.ndc;
+    p.uvd = r.uvd;
+    p.tap = r.tap;
     p.texel_m = r.texel_m;
-    p.own = r.uvd.z, p.own_m = r.own_m, p.own_linear = linear(r.own_m);
-    p.bias_depth = r.bias_depth, p.bias_m = r.bias_m, p.bias_texels = r.bias_m / r.texel_m;
+    p.own = r.uvd.z;
+    p.own_m = r.own_m;
+    p.own_linear = linear(r.own_m);
+    p.bias_depth = r.bias_depth;
+    p.bias_m = r.bias_m;
+    p.bias_texels = r.bias_m / r.texel_m;
     p.normal_offset_m = r.normal_offset_m;
     p.offset_position_ws = p.point.position_ws + p.point.bias_normal * p.normal_offset_m;
     p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
-    p.compared_nearest = as_compared(settings, p.account.compared_at((glm::dvec2(p.texel) + 0.5) / double(n)));
+    p.compared_nearest = as_compared(settings, p.account.compared_depth_at((glm::dvec2(p.texel) + 0.5) / double(n)));
     p.where = place_name(r.place);
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
-    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
+    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored);
+    p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
-    if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
+    if (r.place != MapPlace::Behind && r.place != MapPlace::OutsideCasterRegion) {
         const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
             tap.plane = p.account.plane.at(at);
-            tap.compared = as_compared(settings, p.account.compared_at(at));
+            tap.compared = as_compared(settings, p.account.compared_depth_at(at));
             tap.lit = passes(settings, tap.compared, tap.stored);
             tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
                                                  : KernelTap::Meets::Nothing;

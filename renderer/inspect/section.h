@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
 
 namespace si {
 
-class TruthScene;
+class ReferenceScene;
 
 /// Which row of the map's texels is cut, and how much of it.
 struct SectionCut {
@@ -47,7 +47,7 @@ struct Section {
     /// A part of the way from the look-up to the compared depth.
     struct Term {
         std::string name;
-        DepthAmount amount;
+        DepthShift amount;
         glm::dvec2 from{0}, to{0};
     };
     /// Mean and spread of the depths that a kernel of moments read.
@@ -74,18 +74,18 @@ struct Section {
     glm::dvec2 moved{0}, compared{0};  ///< the point after the normal offset, and after the depth bias
     double normal_offset_m = 0;
     std::vector<Term> terms;                       ///< of the depth bias, those that are not 0
-    DepthAmount raster;                            ///< by which polygon offset has moved the stored depths
+    DepthShift raster;                             ///< by which polygon offset has moved the stored depths
     bool per_texel = false;                        ///< each texel is compared with a depth of its own
     std::optional<Moments> moments;                ///< of kernels that read them
     std::vector<std::vector<glm::dvec2>> profile;  ///< what the light sees in truth, each surface a line
 
     // By the dossier, where there is one.
-    bool judged = false;
+    bool classified = false;
     std::string artefact;  ///< label; empty: nothing is wrong
     std::string verdict;   ///< a sentence
     bool true_lit = true;
     bool tested = true;  ///< else the surface is dark, or lit, without a look at the map
-    DepthAmount least, has, lifted;
+    DepthShift least, has, lifted;
     /// Metres from the surface along its own ray of the light, as the dossier's `least` and `occluder` have them: bias
     /// must bring its depth towards the light at least so far, and less than so far. With an offset, too: `has` is what
     /// meets the near end, `lifted` what meets the far one.
@@ -106,20 +106,21 @@ struct Section {
 /// light faster, or, where an edge of shadow decides, in which that edge is nearer. A count of 0 where the light has no
 /// map or the point no place in it.
 /// @param dossier null: none @param resolution of the map
-SectionCut section_cut(const Probe::PerLight& light, const Dossier* dossier, const Settings& settings, int resolution);
+SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
+                       int resolution);
 
 /// What the light sees first along the cut, eight rays a texel.
-std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLight& light, const SectionCut& cut,
+std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::PerLight& light, const SectionCut& cut,
                                     int resolution);
 
 /// @param dossier null: none, and nothing of the truth is known
 /// @param profile true_profile(), or empty
-Section cross_section(const Probe::PerLight& light, const Dossier* dossier, const SectionCut& cut, int resolution,
-                      std::span<const TruePoint> profile = {});
+Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
+                      int resolution, std::span<const TruePoint> profile = {});
 
 /// All of that of one of a probe's lights.
 /// @param dossiers of its lights, or fewer: of the others nothing of the truth is known @param casters null: no profile
-Section section_of(const Probe& probe, std::size_t light, std::span<const Dossier> dossiers, const Settings& settings,
-                   const TruthScene* casters);
+Section section_of(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
+                   const Settings& settings, const ReferenceScene* casters);
 
 }  // namespace si

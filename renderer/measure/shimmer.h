@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

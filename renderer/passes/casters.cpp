@@ -9,12 +9,12 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
-#include "renderer/passes/mesh_boxes.h"
-#include "renderer/passes/of_meshes.h"
+#include "renderer/optimisations/mesh_boxes.h"
+#include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
+#include "renderer/scene/per_mesh.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/box_sight.h"
-#include "renderer/view/projection.h"
+#include "renderer/view/culling/box_culling.h"
 
 namespace si {
 namespace {
@@ -165,9 +165,9 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Saving::Casters)),
+          skips_(!seen && !f.request.forced.contains(Optimisation::Casters)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Saving::Fragments)),
+                 !f.request.forced.contains(Optimisation::Fragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
@@ -178,7 +178,7 @@ public:
         finish(run);
     }
 
-    SparedCasters spared;
+    SkippedCasters spared;
 
 private:
     struct Run {
@@ -205,11 +205,11 @@ private:
             ++spared.beside;
             return finish(run);
         }
-        if (which_.called && !covers_called(box_of(instance))) {
+        if (which_.called && !covers_needed(box_of(instance))) {
             ++spared.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? called_of(instance) : Seen::Whole;
+        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? needed_part_of(instance) : Seen::Whole;
         if (what == Seen::Parts && parts_.empty()) {
             ++spared.unread;
             return finish(run);
@@ -218,30 +218,34 @@ private:
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
         const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
-        spared.closed += fronts_alone, spared.bare += bare;
+        spared.closed += fronts_alone;
+        spared.bare += bare;
         if (what != Seen::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
-        run.fronts_alone = fronts_alone, run.bare = bare;
+        run.fronts_alone = fronts_alone;
+        run.bare = bare;
         if (what == Seen::Whole) {
             if (run.batch.instances++ == 0) run.batch.first_instance = instance;
             return;
         }
         for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
             Run part{batch, fronts_alone, bare};
-            part.batch.first_instance = instance, part.batch.instances = 1;
-            part.batch.first_index += range.first, part.batch.index_count = range.count;
+            part.batch.first_instance = instance;
+            part.batch.instances = 1;
+            part.batch.first_index += range.first;
+            part.batch.index_count = range.count;
             finish(part);
         }
     }
 
     /// Of an instance of which something is called for. Large meshes are drawn in runs.
-    Seen called_of(GLuint instance) {
+    Seen needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
         if (runs.empty()) return Seen::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
         for (std::size_t k = 0; k < runs.size(); ++k)
-            if (covers_called({runs[k], object.world}))
+            if (covers_needed({runs[k], object.world}))
                 add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         return Seen::Parts;
     }
@@ -251,11 +255,14 @@ private:
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
         std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
-        if (rect) rect->lo -= room, rect->hi += room;
+        if (rect) {
+            rect->lo -= room;
+            rect->hi += room;
+        }
         return rect;
     }
 
-    bool covers_called(const SkewBox& box) const {
+    bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
         return !rect || which_.called->meets(*rect);
     }
@@ -318,7 +325,7 @@ private:
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
-        if (run.fronts_alone && f_.request.forced.contains(Saving::BackFaces)) draw_backs(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Optimisation::BackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
 
@@ -372,7 +379,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     }
 }
 
-SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
     const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -400,8 +407,8 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
     return drawer.spared;
 }
 
-SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info, const CasterChoice& which) {
+SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                            const LightView& view, PassInfo& info, const CasterChoice& which) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);

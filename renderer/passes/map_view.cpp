@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "renderer/frame/depth_histogram.h"
 #include "renderer/frame/state.h"
-#include "renderer/inspect/depth_histogram.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
@@ -84,7 +84,7 @@ Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
         glUniform2i(glGetUniformLocation(id, "blocks"), kBlocks, kBlocks);
         FrameState::draw_fullscreen(info);
         std::vector<glm::vec2> blocks(std::size_t(kBlocks) * kBlocks);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(t.range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
                           blocks.data());
         glm::vec2 range = blocks[0];
@@ -119,11 +119,18 @@ glm::vec2 FrameState::grey_range() const {
     for (const double row : {0.0, 1.0})
         for (const float stored : {drawn.x, drawn.y}) {
             const double value = shown_depth(stored, *shown_curve(), view, row);
-            lo = std::min(lo, value), hi = std::max(hi, value);
+            lo = std::min(lo, value);
+            hi = std::max(hi, value);
         }
-    if (shown_channel(settings) > 0) lo = drawn.x, hi = drawn.y;
+    if (shown_channel(settings) > 0) {
+        lo = drawn.x;
+        hi = drawn.y;
+    }
     const double least = 1e-6;  // one depth alone is shown in the middle of the greys
-    if (hi - lo < least) lo = 0.5 * (lo + hi - least), hi = lo + least;
+    if (hi - lo < least) {
+        lo = 0.5 * (lo + hi - least);
+        hi = lo + least;
+    }
     return {lo, hi};
 }
 

@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "renderer/frame/driver.h"
-#include "renderer/gl/pace.h"
+#include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/lookup_savings.h"
-#include "renderer/passes/map_extents.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 namespace si {
 namespace {
@@ -54,7 +54,9 @@ public:
     /// @param held what of the view's map is drawn
     void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
         const FilterSettings& s = f_.settings.filter;
-        view_ = &view, layer_ = layer, texels_ = held.texels(f_.map_resolution);
+        view_ = &view;
+        layer_ = layer;
+        texels_ = held.texels(f_.map_resolution);
         From from = From::Depths;
         if (sampled(f_)) {
             draw_samples(light, view, held);
@@ -62,7 +64,8 @@ public:
         }
         if (filter_of(f_.settings).moments.summed) {
             average(from, 0, 0, false);
-            sum(0), sum(1);
+            sum(0);
+            sum(1);
             return;
         }
         if (s.blur == 0) return average(from, 0, 0, true);
@@ -92,7 +95,7 @@ private:
         filled_ = 1 - filled_;
         gl::Framebuffer into = gl::make_framebuffer("moments", last ? &t_.moments : &step, nullptr,
                                                     last && t_.moments.layers > 0 ? layer_ : -1);
-        if (f_.driver.software) gl::keep_few_under_way();
+        if (f_.driver.software) gl::limit_pending_draws();
         f_.begin_fullscreen_pass(into.id(), f_.map_resolution, f_.map_resolution);
         return into;
     }
@@ -113,7 +116,8 @@ private:
         std::vector<TexelRect> rects;
         for (const glm::ivec2& strip : strips)
             for (TexelRect r : texels_) {
-                r.from[axis] = std::max(r.from[axis], strip[0]), r.to[axis] = std::min(r.to[axis], strip[1]);
+                r.from[axis] = std::max(r.from[axis], strip[0]);
+                r.to[axis] = std::min(r.to[axis], strip[1]);
                 if (r.from[axis] < r.to[axis]) rects.push_back(r);
             }
         if (rects.empty()) return;

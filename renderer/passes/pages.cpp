@@ -8,14 +8,14 @@
 #include <limits>
 
 #include "renderer/frame/driver.h"
-#include "renderer/frame/page_cache.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
+#include "renderer/passes/page_cache.h"
+#include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
-#include "renderer/view/projection.h"
 #include "shaders/shared/pages.h"
 
 namespace si {
@@ -96,7 +96,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     for (const Batch& batch : f.gl.scene->batches()) {
         if (!draws_into_maps(f, batch)) continue;
         const std::vector<Bounds> parts =
-            run_boxes_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
+            index_run_boxes(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
             const Object& object = scene.objects[order[i]];
             const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
@@ -149,7 +149,8 @@ public:
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {
                 const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
-                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+                rect.lo = glm::min(rect.lo, at);
+                rect.hi = glm::max(rect.hi, at);
             }
             return rect;
         });
@@ -222,7 +223,8 @@ private:
                 // Beside and behind a light's place it may be anywhere.
                 if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
                 const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
-                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+                rect.lo = glm::min(rect.lo, at);
+                rect.hi = glm::max(rect.hi, at);
             }
             return rect;
         });
@@ -374,7 +376,10 @@ PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<
         for (int l = first; l < layer; ++l) {
             glm::ivec2 lo(std::numeric_limits<int>::max()), hi(-1);
             for (const PlacedPage& p : choice.read)
-                if (p.layer == l) lo = glm::min(lo, p.page), hi = glm::max(hi, p.page);
+                if (p.layer == l) {
+                    lo = glm::min(lo, p.page);
+                    hi = glm::max(hi, p.page);
+                }
             if (hi.x < 0) continue;
             const PagedLayer& of = layers[std::size_t(l)];
             finest = std::min(finest, of.texel_m());
@@ -383,7 +388,10 @@ PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<
         }
         facts.finest_texel_m = std::min(facts.finest_texel_m, finest);
         if (!light.levels.empty() && width > 0) facts.fixed_map_texels += width / finest * (width / finest);
-        if (all > most) most = all, facts.by_level = std::move(by_level);
+        if (all > most) {
+            most = all;
+            facts.by_level = std::move(by_level);
+        }
     }
     if (!std::isfinite(facts.finest_texel_m)) facts.finest_texel_m = 0;
     return facts;
@@ -407,7 +415,7 @@ void choose_and_draw(FrameState& f, PageTargets& t, PassInfo& info) {
     if (f.request.force || t.page != page || t.pool.format != f.map_format()) t.cache.clear();
     t.page = page;
     std::vector<std::uint8_t> wanted(std::size_t(side) * std::size_t(side) * std::size_t(f.view_count));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
                       wanted.data());
     find_casters(f, t.casters);
@@ -500,17 +508,20 @@ ReadPages pages_read(Resources& resources) {
 
 PageFacts page_facts(Resources& resources, bool drawn) {
     PageFacts facts = resources.owned.get<PageTargets>().facts;
-    if (!drawn) facts.kept += facts.drawn, facts.drawn = facts.evicted = 0;
+    if (!drawn) {
+        facts.kept += facts.drawn;
+        facts.drawn = facts.evicted = 0;
+    }
     return facts;
 }
 
 std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
                                      float empty_depth) {
     const PageTargets& t = resources.owned.get<PageTargets>();
-    const GLenum format = gl::one_channel(t.pool.format);
+    const GLenum format = gl::single_channel_format(t.pool.format);
     std::vector<float> out(std::size_t(size.x) * std::size_t(size.y), empty_depth);
     std::vector<float> depths(std::size_t(t.page) * std::size_t(t.page));
-    gl::begin_reading();
+    gl::prepare_read_back();
     const glm::ivec2 last = first + size - 1;
     for (int y = first.y / t.page; size.y > 0 && y <= last.y / t.page; ++y)
         for (int x = first.x / t.page; size.x > 0 && x <= last.x / t.page; ++x) {

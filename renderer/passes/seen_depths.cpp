@@ -18,20 +18,21 @@ constexpr double kSlack = 1e-5;
 }  // namespace
 
 std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
-    info = {.name = "depths seen", .state = PassState::Ran, .category = PassCategory::Maps};
+    info = {.name = "depths seen", .state = PassState::Drawn, .category = PassCategory::Maps};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
     const CameraPass pass(f);  // whose framebuffer is read below
     pass.draw("passes/camera_depth.frag.glsl", {}, info);
     std::vector<float> depths(std::size_t(f.request.width) * std::size_t(f.request.height));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glReadPixels(0, 0, f.request.width, f.request.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     const DepthCurve& curve = f.camera.curve;
     const auto empty = float(curve.convention.far_depth());
     float least = 2, greatest = -1;
     for (const float depth : depths) {
         if (depth == empty) continue;
-        least = std::min(least, depth), greatest = std::max(greatest, depth);
+        least = std::min(least, depth);
+        greatest = std::max(greatest, depth);
     }
     std::optional<DepthSpan> span;
     if (least <= greatest) {
@@ -42,9 +43,10 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
     info.reason = span ? fmt::format("the camera sees {} to {}; light.depth_bounds goes by it",
                                      metres_text(span->from_m), metres_text(span->to_m))
                        : "light.depth_bounds asks, but the camera sees nothing";
-    if (f.request.timing)
-        info.cpu_ms = info.gpu_ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (f.request.timing) {
+        info.cpu_ms = info.gpu_ms = std::chrono::duration < double;
+        std::milli > (std::chrono::steady_clock::now() - start).count();
+    }
     return span;
 }
 

@@ -50,7 +50,8 @@ glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& 
         if (!(glm::dot(off, off) < least)) continue;
         least = glm::dot(off, off);
         best = glm::dvec3(0);
-        best[k] = 1 - share, best[next] = share;
+        best[k] = 1 - share;
+        best[next] = share;
     }
     return best;
 }
@@ -73,7 +74,8 @@ public:
             const double height = area2 / std::max(lengths[k], 1e-300);
             const double share = height > 0 ? inset / height : 0;
             const bool border = (borders >> ((k + 1) % 3) & 1) != 0;
-            all_in_[int(k)] = share, borders_in_[int(k)] = border ? share : 0;
+            all_in_[int(k)] = share;
+            borders_in_[int(k)] = border ? share : 0;
         }
         for (const glm::dvec3* e : {&corners_[0], &corners_[1], &corners_[2]})
             edge_m_ = std::max(edge_m_, float(glm::distance(*e, e == &corners_[2] ? corners_[0] : *(e + 1))));
@@ -117,7 +119,7 @@ private:
 
 class Baker {
 public:
-    Baker(const LightMapTask& task, const LightMapLayout& layout, const TruthScene& scene)
+    Baker(const LightMapTask& task, const LightMapLayout& layout, const ReferenceScene& scene)
         : task_(task), layout_(layout), scene_(scene) {
         query_.emitter = task.emitter;
         query_.traits.resize(task.geometry->objects.size());
@@ -136,33 +138,35 @@ public:
                 workers.part(double(s) / double(by_strip_.size()), double(s + 1) / double(by_strip_.size()));
             const int y0 = int(s) * kStrip, rows = std::min(kStrip, layout_.side - y0);
             place(y0, rows, by_strip_[s], workers);
-            const Truth truth = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
-            out.rays += truth.rays;
+            const Reference reference = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
+            out.rays += reference.rays;
             std::uint8_t* to = out.texels.data() + std::size_t(y0) * std::size_t(layout_.side);
             for (std::size_t i = 0; i < receivers_.pixels.size(); ++i)
-                if (receivers_.pixels[i].hit()) to[i] = std::uint8_t(std::lround(truth.visibility.data[i] * 255));
+                if (receivers_.pixels[i].hit()) to[i] = std::uint8_t(std::lround(reference.visibility.data[i] * 255));
         }
     }
 
 private:
     const LightMapTask& task_;
     const LightMapLayout& layout_;
-    const TruthScene& scene_;
-    TruthQuery query_;
+    const ReferenceScene& scene_;
+    ReferenceQuery query_;
     std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts
     Receivers receivers_;
     std::vector<double> distances_;  ///< of the points found so far, texels
 
     void place(int y0, int rows, const std::vector<std::uint32_t>& charts, const Workers& workers) {
         const std::size_t count = std::size_t(layout_.side) * std::size_t(rows);
-        receivers_.width = layout_.side, receivers_.height = rows;
-        receivers_.pixels.assign(count, {}), receivers_.starts.assign(count, {});
+        receivers_.width = layout_.side;
+        receivers_.height = rows;
+        receivers_.pixels.assign(count, {});
+        receivers_.starts.assign(count, {});
         distances_.assign(count, std::numeric_limits<double>::infinity());
         // Charts share no texel.
-        for_blocks(charts.size(), {.threads = workers.threads, .stop = workers.stop},
-                   [&](std::size_t c) { place_chart(layout_.charts[charts[c]], y0, rows); });
+        parallel_for_blocks(charts.size(), {.threads = workers.threads, .stop = workers.stop},
+                            [&](std::size_t c) { place_chart(layout_.charts[charts[c]], y0, rows); });
         const UnitFrame frame = task_.geometry->unit_frame();
-        for_blocks(std::size_t(rows), {.threads = workers.threads, .stop = workers.stop}, [&](std::size_t y) {
+        parallel_for_blocks(std::size_t(rows), {.threads = workers.threads, .stop = workers.stop}, [&](std::size_t y) {
             for (std::size_t i = y * std::size_t(layout_.side); i < (y + 1) * std::size_t(layout_.side); ++i)
                 if (const Receiver& r = receivers_.pixels[i]; r.hit())
                     receivers_.starts[i] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
@@ -193,7 +197,8 @@ private:
                     r.position_ws = point;
                     r.normal_ws = glm::dot(triangle.normal(), to_light) < 0 ? -triangle.normal() : triangle.normal();
                     r.edge_m = triangle.edge_m();
-                    r.object = chart.object, r.primitive = t;
+                    r.object = chart.object;
+                    r.primitive = t;
                 }
         }
     }
@@ -205,7 +210,7 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
                             int light) {
     if (light < 0 || std::size_t(light) >= lights.size()) return 0;
     const Emitter emitter = emitter_of(lights[std::size_t(light)], settings.lights[std::size_t(light)]);
-    Key key = truth_geometry_key(scene, settings);
+    Key key = reference_geometry_key(scene, settings);
     add_emitter(key, emitter, samples_of(emitter, settings));
     return key.add(settings.light_map.resolution).value();
 }
@@ -219,7 +224,7 @@ LightMapTask light_map_task(const Scene& scene, const Settings& settings, const 
             samples_of(emitter, settings), frame.light_maps[i].key};
 }
 
-std::uint64_t light_map_content(const LightMapTask& task) {
+std::uint64_t light_map_content_key(const LightMapTask& task) {
     Key key;
     key.add(kMethod).add(task.side);
     add_emitter(key, task.emitter, task.samples);
@@ -232,14 +237,14 @@ std::uint64_t next_light_map_version() {
     return ++last;
 }
 
-LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout, const TruthScene& scene,
-                        const Workers& workers) {
+LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
+                        const ReferenceScene& scene, const Workers& workers) {
     LightMap out;
     out.key = task.key;
     out.version = next_light_map_version();
     out.layout = std::move(layout);
     Baker(task, *out.layout, scene).bake(out, workers);
-    out.held = HeldMemory("light maps", array_bytes(out.texels));
+    out.held = TrackedMemory("light maps", array_bytes(out.texels));
     return out;
 }
 

@@ -14,14 +14,14 @@
 
 #include "renderer/frame/frame.h"
 #include "renderer/reference/light_map_layout.h"
-#include "renderer/reference/truth.h"
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 
 /// Everything that a bake needs; it touches neither scene nor GPU any more.
 struct LightMapTask {
-    std::shared_ptr<const TruthGeometry> geometry;
+    std::shared_ptr<const ReferenceGeometry> geometry;
     Emitter emitter;
     int side = 0;     ///< of the atlas, texels
     int samples = 1;  ///< most rays a texel, over the light's area; 1: one to its middle
@@ -38,7 +38,7 @@ struct LightMap {
     std::uint64_t rays = 0;
     double bake_ms = 0;  ///< wall time, of reading it where it was kept on disk
     bool from_disk = false;
-    HeldMemory held;  ///< what its texels take
+    TrackedMemory held;  ///< what its texels take
     std::string
         remark;  ///< why the one on disk was not taken, or this one not kept there; empty: nothing is to be said
 };
@@ -52,7 +52,7 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
 LightMapTask light_map_task(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
 
 /// The key of what the map is made of, whatever process asks: triangles as placed, masks, light, settings.
-std::uint64_t light_map_content(const LightMapTask& task);
+std::uint64_t light_map_content_key(const LightMapTask& task);
 
 /// Another one each time, for LightMap::version.
 std::uint64_t next_light_map_version();
@@ -60,8 +60,8 @@ std::uint64_t next_light_map_version();
 /// Traces every texel that a look-up may read, on the side of its surface that the light is on: what shows the other
 /// one faces away and is dark. Texels beside their chart are moved to the nearest point of it, and a quarter of a texel
 /// in from its borders, so that none lies in the plane of a wall that stands there. Equal for any number of threads.
-/// @throws Cancelled; Error as TruthScene does
-LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout, const TruthScene& scene,
-                        const Workers& workers);
+/// @throws Cancelled; Error as ReferenceScene does
+LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
+                        const ReferenceScene& scene, const Workers& workers);
 
 }  // namespace si

@@ -12,7 +12,7 @@
 namespace si {
 
 /// Light maps by what they are made of. Any thread.
-class LightMaps {
+class LightMapCache {
 public:
     /// What the folder on disk may take in all, and what is kept in memory; the longest unused goes first.
     static constexpr std::uint64_t kMostOnDisk = 512ull << 20, kMostInMemory = 256ull << 20;
@@ -20,10 +20,10 @@ public:
     /// The map of that task: known, read from disk, or else baked and kept in both. A file that is damaged, or of
     /// another version of the program, is baked again, which the map's remark says; so it does where the disk takes
     /// none.
-    /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and TruthScene do
+    /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
     /// Where maps are kept on disk from now on; made when first written to. Empty: nowhere.
-    void keep_in(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
+    void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
     /// Keeps none in memory.
     void forget();
 
@@ -49,10 +49,10 @@ private:
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);
 
     std::shared_ptr<const LightMapLayout> layout_;  ///< the last one: lights of a scene share it
-    std::uint64_t layout_geometry_ = 0;             ///< its TruthGeometry::key
+    std::uint64_t layout_geometry_ = 0;             ///< its ReferenceGeometry::key
 };
 
 /// The process's own.
-LightMaps& light_maps();
+LightMapCache& light_maps();
 
 }  // namespace si

@@ -9,8 +9,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
+#include "renderer/reference/reference_geometry.h"
 
 namespace si {
 
@@ -58,6 +58,6 @@ struct LightMapLayout {
 /// is taken apart into those that are flat.
 /// @param side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled
-LightMapLayout light_map_layout(const TruthGeometry& geometry, int side, const Workers& workers = {});
+LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers = {});
 
 }  // namespace si

@@ -14,10 +14,10 @@ namespace {
 
 /// Pixels on either side of a step between lit and dark on one surface.
 template <typename Dark>
-std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uint8_t>& joins, Dark&& dark) {
-    const auto w = std::size_t(truth.width), h = std::size_t(truth.height);
+std::vector<std::uint8_t> contour(const Reference& reference, const std::vector<std::uint8_t>& joins, Dark&& dark) {
+    const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
     std::vector<std::uint8_t> out(w * h, 0);
-    const auto counts = [&](std::size_t i) { return truth.state[i] == PixelState::Counted; };
+    const auto counts = [&](std::size_t i) { return reference.state[i] == PixelState::Counted; };
     const auto step = [&](std::size_t i, std::size_t k, std::uint8_t bit) {
         if (!counts(i) || !counts(k) || (!joins.empty() && !(joins[i] & bit))) return;
         if (dark(i) != dark(k)) out[i] = out[k] = 1;
@@ -351,7 +351,7 @@ double Metric::value(const ErrorMetrics& m) const {
     return wrong;
 }
 
-double shortfall(Better better, double value) {
+double distance_from_best(Better better, double value) {
     switch (better) {
         case Better::Less:
             return value;
@@ -365,10 +365,10 @@ double shortfall(Better better, double value) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
-    using J = JudgedPixel;
-    const bool sides = (v < 0.5f) != (truth.visibility < 0.5), wrong = is_wrong(v, truth);
-    const bool faint = truth.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
+std::uint32_t compared_bits(float v, const TruePixel& reference, bool outside) {
+    using J = ClassifiedPixel;
+    const bool sides = (v < 0.5f) != (reference.visibility < 0.5), wrong = is_wrong(v, reference);
+    const bool faint = reference.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
     std::uint32_t bits = J::kCounts;
     if (wrong) bits |= v < 0.5f ? J::kFalseShadow : J::kFalseLight;
     if (sides && !wrong) bits |= J::kWithinNoise;
@@ -377,77 +377,85 @@ std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
     return bits;
 }
 
-TruePixel true_pixel(const Truth& truth, std::size_t i) {
-    TruePixel p{.visibility = truth.visibility.data[i], .noise = 0, .hard_lit = truth.hard().data[i] >= 0.5f};
-    if (truth.is_area()) p.noise = truth.standard_error.data[i];
+TruePixel true_pixel(const Reference& reference, std::size_t i) {
+    TruePixel p{.visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
+    if (reference.is_area()) p.noise = reference.standard_error.data[i];
     // One look at a light tells nothing of how others would turn out: its error is at most that of a tossed coin.
     if (std::isnan(p.noise)) p.noise = 0.5;
     return p;
 }
 
-std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
+std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
             shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
         "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
-    std::vector<JudgedPixel> out(judged.data.size() / 2);
+    std::vector<ClassifiedPixel> out(classified.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const auto code = std::uint32_t(judged.data[2 * i]);
+        const auto code = std::uint32_t(classified.data[2 * i]);
         out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS,
-                  judged.data[2 * i + 1]};
+                  classified.data[2 * i + 1]};
     }
     return out;
 }
 
-std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
+std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers) {
     std::vector<std::uint8_t> out(receivers.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = std::uint8_t(receivers.pixels[i].joins_right | receivers.pixels[i].joins_below << 1);
+        out[i] = std::uint8_t(receivers.pixels[i].same_surface_right | receivers.pixels[i].same_surface_below << 1);
     return out;
 }
 
-ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
+ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
     ErrorMetrics m;
-    m.pixels = truth.pixels;
-    m.counted = truth.counted(), m.ground_pixels = truth.on_ground;
+    m.pixels = reference.pixels;
+    m.counted = reference.counted();
+    m.ground_pixels = reference.on_ground;
     const double n = double(std::max<std::size_t>(m.counted, 1));
     for (const Metric& metric : metrics())
         if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;
-    m.any_acne = sums.any_acne / n, m.within_noise = sums.within_noise / n, m.outside_map = sums.outside / n;
-    m.mae = sums.absolute / n, m.rmse = std::sqrt(sums.squares / n), m.signed_mean = sums.sum / n;
+    m.any_acne = sums.any_acne / n;
+    m.within_noise = sums.within_noise / n;
+    m.outside_map = sums.outside / n;
+    m.mae = sums.absolute / n;
+    m.rmse = std::sqrt(sums.squares / n);
+    m.signed_mean = sums.sum / n;
     if (sums.either > 0) m.iou = sums.both / sums.either;
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a)
         wrong += m.artefacts[a] = std::size_t(std::llround(sums.dark[a] + sums.bright[a]));
-    m.artefacts[0] = truth.state.size() - wrong;
+    m.artefacts[0] = reference.state.size() - wrong;
     return m;
 }
 
-ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
                            const std::vector<std::uint8_t>& joins) {
-    if (judged.size() != truth.state.size())
-        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
-                                truth.width, truth.height));
-    using J = JudgedPixel;
+    if (classified.size() != reference.state.size())
+        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", classified.size(),
+                                reference.width, reference.height));
+    using J = ClassifiedPixel;
     PixelSums sums;
-    for (std::size_t i = 0; i < truth.state.size(); ++i) {
-        if (truth.state[i] != PixelState::Counted) continue;
-        const J& p = judged[i];
-        const double r = truth.visibility.data[i], difference = p.visibility - r;
-        sums.absolute += std::abs(difference), sums.squares += difference * difference, sums.sum += difference;
-        sums.both += p.visibility < 0.5f && r < 0.5, sums.either += p.visibility < 0.5f || r < 0.5;
+    for (std::size_t i = 0; i < reference.state.size(); ++i) {
+        if (reference.state[i] != PixelState::Counted) continue;
+        const J& p = classified[i];
+        const double r = reference.visibility.data[i], difference = p.visibility - r;
+        sums.absolute += std::abs(difference);
+        sums.squares += difference * difference;
+        sums.sum += difference;
+        sums.both += p.visibility < 0.5f && r < 0.5;
+        sums.either += p.visibility < 0.5f || r < 0.5;
         sums.dark[std::size_t(p.artefact)] += p.has(J::kFalseShadow);
         sums.bright[std::size_t(p.artefact)] += p.has(J::kFalseLight);
         sums.outside += p.has(J::kOutside);
         sums.any_acne += p.has(J::kAnyAcne);
         sums.within_noise += p.has(J::kWithinNoise);
     }
-    ErrorMetrics m = metrics_of(sums, truth);
-    const auto drawn = contour(truth, joins, [&](std::size_t i) { return judged[i].visibility < 0.5f; });
-    const auto real = contour(truth, joins, [&](std::size_t i) { return truth.visibility.data[i] < 0.5f; });
+    ErrorMetrics m = metrics_of(sums, reference);
+    const auto drawn = contour(reference, joins, [&](std::size_t i) { return classified[i].visibility < 0.5f; });
+    const auto real = contour(reference, joins, [&](std::size_t i) { return reference.visibility.data[i] < 0.5f; });
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = 0;
-    contour_distances(m, drawn, real, truth.width, truth.height, truth.step);
+    contour_distances(m, drawn, real, reference.width, reference.height, reference.step);
     return m;
 }
 

@@ -12,7 +12,8 @@ namespace {
 glm::dvec3 inside(const TriangleWs& t, double u, double v) {
     if (!std::isfinite(u + v)) u = v = 1.0 / 3;  // seen edge-on
     double w = std::max(1 - u - v, 0.0);
-    u = std::max(u, 0.0), v = std::max(v, 0.0);
+    u = std::max(u, 0.0);
+    v = std::max(v, 0.0);
     const double sum = u + v + w;
     return (w * t.a + u * t.b + v * t.c) / sum;
 }
@@ -24,7 +25,7 @@ struct Prepared {
     glm::dvec3 e1{0}, e2{0}, normal{0};
     float edge_m = 0;
 
-    void load(const TruthGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
+    void load(const ReferenceGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
         if (new_object >= geometry.objects.size() || geometry.objects[new_object].mesh->indices.empty())
             throw Error(fmt::format("a pixel shows object {}, but the traced scene has {}", new_object,
                                     geometry.objects.size()));
@@ -32,9 +33,11 @@ struct Prepared {
         const auto count = std::uint32_t(geometry.objects[new_object].mesh->triangles());
         const std::uint32_t new_primitive = drawn_primitive % count;
         if (new_object == object && new_primitive == primitive) return;
-        object = new_object, primitive = new_primitive;
+        object = new_object;
+        primitive = new_primitive;
         corners = geometry.triangle(object, primitive);
-        e1 = corners.b - corners.a, e2 = corners.c - corners.a;
+        e1 = corners.b - corners.a;
+        e2 = corners.c - corners.a;
         const glm::dvec3 cross = glm::cross(e1, e2);
         const double length = glm::length(cross);
         normal = length > 0 ? cross / length : glm::dvec3(0);
@@ -43,7 +46,9 @@ struct Prepared {
 
     Receiver meet(const glm::dvec3& origin, const glm::dvec3& dir) const {
         Receiver r;
-        r.object = object, r.primitive = primitive, r.edge_m = edge_m;
+        r.object = object;
+        r.primitive = primitive;
+        r.edge_m = edge_m;
         r.normal_ws = glm::dot(normal, dir) > 0 ? -normal : normal;
         if (normal == glm::dvec3(0)) r.normal_ws = -dir;
         // Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
@@ -68,7 +73,7 @@ void join_row_below(Receivers& to, std::size_t y) {
     const auto width = std::size_t(to.width);
     for (std::size_t x = 0; x < width; ++x) {
         Receiver& r = to.pixels[y * width + x];
-        r.joins_below = joined(r, to.pixels[(y + 1) * width + x]);
+        r.same_surface_below = joined(r, to.pixels[(y + 1) * width + x]);
     }
 }
 
@@ -77,7 +82,7 @@ void join_row(Receivers& to, std::size_t y, bool below) {
     const auto width = std::size_t(to.width);
     for (std::size_t x = 0; x + 1 < width; ++x) {
         Receiver& r = to.pixels[y * width + x];
-        r.joins_right = joined(r, to.pixels[y * width + x + 1]);
+        r.same_surface_right = joined(r, to.pixels[y * width + x + 1]);
     }
     if (below) join_row_below(to, y);
 }
@@ -97,15 +102,16 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
 }
 
-Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                          const PixelRaster& raster, const Workers& workers) {
+Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                                const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
-    out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
+    out.pixels.resize(ids.data.size());
+    out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
     const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
     const auto width = std::size_t(ids.width), height = std::size_t(ids.height);
     const std::size_t strips = (height + kRowsPlaced - 1) / kRowsPlaced;
-    for_blocks(strips, workers.part(0, 0.95), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.part(0, 0.95), [&](std::size_t strip) {
         const std::size_t first = strip * kRowsPlaced, end = std::min(first + kRowsPlaced, height);
         Prepared triangle;
         for (std::size_t y = first; y < end; ++y)
@@ -119,14 +125,15 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
                     r = meet(triangle, camera, left + x * step, top + y * step, raster.width, raster.height);
                     start = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
                 }
-                out.pixels[i] = r, out.starts[i] = start;
+                out.pixels[i] = r;
+                out.starts[i] = start;
             }
         for (std::size_t y = first; y < end; ++y) join_row(out, y, y + 1 < end);  // while it is in the cache
     });
-    for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
         if (const std::size_t below = (strip + 1) * kRowsPlaced; below < height) join_row_below(out, below - 1);
     });
-    out.held = HeldMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));
+    out.held = TrackedMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));
     return out;
 }
 

@@ -12,9 +12,14 @@ constexpr float kNoEnd = std::numeric_limits<float>::infinity();
 
 class Walker {
 public:
-    Walker(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-           const TruthQuery& query)
-        : truth_(truth), hard_(truth.hard()), receivers_(receivers), camera_(camera), raster_(raster), query_(query) {
+    Walker(const Reference& reference, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
+           const ReferenceQuery& query)
+        : reference_(reference),
+          hard_(reference.hard()),
+          receivers_(receivers),
+          camera_(camera),
+          raster_(raster),
+          query_(query) {
         find_clearance();
     }
 
@@ -25,7 +30,7 @@ public:
     Found at(int x, int y) const {
         Found found;
         const std::size_t i = index(x, y);
-        if (truth_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
+        if (reference_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
         const Receiver& r = receivers_.pixels[i];
         double distance = 0;
         const glm::dvec3 to_light = query_.emitter.direction_from(r.position_ws, distance);
@@ -47,25 +52,25 @@ public:
     }
 
 private:
-    const Truth& truth_;
+    const Reference& reference_;
     const FloatImage& hard_;
     const Receivers& receivers_;
     const Camera& camera_;
     const PixelRaster& raster_;
-    const TruthQuery& query_;
+    const ReferenceQuery& query_;
     std::vector<std::uint8_t> clearance_;  ///< pixels, at least, to a change of the truth or an end of the surface
 
-    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(truth_.width) + std::size_t(x); }
-    bool counts(std::size_t i) const { return truth_.state[i] == PixelState::Counted; }
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(reference_.width) + std::size_t(x); }
+    bool counts(std::size_t i) const { return reference_.state[i] == PixelState::Counted; }
     bool dark(std::size_t i) const { return hard_.data[i] < 0.5f; }
-    bool joins_right(std::size_t i) const { return receivers_.pixels[i].joins_right; }
-    bool joins_below(std::size_t i) const { return receivers_.pixels[i].joins_below; }
+    bool same_surface_right(std::size_t i) const { return receivers_.pixels[i].same_surface_right; }
+    bool same_surface_below(std::size_t i) const { return receivers_.pixels[i].same_surface_below; }
 
     /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing,
     /// 1966).
     void find_clearance() {
-        const int w = truth_.width, h = truth_.height;
-        clearance_.assign(truth_.state.size(), std::uint8_t(kRunReach + 1));
+        const int w = reference_.width, h = reference_.height;
+        clearance_.assign(reference_.state.size(), std::uint8_t(kRunReach + 1));
         const auto ends = [&](std::size_t i, std::size_t k, bool joined) {
             if (counts(i) && counts(k) && joined && dark(i) == dark(k)) return;
             clearance_[i] = clearance_[k] = 0;
@@ -73,8 +78,8 @@ private:
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 const std::size_t i = index(x, y);
-                if (x + 1 < w) ends(i, i + 1, joins_right(i));
-                if (y + 1 < h) ends(i, index(x, y + 1), joins_below(i));
+                if (x + 1 < w) ends(i, i + 1, same_surface_right(i));
+                if (y + 1 < h) ends(i, index(x, y + 1), same_surface_below(i));
             }
         const auto lower = [&](int x, int y, int u, int v) {
             if (u < 0 || v < 0 || u >= w || v >= h) return;
@@ -82,11 +87,19 @@ private:
             here = std::min<std::uint8_t>(here, std::uint8_t(clearance_[index(u, v)] + 1));
         };
         for (int y = 0; y < h; ++y)
-            for (int x = 0; x < w; ++x)
-                lower(x, y, x - 1, y), lower(x, y, x - 1, y - 1), lower(x, y, x, y - 1), lower(x, y, x + 1, y - 1);
+            for (int x = 0; x < w; ++x) {
+                lower(x, y, x - 1, y);
+                lower(x, y, x - 1, y - 1);
+                lower(x, y, x, y - 1);
+                lower(x, y, x + 1, y - 1);
+            }
         for (int y = h; y-- > 0;)
-            for (int x = w; x-- > 0;)
-                lower(x, y, x + 1, y), lower(x, y, x + 1, y + 1), lower(x, y, x, y + 1), lower(x, y, x - 1, y + 1);
+            for (int x = w; x-- > 0;) {
+                lower(x, y, x + 1, y);
+                lower(x, y, x + 1, y + 1);
+                lower(x, y, x, y + 1);
+                lower(x, y, x - 1, y + 1);
+            }
     }
 
     /// A move of the truth's pixels, the longer component 1, that leads along a direction in the world.
@@ -103,8 +116,8 @@ private:
     }
 
     bool joined(int x, int y, int u, int v) const {
-        const auto right = [&](int cx, int cy) { return joins_right(index(cx, cy)); };
-        const auto below = [&](int cx, int cy) { return joins_below(index(cx, cy)); };
+        const auto right = [&](int cx, int cy) { return same_surface_right(index(cx, cy)); };
+        const auto below = [&](int cx, int cy) { return same_surface_below(index(cx, cy)); };
         const int left = std::min(x, u), top = std::min(y, v);
         if (y == v) return x == u || right(left, y);
         if (x == u) return below(x, top);
@@ -143,7 +156,7 @@ private:
             safe = std::max(int(clearance_[index(last_u, last_v)]) - 1, 1);
             gone = std::min(gone + safe, kRunReach);
             const int s = x + int(std::lround(step.x * gone)), t = y + int(std::lround(step.y * gone));
-            if (s < 0 || t < 0 || s >= truth_.width || t >= truth_.height) break;
+            if (s < 0 || t < 0 || s >= reference_.width || t >= reference_.height) break;
             const std::size_t here = index(s, t), before = index(u, v);
             if (!counts(here)) continue;
             const bool beside = u == last_u && v == last_v && (safe > 1 || joined(u, v, s, t));
@@ -157,7 +170,8 @@ private:
                 side.change_m = at_m;
                 dark_now = dark(here);
             }
-            u = s, v = t;
+            u = s;
+            v = t;
         }
         return side;
     }
@@ -165,19 +179,20 @@ private:
 
 }  // namespace
 
-ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-                       const TruthQuery& query, const Workers& workers) {
+ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
+                       const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers) {
     ShadowRuns out;
-    const std::vector<float> nothing(truth.state.size(), kNoEnd);
-    out.run_m = {truth.width, truth.height, 1, nothing};
+    const std::vector<float> nothing(reference.state.size(), kNoEnd);
+    out.run_m = {reference.width, reference.height, 1, nothing};
     out.edge_m = out.run_m;
     if (query.views.empty()) return out;
-    const Walker walker(truth, receivers, camera, raster, query);
-    for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
-        for (int x = 0; x < truth.width; ++x) {
+    const Walker walker(reference, receivers, camera, raster, query);
+    parallel_for_blocks(std::size_t(reference.height), workers, [&](std::size_t y) {
+        for (int x = 0; x < reference.width; ++x) {
             const Walker::Found found = walker.at(x, int(y));
-            const std::size_t i = y * std::size_t(truth.width) + std::size_t(x);
-            out.run_m.data[i] = found.run_m, out.edge_m.data[i] = found.edge_m;
+            const std::size_t i = y * std::size_t(reference.width) + std::size_t(x);
+            out.run_m.data[i] = found.run_m;
+            out.edge_m.data[i] = found.edge_m;
         }
     });
     return out;

@@ -33,7 +33,7 @@ struct Animation {
 };
 
 /// What a node is when nothing animates it.
-struct NodeRest {
+struct NodeRestPose {
     bool has_trs = true;  ///< false: Node::local is a matrix that no channel may change
     glm::dvec3 translation{0}, scale{1};
     glm::dquat rotation{1, 0, 0, 0};
@@ -43,7 +43,7 @@ struct NodeRest {
 /// Everything that moves in a scene. Nodes, cameras and lights are numbered as in the scene.
 struct Rig {
     std::vector<Animation> animations;
-    std::vector<NodeRest> rest;  ///< for each node
+    std::vector<NodeRestPose> rest;  ///< for each node
     std::vector<int> camera_nodes, light_nodes;
 };
 
@@ -90,10 +90,10 @@ void apply_pose(Scene& scene, int animation, double time_s);
 /// (Object::travel), and the scene's (Scene::travel), by which fits go that shall not follow the pose. Posed at all
 /// keys and at steps between them, with room for how far it bends outwards from step to step. Once for a scene and an
 /// animation: what is known is kept. A copy is posed; this scene's pose stays. -1 forgets what was found.
-void measure_travel(Scene& scene, int animation);
+void measure_animation_bounds(Scene& scene, int animation);
 
 /// Scene::travel where it is known, else Scene::bounds; world.
-Bounds bounds_of_fit(const Scene& scene);
+Bounds light_fit_bounds(const Scene& scene);
 
 /// Whether time moves anything: an animation is chosen (scene.animation) and lasts.
 bool moves(const Scene& scene, int animation);

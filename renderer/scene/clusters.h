@@ -16,18 +16,18 @@ struct Cluster {
 };
 
 /// Which side of its triangles all of a cluster shows.
-enum class Shows { Either, Front, Back };
+enum class VisibleSide { Either, Front, Back };
 
 /// @param from in the mesh's space: a point with w of 1, or a direction towards it with w of 0, of any length
-Shows shown_side(const Cluster& cluster, const glm::dvec4& from);
+VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from);
 
 /// Clusters that hold every triangle of a mesh between them: one of small meshes, at most some thousand of large ones.
 /// Takes time in proportion to the triangles.
-std::vector<Cluster> clusters_of(const Mesh& mesh);
+std::vector<Cluster> build_clusters(const Mesh& mesh);
 
 /// Indices of large meshes are drawn in runs of so many.
 inline constexpr std::size_t kRunIndices = 3 * 1024;
 /// Boxes of the runs of a mesh's indices, in its own space; none of a mesh that is too small to be drawn in runs.
-std::vector<Bounds> run_boxes_of(const Mesh& mesh);
+std::vector<Bounds> index_run_boxes(const Mesh& mesh);
 
 }  // namespace si

@@ -17,8 +17,8 @@ glm::vec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 
 }  // namespace
 
-FacedMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
-    FacedMesh out;
+FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+    FlatNormalMesh out;
     out.indices.reserve(indices.size());
     out.normals.assign(positions.size(), glm::vec3(0));
     std::vector<bool> taken(positions.size());            // carries a normal; by vertex, copies included
@@ -36,13 +36,17 @@ FacedMesh face_normals(std::span<const glm::vec3> positions, std::span<const std
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = latest[corners[k]];
             const int rank = taken[v] && out.normals[v] == n ? 3 : !taken[v] ? 2 : !remembered(v) ? 1 : 0;
-            if (rank > best_rank) best_rank = rank, best = k;
+            if (rank > best_rank) {
+                best_rank = rank;
+                best = k;
+            }
         }
         if (best_rank < 2) {
             latest[corners[best]] = std::uint32_t(out.normals.size());
             out.copies.push_back(corners[best]);
             out.normals.emplace_back();
-            taken.push_back(false), shaded.push_back(0);
+            taken.push_back(false);
+            shaded.push_back(0);
         }
         const std::uint32_t carrier = latest[corners[best]];
         taken[carrier] = true;

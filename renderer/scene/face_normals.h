@@ -10,7 +10,7 @@
 namespace si {
 
 /// A mesh whose triangles' last corners (OpenGL's provoking vertices unless told otherwise) carry their normals.
-struct FacedMesh {
+struct FlatNormalMesh {
     std::vector<std::uint32_t> indices;  ///< the mesh's triangles in order, their corners turned about but not mirrored
     std::vector<std::uint32_t> copies;   ///< the vertices that follow the mesh's own repeat these
     /// By vertex, copies included: unit, by winding, in the mesh's space; 0 where no triangle asks or it has no area.
@@ -18,6 +18,6 @@ struct FacedMesh {
 };
 
 /// @param indices a triangle list
-FacedMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
+FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
 }  // namespace si

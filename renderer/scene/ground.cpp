@@ -14,7 +14,7 @@ constexpr double kGentle = 0.5;       // the same of a landscape
 constexpr double kBottom = 0.15;      // of the scene's height: level surfaces up to there are a ground
 constexpr double kMostOfIt = 0.5;     // of the scene's width and depth, that a ground has to cover
 constexpr double kFlat = 0.25;        // height over width up to which what is gentle all over is a landscape
-constexpr double kRoofed = 0.9;       // of a level surface under other things: that is indoors
+constexpr double kRoofedShare = 0.9;  // of a level surface under other things: that is indoors
 constexpr double kShadowLengths = 2;  // how far the disc reaches, in radii and heights of the scene
 constexpr double kBelow = 5e-4;       // of the scene's radius: what lies flat on the ground stays in front of it
 constexpr int kSides = 96;
@@ -49,7 +49,8 @@ private:
         for (int i = 0; i < 3; ++i) {
             const glm::dvec2 along = p[(i + 1) % 3] - p[i], to = at - p[i];
             const double side = along.x * to.y - along.y * to.x;
-            left += side >= 0, right += side <= 0;
+            left += side >= 0;
+            right += side <= 0;
         }
         return left == 3 || right == 3;
     }
@@ -104,7 +105,7 @@ bool has_level_surface(const Scene& scene) {
             if (up > kLevel * whole && std::max({a.y, b.y, c.y}) <= bottom) level.add(a, b, c);
         }
     }
-    return (level.share() >= kMostOfIt && level.share_under(above) < kRoofed) ||
+    return (level.share() >= kMostOfIt && level.share_under(above) < kRoofedShare) ||
            (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
 }
 
@@ -131,7 +132,8 @@ void add_ground(Scene& scene) {
     scene.nodes.push_back(std::move(node));
     scene.meshes.push_back(std::move(disc));
     Object object;
-    object.node = int(scene.nodes.size()) - 1, object.mesh = int(scene.meshes.size()) - 1;
+    object.node = int(scene.nodes.size()) - 1;
+    object.mesh = int(scene.meshes.size()) - 1;
     object.ground = true;
     scene.objects.push_back(object);
     refresh(scene);
@@ -139,7 +141,10 @@ void add_ground(Scene& scene) {
 
 void remove_ground(Scene& scene) {
     if (scene.objects.empty() || !scene.objects.back().ground) return;
-    scene.objects.pop_back(), scene.meshes.pop_back(), scene.nodes.pop_back(), scene.materials.pop_back();
+    scene.objects.pop_back();
+    scene.meshes.pop_back();
+    scene.nodes.pop_back();
+    scene.materials.pop_back();
     refresh(scene);
 }
 

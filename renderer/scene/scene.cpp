@@ -336,9 +336,9 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
 }
 
 /// Sets Scene::standing, once Scene::bounds is known.
-void find_standing(Scene& scene) {
+void set_bounds_without_floor(Scene& scene) {
     scene.standing = {};
-    for (const Object* o : standing_objects(scene))
+    for (const Object* o : objects_without_floor(scene))
         scene.standing.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
 }
 
@@ -410,9 +410,14 @@ namespace {
 
 constexpr std::string_view kHolder = "scenes";
 
-void tell_arrays(Mesh& m) {
-    m.positions.tell(kHolder), m.normals.tell(kHolder), m.uv.tell(kHolder), m.uv_normal.tell(kHolder);
-    m.tangents.tell(kHolder), m.colours.tell(kHolder), m.indices.tell(kHolder);
+void track_arrays(Mesh& m) {
+    m.positions.tell(kHolder);
+    m.normals.tell(kHolder);
+    m.uv.tell(kHolder);
+    m.uv_normal.tell(kHolder);
+    m.tangents.tell(kHolder);
+    m.colours.tell(kHolder);
+    m.indices.tell(kHolder);
 }
 
 }  // namespace
@@ -427,9 +432,9 @@ void finalise(Scene& scene) {
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
     for (Texture& texture : scene.textures) texture.rgba.tell(kHolder);
-    for (Mesh& mesh : scene.meshes) tell_arrays(mesh);
-    scene.held = HeldMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
-    find_standing(scene);
+    for (Mesh& mesh : scene.meshes) track_arrays(mesh);
+    scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
+    set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
 
@@ -444,7 +449,7 @@ void refresh(Scene& scene) {
             std::ranges::fill(mesh.positions.edit(), glm::vec3(0));
         }
         drop_degenerate(mesh, mesh.name);
-        tell_arrays(mesh);
+        track_arrays(mesh);
     }
     scene.bounds = scene.ground_bounds = {};
     const auto stand = [&](Object& o) {
@@ -454,7 +459,7 @@ void refresh(Scene& scene) {
     };
     for (Object& o : scene.objects) stand(o);
     for (HiddenObject& h : scene.hidden) stand(h.object);
-    find_standing(scene);
+    set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
 
@@ -490,7 +495,7 @@ std::vector<const Object*> all_objects(const Scene& scene) {
     return all;
 }
 
-std::vector<const Object*> standing_objects(const Scene& scene) {
+std::vector<const Object*> objects_without_floor(const Scene& scene) {
     std::vector<const Object*> all = all_objects(scene), standing;
     std::erase_if(all, [&](const Object* o) {
         return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/base/shared_array.h"
 
 namespace si {
@@ -27,8 +27,14 @@ struct Bounds {
     glm::dvec3 centre() const { return empty() ? glm::dvec3(0) : 0.5 * lo + 0.5 * hi; }
     /// Half the diagonal; 0 when empty.
     double radius() const { return empty() ? 0 : 0.5 * glm::length(hi - lo); }
-    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
-    void add(const Bounds& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+    void add(const glm::dvec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void add(const Bounds& b) {
+        lo = glm::min(lo, b.lo);
+        hi = glm::max(hi, b.hi);
+    }
     /// The eight corners moved by `m`; corner i has hi instead of lo of x, y, z where bit 0, 1, 2 of i is set.
     Box corners(const glm::dmat4& m = glm::dmat4(1.0)) const;
     /// The box around this box's eight corners moved by `m`; empty stays empty.
@@ -94,7 +100,8 @@ struct Object {
     glm::dmat4 instance{1.0};  ///< applied before the node's world transform
     glm::dmat4 world{1.0};     ///< set by finalise()
     bool ground = false;       ///< see add_ground(): receives, never casts, and is no part of Scene::bounds
-    Bounds travel;             ///< see measure_travel(): before Scene::placement; empty: it stands where `world` says
+    Bounds animation_bounds;   ///< see measure_animation_bounds(): before Scene::placement; empty: it stands where
+                               ///< `world` says
 };
 
 /// One that is left out of Scene::objects for now.
@@ -145,14 +152,14 @@ struct Scene {
     Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
     Bounds standing;  ///< `bounds` without the file's own floor, or all of it where nothing else is there. Likewise
     bool has_floor = false;  ///< the file brings what shadows fall on, so that it needs no ground: see add_ground()
-    std::vector<glm::dvec3> framed;     ///< outermost_points() as a file's scene is first posed; none: not asked for
+    std::vector<glm::dvec3> framed;     ///< extreme_points() as a file's scene is first posed; none: not asked for
     Bounds framed_bounds;               ///< `bounds` then, before `placement`
-    Bounds travel;                      ///< `bounds` over all of an animation, before `placement`; empty: not asked for
-    int travel_of = -1;                 ///< which animation; -1: none. See measure_travel()
+    Bounds animation_bounds;            ///< `bounds` over all of an animation, before `placement`; empty: not asked for
+    int animation_bounds_of = -1;       ///< which animation; -1: none. See measure_animation_bounds()
     std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
     std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
     std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
-    HeldMemory held;                    ///< nodes and objects, which copies do not share; set by finalise()
+    TrackedMemory held;                 ///< nodes and objects, which copies do not share; set by finalise()
 
     std::size_t object_count() const;    ///< without the ground
     std::size_t triangle_count() const;  ///< over objects, instances counted, without the ground
@@ -176,7 +183,7 @@ void hide_objects(Scene& scene, const std::set<std::string>& paths);
 std::vector<const Object*> all_objects(const Scene& scene);
 
 /// Those that Scene::standing bounds.
-std::vector<const Object*> standing_objects(const Scene& scene);
+std::vector<const Object*> objects_without_floor(const Scene& scene);
 
 /// Moves, turns and scales all of the scene from where its nodes have it, whatever placed it before: refresh(), and
 /// cameras and lights with it. What the scene suggests stays as it was.

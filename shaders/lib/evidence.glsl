@@ -1,5 +1,5 @@
 // A pixel's shadow test again with one thing changed at a time, and what else its cause depends on. Needs
-// lib/surface.glsl, lib/visibility.glsl and lib/truth.glsl; decided upon by lib/cause.glsl and renderer/reference/causes.h.
+// lib/surface.glsl, lib/visibility.glsl and lib/truth.glsl; decided upon by lib/cause.glsl and renderer/frame/causes.h.
 #include "lib/least_bias.glsl"
 #include "lib/bias_along_ray.glsl"
 
@@ -91,7 +91,7 @@ float depth_of_gap(Receiver r, float metres) {
 }
 
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
-Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
+Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     Evidence e;
     float reach = light_of(r.light).kernel.y;
     vec2 gradient = plane_gradient(r);
@@ -115,7 +115,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     float offset_m = bias_normal * r.texel_m;
     e.strip_bias_m = max(bias_along_ray_m(r) - offset_m * r.geometric_n_dot_l, 0.0) * sine;
     e.strip_offset_m = offset_m * sine / cosine;
-    e.gap_drawn = depth_of_gap(r, truth.y);
+    e.gap_drawn = depth_of_gap(r, reference.y);
     e.gap_all = depth_of_gap(r, more.x);
     e.run_m = more.w, e.edge_m = more.z;
 

@@ -1,4 +1,4 @@
-// All trials of every pixel, whether it is wrong or not: renderer/reference/causes.h has the names in the same order.
+// All trials of every pixel, whether it is wrong or not: renderer/frame/causes.h has the names in the same order.
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
@@ -14,7 +14,7 @@ layout(location = 6) out vec4 out_6;
 layout(location = 7) out vec4 out_7;
 
 /// The least worth of bias at which the pixel is lit, up to that of the trial for bent surfaces.
-float curing_worth(Receiver r, Evidence e) {
+float curing_bias(Receiver r, Evidence e) {
     float lo = e.worth, hi = max(e.bent, e.worth);
     for (int i = 0; i < kept_loop(12); ++i) {
         float middle = 0.5 * (lo + hi);
@@ -34,18 +34,18 @@ void main() {
     Receiver r = make_receiver(s, LIGHT_INDEX);
     float v = light_visibility(s, LIGHT_INDEX);
     if (isnan(v)) v = 0.0;
-#if TRUTH_KNOWN
-    vec4 truth = truth_here(), more = more_truth_here();
+#if REFERENCE_KNOWN
+    vec4 reference = reference_here(), more = more_reference_here();
 #else
-    vec4 truth = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
+    vec4 reference = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
 #endif
-    Evidence e = gather_evidence(r, v, truth, more);
+    Evidence e = gather_evidence(r, v, reference, more);
     out_0 = vec4(float(place_in_map(r)), v, e.beyond_lit, e.beyond_dark);
     out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
     out_2 = vec4(e.slack, e.own, e.offset, e.texel_m);
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
     out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);
     out_5 = vec4(e.raised, e.bent_raised, e.nearest_kept, e.nearest_bare);
-    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_worth(r, e), 0.0);
+    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_bias(r, e), 0.0);
     out_7 = vec4(e.gap_drawn, e.gap_all, e.run_m, e.edge_m);
 }

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/called_maps.h"
+#include "renderer/view/culling/needed_maps.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"
@@ -22,7 +22,10 @@ namespace {
 /// Times in turn, and says how the second relates to the first in the middle half of the rounds.
 template <typename A, typename B>
 void in_turn(benchmark::State& state, A&& first, B&& second) {
-    for (int i = 0; i < 3; ++i) first(), second();
+    for (int i = 0; i < 3; ++i) {
+        first();
+        second();
+    }
     std::vector<double> first_ms, ratios;
     for (auto _ : state) {
         first_ms.push_back(finished_ms(first));
@@ -32,7 +35,8 @@ void in_turn(benchmark::State& state, A&& first, B&& second) {
     }
     const Quartiles ratio(std::move(ratios));
     state.counters["first_ms"] = median(first_ms);
-    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
     state.counters["ratio_p75"] = ratio.p75;
 }
 
@@ -91,7 +95,7 @@ void agreed_map(benchmark::State& state, const Settings& all) {
     FrameRequest request{.width = 16, .height = 9, .force = true};
     request.outputs = {.colour = false, .shadow_map = true};
     FrameRequest forced = request;
-    forced.forced = {Saving::Casters};
+    forced.forced = {Optimisation::Casters};
     Settings both_sides = all;
     both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
     in_turn(
@@ -103,10 +107,18 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
     HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = 160, .height = 90}, whole = request;
-    whole.forced = {Saving::Views};
+    whole.forced = {Optimisation::Views};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
     in_turn(
-        state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
+        state,
+        [&] {
+            turn();
+            renderer.render(scene, s, whole);
+        },
+        [&] {
+            turn();
+            renderer.render(scene, s, request);
+        });
 }
 
 /// Frames of a camera that goes round what it looks at, without shadows, with all objects handed to the driver (first)
@@ -116,10 +128,18 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     Renderer renderer;
     s.lights[0].cast = false;
     FrameRequest request{.width = 160, .height = 90}, all = request;
-    all.forced = {Saving::InSight};
+    all.forced = {Optimisation::InSight};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
     in_turn(
-        state, [&] { turn(), renderer.render(scene, s, all); }, [&] { turn(), renderer.render(scene, s, request); });
+        state,
+        [&] {
+            turn();
+            renderer.render(scene, s, all);
+        },
+        [&] {
+            turn();
+            renderer.render(scene, s, request);
+        });
 }
 
 /// What it takes to find what the camera reads of a map: what it sees ("seen_ms", once a camera), and where that lies
@@ -129,17 +149,18 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     Renderer renderer;
     const FrameResult facts = renderer.render(scene, s, {});
     std::vector<std::vector<Cluster>> clusters;
-    for (const Mesh& mesh : scene.meshes) clusters.push_back(clusters_of(mesh));
+    for (const Mesh& mesh : scene.meshes) clusters.push_back(build_clusters(mesh));
     const auto of_mesh = [&](std::size_t mesh) { return std::span<const Cluster>(clusters[mesh]); };
     const LookupArea area{.resolution = facts.map_resolution, .reach_texels = 3, .normal_texels = 1};
     std::vector<double> seen_ms, called_ms;
     for (auto _ : state) {
         std::optional<SeenBodies> seen;
         seen_ms.push_back(wall_ms([&] { seen.emplace(seen_bodies(scene, facts.camera, 720, of_mesh)); }));
-        called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(called_maps(facts.lights[0], *seen, area)); }));
+        called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(needed_maps(facts.lights[0], *seen, area)); }));
         state.SetIterationTime((seen_ms.back() + called_ms.back()) / 1000);
     }
-    state.counters["seen_ms"] = median(seen_ms), state.counters["called_ms"] = median(called_ms);
+    state.counters["seen_ms"] = median(seen_ms);
+    state.counters["called_ms"] = median(called_ms);
 }
 
 /// Frames in which small boxes of a scene move on, of maps drawn whole (first) and with what rests kept. The scene
@@ -159,8 +180,8 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     for (int i = 0; i < movers; ++i) add_object(scene, "Mover", -1, box);
     finalise(scene);
     FrameRequest request{.width = 16, .height = 9}, whole = request, nothing = request;
-    request.forced = {Saving::Views};  // the camera sees them whole
-    whole.forced = {Saving::Views, Saving::Resting};
+    request.forced = {Optimisation::Views};  // the camera sees them whole
+    whole.forced = {Optimisation::Views, Optimisation::Static};
     nothing.outputs.colour = false;
     double turn = 0;
     int kept = 0;
@@ -170,7 +191,7 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         FrameResult frame;
         const double ms = finished_ms([&] { frame = by.render(scene, s, asked); });
         for (const PassInfo& pass : frame.passes)
-            for (const PartInfo& part : pass.parts) kept += part.by == Saving::Resting && part.left_out > 0;
+            for (const PartInfo& part : pass.parts) kept += part.by == Optimisation::Static && part.left_out > 0;
         return ms;
     };
     const auto move_on = [&] {
@@ -182,7 +203,11 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         }
         refresh(scene);
     };
-    for (int i = 0; i < 4; ++i) move_on(), map_ms(others, whole), map_ms(renderer, request);
+    for (int i = 0; i < 4; ++i) {
+        move_on();
+        map_ms(others, whole);
+        map_ms(renderer, request);
+    }
     kept = 0;
     std::vector<double> first_ms, ratios;
     for (auto _ : state) {
@@ -193,8 +218,10 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         state.SetIterationTime(ms / 1000);
     }
     const Quartiles ratio(std::move(ratios));
-    state.counters["first_ms"] = median(first_ms), state.counters["kept"] = kept;
-    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["first_ms"] = median(first_ms);
+    state.counters["kept"] = kept;
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
     state.counters["ratio_p75"] = ratio.p75;
 }
 
@@ -202,7 +229,9 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
 Settings seeing_a_part(Settings s) {
     s.camera.source = int(CameraSource::Manual);
     s.camera.target_x = s.camera.target_z = -40;
-    s.camera.azimuth = 0, s.camera.elevation = 20, s.camera.distance = 12;
+    s.camera.azimuth = 0;
+    s.camera.elevation = 20;
+    s.camera.distance = 12;
     return s;
 }
 
@@ -242,15 +271,19 @@ const int kRegistered = [] {
     add("casters/seen/100k_triangles_all",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
     Settings above = seeing_a_part(directional);
-    above.camera.target_x = above.camera.target_z = 0, above.camera.distance = 150, above.camera.elevation = 60;
+    above.camera.target_x = above.camera.target_z = 0;
+    above.camera.distance = 150;
+    above.camera.elevation = 60;
     add("casters/in_sight/10000_objects_all",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
     add("casters/in_sight/10000_objects_part",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), seeing_a_part(directional)); });
     Settings blurred = seeing_a_part(directional);
-    blurred.camera.target_x = blurred.camera.target_z = -3, set_setting(blurred, "filter.kernel", "vsm");
+    blurred.camera.target_x = blurred.camera.target_z = -3;
+    set_setting(blurred, "filter.kernel", "vsm");
     add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
-    blurred.camera.distance = 2.5, blurred.camera.elevation = 40;
+    blurred.camera.distance = 2.5;
+    blurred.camera.elevation = 40;
     add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
     add("casters/seen/100k_triangles_point",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/median.h"

@@ -10,7 +10,7 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/bare.h"
@@ -39,7 +39,8 @@ std::string missing_file(const std::string& name) {
 /// model has masks but such as have these, too.
 Scene plainly_textured(Scene scene) {
     for (Material& m : scene.materials) {
-        m.normal_texture = -1, m.unlit = false;
+        m.normal_texture = -1;
+        m.unlit = false;
         if (m.alpha == AlphaMode::Blend) m.alpha = AlphaMode::Opaque;
     }
     return scene;
@@ -71,7 +72,8 @@ struct Machine {
 Settings around_the_scene() {
     Settings s;
     s.lights[0].fit = int(LightFit::Scene);
-    s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain);
+    s.shading.sky = int(SkyLook::Plain);
+    s.shading.curve = int(ToneCurve::Plain);
     return s;
 }
 
@@ -169,7 +171,8 @@ void moving_camera(benchmark::State& state, const Row& row) {
     const Match match(Machine::get("100k"), s, row, 2048);
     BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
     BareForward like = match.bare({.kernel = row.bare, .size = row.size});
-    match.draw(floor), match.draw(like);
+    match.draw(floor);
+    match.draw(like);
     Settings moved = match.settings;
     moved.camera.fov += 1e-3;
     const FrameRequest kept{.width = kWidth, .height = kHeight};
@@ -200,7 +203,8 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
 Settings textured_settings(const Scene& scene) {
     Settings s = around_the_scene();
     apply_suggested(scene, s);
-    s.lights[0].intensity = LightSettings{}.intensity, s.shading.ambient = Settings{}.shading.ambient;
+    s.lights[0].intensity = LightSettings{}.intensity;
+    s.shading.ambient = Settings{}.shading.ambient;
     return s;
 }
 
@@ -249,7 +253,7 @@ void depth_pass(benchmark::State& state, const char* file) {
     FrameRequest map = match.request;
     map.outputs = {.colour = false, .unfiltered_map = true};  // maps alone
     FrameRequest forced = map;
-    forced.forced = {Saving::Fragments};
+    forced.forced = {Optimisation::Fragments};
     Renderer& renderer = match.machine.renderer;
     Rotation rotation;
     rotation.add_draw("ours", [&] { renderer.render(match.machine.scene, match.settings, map); });
@@ -263,7 +267,7 @@ void depth_pass(benchmark::State& state, const char* file) {
     const FrameResult drawn = renderer.render(match.machine.scene, match.settings, map);
     for (const PassInfo& pass : drawn.passes)
         for (const PartInfo& part : pass.parts)
-            if (part.by == Saving::Fragments) state.counters["not_looked_at"] += double(part.left_out);
+            if (part.by == Optimisation::Fragments) state.counters["not_looked_at"] += double(part.left_out);
 }
 
 /// The shadow sampler against gathers with own comparison, the same kernel and picture.

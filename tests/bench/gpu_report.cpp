@@ -10,8 +10,8 @@
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer.h"
 #include "renderer/gl/handle.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
@@ -34,7 +34,10 @@ Json spread_json(const std::vector<double>& ms) {
 
 /// Two ways in turn. Whose quarters lie wholly below the other's is preferred.
 Json choice(const std::string& key, const std::string& question, const Way& a, const Way& b, int rounds) {
-    for (int i = 0; i < 3; ++i) a.gpu_ms(), b.gpu_ms();  // first use compiles
+    for (int i = 0; i < 3; ++i) {
+        a.gpu_ms();
+        b.gpu_ms();
+    }  // first use compiles
     std::vector<double> ms_a, ms_b, wall_a, wall_b, ratios;
     for (int i = 0; i < rounds; ++i) {
         const auto take = [](const Way& way, std::vector<double>& ms, std::vector<double>& wall) {
@@ -43,7 +46,8 @@ Json choice(const std::string& key, const std::string& question, const Way& a, c
                 glFinish();
             }));
         };
-        take(a, ms_a, wall_a), take(b, ms_b, wall_b);
+        take(a, ms_a, wall_a);
+        take(b, ms_b, wall_b);
         ratios.push_back(ms_b.back() / std::max(ms_a.back(), 1e-6));
     }
     const Quartiles ratio(ratios);
@@ -97,15 +101,17 @@ public:
     void add(const std::string& key, const std::string& question, const Sets& common, const Sets& a, const Sets& b) {
         to_.add(key, question, way(common, a, {}), way(common, b, {}));
     }
-    void add_saving(const SavingRow& row, Saving saving) {
+    void add_optimisation(const OptimisationRow& row, Optimisation saving) {
         Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
-        made.name = "made", forced.name = "not made";
+        made.name = "made";
+        forced.name = "not made";
         to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
     }
     void add_blocks(const std::string& kernel) {
         Way blocks = way({{"filter.kernel", kernel}}, {}, {}, false),
             images = way({{"filter.kernel", kernel}}, {}, {}, true);
-        blocks.name = "uniform blocks", images.name = "images";
+        blocks.name = "uniform blocks";
+        images.name = "images";
         to_.add("uniform_blocks_or_images/" + kernel,
                 "Read the frame's numbers from uniform blocks, or four at a time from images?", blocks, images);
     }
@@ -115,7 +121,7 @@ private:
     Choices& to_;
     Scene scene_ = test::agreed_scene(test::AgreedSize::Triangles100k);
 
-    Way way(const Sets& common, const Sets& own, const SavingSet& forced, std::optional<bool> as_images = {}) {
+    Way way(const Sets& common, const Sets& own, const OptimisationSet& forced, std::optional<bool> as_images = {}) {
         Settings s;
         s.lights[0].elevation = 45;
         std::string name;
@@ -240,7 +246,7 @@ void add_renderer_choices(Renderer& renderer, Choices& to) {
                 {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
     choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},
                 {{"map.format", "d32f"}}, {{"map.format", "d16"}});
-    for (std::size_t i = 0; i < kSavings; ++i) choices.add_saving(savings()[i], Saving(i));
+    for (std::size_t i = 0; i < kOptimisations; ++i) choices.add_optimisation(savings()[i], Optimisation(i));
 }
 
 }  // namespace
@@ -249,7 +255,8 @@ void write_gpu_report(const std::filesystem::path& file, const GpuReportOptions&
     require_writable(file);
     const HeadlessContext context;
     Json report{{"what", "shadow-inspector GPU report"}, {"version", 1}, {"context", context.description()}};
-    report["width"] = options.width, report["height"] = options.height;
+    report["width"] = options.width;
+    report["height"] = options.height;
     Choices choices(options);
     {
         Renderer renderer;

@@ -12,9 +12,9 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
 #include "renderer/reference/embree.h"
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
+#include "renderer/render/renderer.h"
 #include "tests/bench/median.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"
@@ -35,13 +35,16 @@ TakenMs ms_of(const std::function<void()>& work) {
 
 struct Taken {
     std::vector<double> wall, cpu;
-    void push_back(TakenMs ms) { wall.push_back(ms.wall), cpu.push_back(ms.cpu); }
+    void push_back(TakenMs ms) {
+        wall.push_back(ms.wall);
+        cpu.push_back(ms.cpu);
+    }
 };
 
 /// The view to be traced, and the same rays for a hierarchy without any of our care.
 struct Bench {
-    TruthTask task;
-    std::unique_ptr<TruthScene> casters;
+    ReferenceTask task;
+    std::unique_ptr<ReferenceScene> casters;
     Receivers receivers;
     embree::Device device{rtcNewDevice(nullptr)};
     embree::Scene scene{rtcNewScene(device.get())}, robust{rtcNewScene(device.get())};
@@ -56,9 +59,9 @@ struct Bench {
         const Scene loaded = test::agreed_scene(size);
         Settings settings;
         settings.lights[0].elevation = 45;
-        task = truth_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
-        casters = std::make_unique<TruthScene>(task.geometry);
-        receivers = place_receivers(*task.geometry, task.camera, task.ids, {});
+        task = reference_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
+        casters = std::make_unique<ReferenceScene>(task.geometry);
+        receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, {});
         centre = loaded.bounds.centre();
         lift = 1e-4 * loaded.bounds.radius();
         rtcSetSceneFlags(robust.get(), RTC_SCENE_FLAG_ROBUST);
@@ -78,7 +81,7 @@ struct Bench {
     }
 
     void add(std::uint32_t object) {
-        const TruthObject& o = task.geometry->objects[object];
+        const ReferenceObject& o = task.geometry->objects[object];
         const embree::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
             geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), o.mesh->positions.size()));
@@ -102,7 +105,7 @@ struct Bench {
     /// Makes rays of receivers and traces them, `at_once` a call.
     TakenMs prepared_ms(std::size_t at_once, const Workers& workers) {
         return ms_of([&] {
-            for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
+            parallel_for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
                 thread_local std::vector<RTCRay> some;
                 some.clear();
                 for (std::size_t i = b * at_once; i < std::min((b + 1) * at_once, facing.size()); ++i)
@@ -117,7 +120,7 @@ struct Bench {
                     const Workers& workers) {
         std::vector<RTCRay> prepared = rays;
         return ms_of([&] {
-            for_blocks((prepared.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
+            parallel_for_blocks((prepared.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
                 const std::size_t first = b * at_once;
                 occlude(through, &prepared[first], std::min(at_once, prepared.size() - first), flags);
             });
@@ -125,7 +128,7 @@ struct Bench {
     }
 };
 
-void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
+void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
     static std::map<test::AgreedSize, std::unique_ptr<Bench>> benches;
     auto& bench = benches[size];
     if (!bench) bench = std::make_unique<Bench>(size);
@@ -152,14 +155,17 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
         }));
         place.push_back(ms_of([&] {
             benchmark::DoNotOptimize(
-                place_receivers(*bench->task.geometry, bench->task.camera, bench->task.ids, workers));
+                reconstruct_receivers(*bench->task.geometry, bench->task.camera, bench->task.ids, workers));
         }));
         state.SetIterationTime(ours.wall.back() / 1000);
     }
     for (const bool cpu : {false, true}) {
         const auto of = [cpu](const Taken& t) -> const std::vector<double>& { return cpu ? t.cpu : t.wall; };
         std::vector<const Taken*> bare, robust, made;
-        for (const Way& w : ways) bare.push_back(&w.ms), robust.push_back(&w.robust_ms);
+        for (const Way& w : ways) {
+            bare.push_back(&w.ms);
+            robust.push_back(&w.robust_ms);
+        }
         for (const auto& [at_once, ms] : prepared) made.push_back(&ms);
         const auto quickest = [&](std::vector<const Taken*> all) {
             return *std::ranges::min_element(all, {}, [&](const Taken* t) { return median(of(*t)); });
@@ -173,22 +179,26 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
             for (std::size_t i = 0; i < of(t).size(); ++i) shares.push_back(of(t)[i] / of(ours)[i]);
             const Quartiles q(std::move(shares));
             const std::string label = name + (cpu ? "_share_cpu" : "_share");
-            state.counters[label] = q.median, state.counters[label + "_p25"] = q.p25;
+            state.counters[label] = q.median;
+            state.counters[label + "_p25"] = q.p25;
             state.counters[label + "_p75"] = q.p75;
         };
-        report("ours", ours), report("place", place);
-        for (const auto& [name, all] : {std::pair("rate", bare), {"robust", robust}, {"prepared", made}})
-            report(name, *quickest(all)), share(name, *quickest(all));
+        report("ours", ours);
+        report("place", place);
+        for (const auto& [name, all] : {std::pair("rate", bare), {"robust", robust}, {"prepared", made}}) {
+            report(name, *quickest(all));
+            share(name, *quickest(all));
+        }
     }
     state.counters["rays"] = double(bench->rays.size());
 }
 
-BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)
+BENCHMARK_CAPTURE(reference_against_bare, 100k, test::AgreedSize::Triangles100k)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()
     ->Iterations(bench_rounds(9));
-BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)
+BENCHMARK_CAPTURE(reference_against_bare, 1m, test::AgreedSize::Triangles1M)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -42,7 +42,7 @@ TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
     }
     EXPECT_EQ(effect_of(plan, "shadow map 0 (directional)")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "contact shadows of light 0")["state"], "not called for");
-    EXPECT_EQ(plan["savings"].size(), kSavings);
+    EXPECT_EQ(plan["savings"].size(), kOptimisations);
     EXPECT_TRUE(plan["waste"].is_null());
     EXPECT_EQ(effect_of(plan_of({"--set", "light.cast=false"}), "shadow map 0 (directional)")["reason"],
               "light.cast is off.");

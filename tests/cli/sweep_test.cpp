@@ -220,9 +220,9 @@ TEST(SweepCommand, ErrorsOfAnotherMeaningAreNeitherContinuedNorMerged) {
         EXPECT_NE(merged.err.find(said), std::string::npos) << merged.err;
         EXPECT_FALSE(fs::exists(folder / "merged"));
     }
-    Words anew = again;
-    anew.push_back("--fresh");
-    ASSERT_EQ(run_program(anew, folder).code, 0);
+    Words again = again;
+    again.push_back("--fresh");
+    ASSERT_EQ(run_program(again, folder).code, 0);
     EXPECT_EQ(run_program({"merge", "1", "2", "-o", "merged"}, folder).code, 0);
     EXPECT_EQ(results_of(folder / "merged")["finished"], 4);
 }
@@ -307,7 +307,8 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.err, "");
     OrderedJson whole = results_of(folder / "whole"), merged = results_of(folder / "merged");
-    whole.erase("runs"), merged.erase("runs");
+    whole.erase("runs");
+    merged.erase("runs");
     EXPECT_EQ(whole, merged);
     for (const OrderedJson& row : merged["rows"])
         EXPECT_TRUE(fs::exists(folder / "merged" / row["artefacts"].get<std::string>()));

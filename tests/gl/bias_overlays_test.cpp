@@ -33,7 +33,7 @@ protected:
     /// Calls check(hit, value) for each pixel that holds a number away from the outlines of triangles.
     template <typename Check>
     int each_inner(const Scene& scene, const Pixels& p, Check&& check) {
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         int count = 0;
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
@@ -64,10 +64,16 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     s.camera.target_y = 0.6;
     s.camera.distance = 7;
     LightSettings& light = s.lights[0];
-    light.type = int(type), light.fit = int(fit);
-    if (type != LightType::Directional) light.distance = 6, light.cone = 80;
+    light.type = int(type);
+    light.fit = int(fit);
+    if (type != LightType::Directional) {
+        light.distance = 6;
+        light.cone = 80;
+    }
     s.bias.unit = int(BiasUnit::Texels);
-    s.bias.constant = 0.4, s.bias.slope = 2.5, s.bias.normal = 1.3;
+    s.bias.constant = 0.4;
+    s.bias.slope = 2.5;
+    s.bias.normal = 1.3;
     return s;
 }
 
@@ -91,18 +97,19 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 set_setting(s, "map.format", format);
                 s.map.reversed_z = reversed;
                 set_setting(s, "filter.kernel", reversed ? "pcf3" : "hard");
-                s.bias.raster_slope = reversed ? 1.5 : 0, s.bias.raster_units = reversed ? 2 : 0;
+                s.bias.raster_slope = reversed ? 1.5 : 0;
+                s.bias.raster_units = reversed ? 2 : 0;
                 const auto compare = [&](const char* overlay, auto&& expected_texels) {
                     const Pixels p = draw(scene, s, overlay);
                     const RasterTraits& driver = renderer.driver();
                     double worst = 0;
                     const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
-                        const BiasAccount a = bias_account(p.frame.lights[0], s, p.frame.map_resolution,
-                                                           {.position_ws = hit.position,
-                                                            .geometric = hit.normal,
-                                                            .bias_normal = hit.normal,
-                                                            .origin_ws = p.frame.camera.origin()},
-                                                           driver);
+                        const BiasBreakdown a = bias_breakdown(p.frame.lights[0], s, p.frame.map_resolution,
+                                                               {.position_ws = hit.position,
+                                                                .geometric = hit.normal,
+                                                                .bias_normal = hit.normal,
+                                                                .origin_ws = p.frame.camera.origin()},
+                                                               driver);
                         if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
                         const double scale = a.amount(a.least.total()).texels;
                         worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
@@ -110,12 +117,13 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                     EXPECT_GT(count, 800) << overlay;
                     EXPECT_LT(worst, 2e-3) << overlay;
                 };
-                compare("least-bias", [](const BiasAccount& a) { return a.amount(a.least.total()).texels; });
-                compare("bias-slack", [](const BiasAccount& a) {
+                compare("least-bias", [](const BiasBreakdown& a) { return a.amount(a.least.total()).texels; });
+                compare("bias-slack", [](const BiasBreakdown& a) {
                     return a.amount(a.clears()).texels - a.amount(a.least.total()).texels;
                 });
-                compare("contact-gap", [](const BiasAccount& a) { return a.contact_gap_m(); });
-                compare("bias-applied", [](const BiasAccount& a) { return a.amount(a.lifts - a.raster).texels; });
+                compare("contact-gap", [](const BiasBreakdown& a) { return a.contact_gap_m(); });
+                compare("bias-applied",
+                        [](const BiasBreakdown& a) { return a.amount(a.depth_shift - a.raster).texels; });
             }
 }
 
@@ -145,7 +153,7 @@ TEST_F(BiasOverlays, DensityIsBothSingularValues) {
         const Settings s = lit_by(type, fit);
         const Pixels wide = draw(scene, s, "texels-per-pixel"), narrow = draw(scene, s, "pixels-per-texel"),
                      bands = draw(scene, s, "sampling-bands");
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         const int n = wide.frame.map_resolution;
         int checked = 0;
         for (int y = 2; y < 58; y += 3)

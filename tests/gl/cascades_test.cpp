@@ -5,7 +5,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/bias/light_receiver.h"
 #include "renderer/measure/measure.h"
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -53,8 +53,8 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
         const FittedLight& light = frame.lights[0];
         std::vector<FloatImage> maps;
         for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
-        const TruthTask task = truth_task(renderer, near, s, small(), 0);
-        const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const ReferenceTask task = reference_task(renderer, near, s, small(), 0);
+        const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)
             for (int x = 0; x < drawn.width; ++x) {
@@ -70,9 +70,9 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
                     alone.views = {light.views[view]};
                     alone.chooser = {};
                     const LightReceiver r =
-                        bias_account(alone, s, frame.map_resolution,
-                                     {at.position_ws, at.normal_ws, at.normal_ws, frame.camera.origin()},
-                                     renderer.driver())
+                        bias_breakdown(alone, s, frame.map_resolution,
+                                       {at.position_ws, at.normal_ws, at.normal_ws, frame.camera.origin()},
+                                       renderer.driver())
                             .receiver;
                     if (!(r.n_dot_l > 1e-3)) sure = false;
                     const glm::dvec2 texel = glm::dvec2(r.tap) * 128.0, part = glm::fract(texel);
@@ -142,11 +142,11 @@ TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
     };
     for (const bool cascaded : {false, true}) {
         Settings s = settings_for(scene, {{"camera.source", "manual"}, {"light.cascades", cascaded ? "2" : "1"}});
-        EXPECT_EQ(map_state(s), PassState::Ran);
+        EXPECT_EQ(map_state(s), PassState::Drawn);
         s.camera.azimuth += 20;
-        EXPECT_EQ(map_state(s), cascaded ? PassState::Ran : PassState::Reused);
+        EXPECT_EQ(map_state(s), cascaded ? PassState::Drawn : PassState::Cached);
         s.shading.ambient = 0.1;
-        EXPECT_EQ(map_state(s), PassState::Reused);
+        EXPECT_EQ(map_state(s), PassState::Cached);
     }
 }
 

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <map>
 
-#include "renderer/measure/artefact_picture.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
@@ -20,10 +20,10 @@ std::string_view name(Artefact a) {
 
 class CausesTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request{.width = 320, .height = 240};
 
-    MeasuredError measure(const Scene& scene, const Settings& s, const TruthOptions& options = {}) {
+    MeasuredError measure(const Scene& scene, const Settings& s, const ReferenceOptions& options = {}) {
         return measure_error(renderer, scene, s, request, 0, options, cache);
     }
     static std::size_t count(const MeasuredError& m, Artefact a) { return m.metrics.artefacts[std::size_t(a)]; }
@@ -47,28 +47,28 @@ protected:
     }
 
     /// Decides in C++ upon what the GPU's trials gave, and demands the GPU's own decisions. @returns the GPU's
-    MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const TruthOptions& options = {}) {
+    MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const ReferenceOptions& options = {}) {
         SCOPED_TRACE(what);
         const MeasuredError gpu = measure(scene, s, options);
         FrameRequest all = request;
         all.outputs = {.colour = false, .evidence = true};
-        const FrameResult frame = render_with_truth(renderer, scene, s, all, cache, {}, options);
-        EXPECT_TRUE(frame.truth.met);
+        const FrameResult frame = render_with_reference(renderer, scene, s, all, cache, {}, options);
+        EXPECT_TRUE(frame.reference.met);
         const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
         const CauseContext known =
             cause_context(s, frame.lights[std::size_t(s.view.light)], frame.map_resolution, frame.mask_levels);
-        const Truth& truth = *gpu.traced.truth;
+        const Reference& reference = *gpu.traced.reference;
         std::size_t differ = 0;
-        for (std::size_t i = 0; i < truth.state.size(); ++i) {
-            if (truth.state[i] != PixelState::Counted) continue;
-            const Cause cause = cause_of(evidence[i], true_pixel(truth, i), known);
-            const JudgedPixel& p = gpu.judged[i];
-            const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
+        for (std::size_t i = 0; i < reference.state.size(); ++i) {
+            if (reference.state[i] != PixelState::Counted) continue;
+            const Cause cause = cause_of(evidence[i], true_pixel(reference, i), known);
+            const ClassifiedPixel& p = gpu.classified[i];
+            const bool acne = cause.faint || (cause.artefact == Artefact::Acne && reference.visibility.data[i] == 1);
             const bool same =
-                cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(JudgedPixel::kSeam) &&
-                acne == p.has(JudgedPixel::kAnyAcne) &&
-                (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
-                    compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
+                cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(ClassifiedPixel::kSeam) &&
+                acne == p.has(ClassifiedPixel::kAnyAcne) &&
+                (p.bits & ~(ClassifiedPixel::kAnyAcne | ClassifiedPixel::kSeam)) % (1 << ClassifiedPixel::kAlsoShift) ==
+                    compared_bits(p.visibility, true_pixel(reference, i), evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
                 ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here "
                               << name(cause.artefact) << ", also " << p.also() << " and " << cause.also << ", bits "
@@ -87,13 +87,14 @@ protected:
                  std::size_t least = 100) {
         std::size_t cured = 0, told = 0;
         std::map<std::string_view, int> others;
-        for (std::size_t i = 0; i < a.judged.size(); ++i) {
-            if (a.judged[i].artefact == Artefact::None || b.judged[i].artefact != Artefact::None) continue;
+        for (std::size_t i = 0; i < a.classified.size(); ++i) {
+            if (a.classified[i].artefact == Artefact::None || b.classified[i].artefact != Artefact::None) continue;
             ++cured;
             bool hit = false;
-            for (const Artefact c : causes) hit |= a.judged[i].artefact == c || (a.judged[i].also() >> int(c) & 1) != 0;
+            for (const Artefact c : causes)
+                hit |= a.classified[i].artefact == c || (a.classified[i].also() >> int(c) & 1) != 0;
             told += hit;
-            if (!hit) ++others[name(a.judged[i].artefact)];
+            if (!hit) ++others[name(a.classified[i].artefact)];
         }
         EXPECT_GE(cured, least) << "the twin shows what was wrong";
         std::string text;
@@ -109,11 +110,15 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
         EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
-        s.bias.constant = 30, s.bias.normal = 4;
+        s.bias.constant = 30;
+        s.bias.normal = 4;
         EXPECT_GT(count(agree(box, s, "much bias"), Artefact::PeterPanning), 10u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset"), Artefact::PeterPanningOffset), 100u);
-        s.bias.raster_units = 4000, s.bias.raster_slope = 3, s.bias.normal = 0;
+        s.bias.raster_units = 4000;
+        s.bias.raster_slope = 3;
+        s.bias.normal = 0;
         agree(box, s, "polygon offset");
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
@@ -142,9 +147,11 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         }
     for (const bool reversed : {false, true}) {
         s = test::texel_settings("pcf3", 128, 0.4);
-        s.lights[0].fit = int(LightFit::Lispsm), s.map.reversed_z = reversed;
+        s.lights[0].fit = int(LightFit::Lispsm);
+        s.map.reversed_z = reversed;
         EXPECT_GT(count(agree(box, s, "warped"), Artefact::Acne), 100u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset in a warped map"), Artefact::PeterPanningOffset), 10u);
         s.bias.constant = s.bias.normal = 0;
         for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "adaptive"}) {
@@ -154,9 +161,12 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     }
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         s = test::texel_settings("pcf3", 64, 0.4);
-        s.lights[0].cascades = 3, s.lights[0].cascade_blend = 0.3, s.lights[0].cascade_choice = int(choice);
+        s.lights[0].cascades = 3;
+        s.lights[0].cascade_blend = 0.3;
+        s.lights[0].cascade_choice = int(choice);
         EXPECT_GT(count(agree(box, s, "cascades"), Artefact::Acne), 100u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset in cascades"), Artefact::PeterPanningOffset), 10u);
     }
     s = test::texel_settings("pcf5", 256, 2);
@@ -196,7 +206,7 @@ TEST_F(CausesTest, TrialsOfOneTexelObeyTheGuards) {
         s.map.outside = int(outside);
         FrameRequest all = request;
         all.outputs = {.colour = false, .evidence = true};
-        const FrameResult frame = render_with_truth(renderer, box, s, all, cache);
+        const FrameResult frame = render_with_reference(renderer, box, s, all, cache);
         int led = 0;
         for (const CauseEvidence& e : read_evidence(frame, 1))
             if (e.place == CauseEvidence::kLedOutside) {
@@ -225,7 +235,8 @@ TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
     s.lights[0].elevation = 40;
     s.bias.normal = 100;
     Settings without = s;
-    without.bias.normal = 0, without.bias.constant = 6;
+    without.bias.normal = 0;
+    without.bias.constant = 6;
     const MeasuredError m = measure(scene, s);
     EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
     EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
@@ -312,7 +323,10 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     for (std::size_t a = 0; a < faults().size(); ++a)
         for (std::size_t b = 0; b < faults().size(); ++b) {
             Settings both = base(), twin = base();
-            if (a != b) faults()[b].wrong(both), faults()[b].wrong(twin);
+            if (a != b) {
+                faults()[b].wrong(both);
+                faults()[b].wrong(twin);
+            }
             faults()[a].wrong(both);
             if (both == twin) continue;
             // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
@@ -403,8 +417,8 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
     EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
-    for (std::size_t i = 0; i < dark.judged.size(); ++i)
-        if (!dark.judged[i].has(JudgedPixel::kOutside)) seams += dark.judged[i].has(JudgedPixel::kSeam);
+    for (std::size_t i = 0; i < dark.classified.size(); ++i)
+        if (!dark.classified[i].has(ClassifiedPixel::kOutside)) seams += dark.classified[i].has(ClassifiedPixel::kSeam);
     EXPECT_GT(seams, 50u);
 }
 
@@ -428,26 +442,39 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
         void (*light)(Settings&);
     };
     std::vector<Place> places;
-    places.push_back({"room", room(), [](Settings& s) { s.lights[0].azimuth = 40, s.lights[0].elevation = 50; }});
+    places.push_back({"room", room(), [](Settings& s) {
+                          s.lights[0].azimuth = 40;
+                          s.lights[0].elevation = 50;
+                      }});
     places.push_back({"terrain in tiles", tiles(), [](Settings& s) { s.lights[0].elevation = 55; }});
-    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
-    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
-    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
-    places.push_back(
-        {"far away",
-         [] {
-             Scene scene;
-             const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-             add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey), moved(1150, 30, -820));
-             add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
-                        moved(1150, 30.6, -820));
-             finalise(scene);
-             return scene;
-         }(),
-         [](Settings& s) { s.camera.target_x = 1150, s.camera.target_y = 30.2, s.camera.target_z = -820; }});
+    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].azimuth = 90;
+                          s.lights[0].elevation = 80;
+                      }});
+    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].type = int(LightType::Spot);
+                          s.lights[0].distance = 9;
+                      }});
+    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].type = int(LightType::Point);
+                          s.lights[0].distance = 6;
+                      }});
+    places.push_back({"far away",
+                      [] {
+                          Scene scene;
+                          const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+                          add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey),
+                                     moved(1150, 30, -820));
+                          add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
+                                     moved(1150, 30.6, -820));
+                          finalise(scene);
+                          return scene;
+                      }(),
+                      [](Settings& s) {
+                          s.camera.target_x = 1150;
+                          s.camera.target_y = 30.2;
+                          s.camera.target_z = -820;
+                      }});
     for (const Place& place : places)
         for (std::size_t a = 0; a < faults().size(); ++a) {
             if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel"))

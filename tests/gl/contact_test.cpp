@@ -1,7 +1,7 @@
 // Contact shadows: what they bring back, that they invent nothing, and that they are a factor on any source.
 #include <algorithm>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
@@ -16,7 +16,7 @@ using test::kPlaces;
 
 class ContactTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request{.width = 320, .height = 240, .outputs = {.colour = false, .visibility = true}};
 
     FloatImage visibility(const Scene& scene, const Settings& s) {
@@ -26,10 +26,15 @@ protected:
         Settings s = test::hard_settings();
         LightSettings& light = s.lights[0];
         light.type = int(type);
-        light.azimuth = place.azimuth, light.elevation = std::min(place.elevation, 60.0);
-        if (type != LightType::Directional) light.distance = 9, light.cone = 80;
+        light.azimuth = place.azimuth;
+        light.elevation = std::min(place.elevation, 60.0);
+        if (type != LightType::Directional) {
+            light.distance = 9;
+            light.cone = 80;
+        }
         light.contact = 0.5;
-        s.contact.steps = 64, s.contact.thickness = 1;
+        s.contact.steps = 64;
+        s.contact.thickness = 1;
         test::move_camera(s, place.at);
         return s;
     }
@@ -67,7 +72,7 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
             s.contact.thickness = 3;  // the box is as deep
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage v = renderer.read_float(frame.visibility, 1);
-            const test::RayTruth rays(scene);
+            const test::RayReference rays(scene);
             int dark = 0, found = 0, lit = 0, wrong = 0;
             for (int y = 0; y < v.height; ++y)
                 for (int x = 0; x < v.width; ++x) {
@@ -81,8 +86,14 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
                                               : glm::normalize(light.position - hit->position);
                     const auto met = rays.first_hit(hit->position + 1e-6 * to, to);
                     const double within = met ? glm::distance(met->position, hit->position) : 1e9;
-                    if (within < 0.45) ++dark, found += v.at(x, y) == 0;
-                    if (within > 1e8) ++lit, wrong += v.at(x, y) == 0;
+                    if (within < 0.45) {
+                        ++dark;
+                        found += v.at(x, y) == 0;
+                    }
+                    if (within > 1e8) {
+                        ++lit;
+                        wrong += v.at(x, y) == 0;
+                    }
                 }
             SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x);
             EXPECT_GT(lit, 5000);
@@ -99,7 +110,9 @@ TEST_F(ContactTest, BringBackWhatBiasLost) {
     Settings s = test::texel_settings("pcf3", 512, 40);
     const auto measured = [&] { return measure_error(renderer, scene, s, request, 0, {}, cache).metrics; };
     const ErrorMetrics without = measured();
-    s.lights[0].contact = 0.6, s.contact.steps = 64, s.contact.thickness = 2;
+    s.lights[0].contact = 0.6;
+    s.contact.steps = 64;
+    s.contact.thickness = 2;
     const ErrorMetrics with = measured();
     ASSERT_GT(without.bias_false_light, 0.001);
     EXPECT_LT(with.bias_false_light, 0.3 * without.bias_false_light);
@@ -120,7 +133,7 @@ TEST_F(ContactTest, AreAFactorOnAnySource) {
         off.lights[0].contact = 0;
         const auto drawn = [&](const Settings& settings) {
             return renderer.read_float(
-                render_with_truth(renderer, scene, settings, request, cache, Workers{.threads = 2}).visibility, 1);
+                render_with_reference(renderer, scene, settings, request, cache, Workers{.threads = 2}).visibility, 1);
         };
         const FloatImage with = drawn(s), without = drawn(off);
         for (std::size_t i = 0; i < with.data.size(); ++i)

@@ -16,8 +16,10 @@ std::vector<double> box_blur(const FloatImage& map, int radius) {
             double sum = 0;
             int count = 0;
             for (int v = std::max(0, y - radius); v <= std::min(map.height - 1, y + radius); ++v)
-                for (int u = std::max(0, x - radius); u <= std::min(map.width - 1, x + radius); ++u)
-                    sum += map.at(u, v), ++count;
+                for (int u = std::max(0, x - radius); u <= std::min(map.width - 1, x + radius); ++u) {
+                    sum += map.at(u, v);
+                    ++count;
+                }
             out[std::size_t(y) * std::size_t(map.width) + std::size_t(x)] = sum / count;
         }
     return out;
@@ -44,7 +46,8 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
                     // The faces of a point light overlap by what is read beyond them: as far for an offset as for a
                     // blur.
                     Settings unblurred = s;
-                    unblurred.map.blur_texels = 0, unblurred.bias.normal += radius;
+                    unblurred.map.blur_texels = 0;
+                    unblurred.bias.normal += radius;
                     const FrameResult plain = renderer.render(scene, unblurred, maps());
                     const auto faces = plain.lights.at(0).views.size();
                     std::vector<FloatImage> sharp;
@@ -100,18 +103,18 @@ TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
     const ByteImage sharp = renderer.read_colour(off.colour);
     s.map.blur_texels = 3;
     const FrameResult on = renderer.render(scene, s, small());
-    EXPECT_EQ(on.pass("depth blur")->state, PassState::Ran);
+    EXPECT_EQ(on.pass("depth blur")->state, PassState::Drawn);
     for (const PassInfo& pass : on.passes)
         EXPECT_EQ(pass.category == PassCategory::Maps, pass.name == "depth blur" || pass.name == "moments" ||
                                                            pass.name == "map bounds" ||
                                                            pass.name.starts_with("shadow map"))
             << pass.name;
     const FrameResult again = renderer.render(scene, s, small());
-    EXPECT_EQ(again.pass("depth blur")->state, PassState::Reused);
+    EXPECT_EQ(again.pass("depth blur")->state, PassState::Cached);
     const ByteImage blurred = renderer.read_colour(again.colour);
     EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
     s.lights[0].azimuth += 20;  // what it reads changes
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Ran);
+    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Drawn);
     s.lights[0].azimuth -= 20;
     s.map.blur_texels = 0;
     EXPECT_EQ(picture(scene, s).data, sharp.data) << "switching it off leaves a trace";

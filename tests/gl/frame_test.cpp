@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "tests/gl/frame_fixture.h"
@@ -43,7 +43,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
             s.shading.separate_visibility = true;
             const FrameResult separate = renderer.render(scene, s, small());
             ASSERT_NE(separate.pass("visibility"), nullptr);
-            EXPECT_EQ(separate.pass("visibility")->state, PassState::Ran);
+            EXPECT_EQ(separate.pass("visibility")->state, PassState::Drawn);
             // Not one pixel may differ by more than the rounding of one 8-bit step.
             EXPECT_EQ(different_pixels(fused, renderer.read_colour(separate.colour), 1), 0u) << name << " " << light;
         }
@@ -94,7 +94,8 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
                             set_setting(s, "filter.method", sampler ? "sampler" : "gather");
                             s.lights[0].fit = int(LightFit::Manual);
                             s.lights[0].distance = 20;
-                            s.lights[0].near = behind ? 24 : 1, s.lights[0].far = behind ? 60 : 20;
+                            s.lights[0].near = behind ? 24 : 1;
+                            s.lights[0].far = behind ? 60 : 20;
                             pictures[sampler][behind] =
                                 renderer.read_float(renderer.render(scene, s, request).visibility, 1).data;
                         }
@@ -170,7 +171,7 @@ TEST_F(ProgramsTest, PairsOfChoicesCompile) {
 
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     const Scene scene = load_scene("stage");
-    TruthCache truths;
+    ReferenceCache references;
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
@@ -182,7 +183,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
                                                         {"map.resolution", "256"}});
                 FrameRequest request{.width = 64, .height = 36};
                 request.outputs.overlay = true;
-                const FrameResult f = render_with_truth(renderer, scene, s, request, truths);
+                const FrameResult f = render_with_reference(renderer, scene, s, request, references);
                 const FloatImage values = renderer.read_float(f.overlay, 4);
                 std::size_t drawn = 0, infinite = 0;
                 for (std::size_t i = 0; i < values.data.size(); i += 4) {
@@ -191,7 +192,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
                 }
                 const bool finds_faults =
                     overlay.key == "non-finite" || overlay.key == "outside-map" || overlay.key == "invalid-moments";
-                EXPECT_FALSE(f.panes.front().lacks_truth) << overlay.key;
+                EXPECT_FALSE(f.panes.front().lacks_reference) << overlay.key;
                 if (overlay.key != "artefacts") {
                     EXPECT_EQ(drawn > 0, !finds_faults) << overlay.key << " " << light;
                 }
@@ -220,8 +221,8 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
         Names out;
         reused.clear();
         for (const PassInfo& p : renderer.render(scene, s, request).passes) {
-            if (p.state == PassState::Ran) out.insert(p.name);
-            if (p.state == PassState::Reused) reused.insert(p.name);
+            if (p.state == PassState::Drawn) out.insert(p.name);
+            if (p.state == PassState::Cached) reused.insert(p.name);
         }
         return out;
     };
@@ -299,7 +300,7 @@ TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
         const Settings s = settings_for(scene, extra);
         FrameRequest all = small();
         all.force = true;
-        all.forced = SavingSet::all();
+        all.forced = OptimisationSet::all();
         EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
         FrameRequest timed = small();
         timed.timing = timed.force = true;
@@ -404,7 +405,10 @@ TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
     EXPECT_EQ(none.reason, "no object casts");
     s.objects.begin()->second.cast = true;
     EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
-    for (auto& [path, object] : s.objects) object.cast = true, object.receive = false;
+    for (auto& [path, object] : s.objects) {
+        object.cast = true;
+        object.receive = false;
+    }
     EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
 }
 

@@ -11,11 +11,11 @@
 #include "renderer/base/error.h"
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/reference/live_error.h"
-#include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_geometry.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/camera.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 
@@ -102,7 +102,7 @@ protected:
     FirstPicture first_picture(const Session& session) {
         FrameRequest request{.width = 320, .height = 180};
         request.outputs.surface_ids = request.outputs.map_coordinates = true;
-        TruthCache cache;
+        ReferenceCache cache;
         const FrameResult frame = renderer.render(session.scene, session.settings, request);
         const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
         FirstPicture out;
@@ -111,22 +111,24 @@ protected:
                 texel_usage(renderer.read_float(frame.map_coordinates, 4), session.settings, frame.map_resolution)
                     .utilisation();
         request.outputs = {.error = true};
-        const FrameResult judged = render_with_truth(renderer, session.scene, session.settings, request, cache);
-        const Truth& truth = *request.truth->traced.truth;
+        const FrameResult classified = render_with_reference(renderer, session.scene, session.settings, request, cache);
+        const Reference& reference = *request.reference->traced.reference;
         const std::vector<bool> floors = floors_of(session.scene);
         out.own_floor = session.scene.ground_bounds.empty() && std::ranges::count(floors, true) > 0;
         for (int y = 0; y < ids.height; ++y)
             for (int x = 0; x < ids.width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(ids.width) + std::size_t(x);
                 if (ids.data[i].x == 0) continue;
-                ++out.surfaces, out.dark_surfaces += truth.visibility.data[i] < 0.5f;
+                ++out.surfaces;
+                out.dark_surfaces += reference.visibility.data[i] < 0.5f;
                 if (!floors[ids.data[i].x - 1]) continue;
-                const bool dark = truth.visibility.data[i] < 0.5f;
-                ++out.ground, out.dark += dark;
+                const bool dark = reference.visibility.data[i] < 0.5f;
+                ++out.ground;
+                out.dark += dark;
                 out.dark_at_rim += dark && (x == 0 || y == 0 || x == ids.width - 1 || y == ids.height - 1);
             }
         if (!out.own_floor) {
-            EXPECT_EQ(out.ground, judged.error ? judged.error->metrics.ground_pixels : 0);
+            EXPECT_EQ(out.ground, classified.error ? classified.error->metrics.ground_pixels : 0);
         }
         return out;
     }
@@ -187,8 +189,8 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
         return std::uint64_t(0);
     };
     EXPECT_EQ(drawn(with.scene), drawn(without.scene)) << "into the map";
-    EXPECT_EQ(TruthGeometry(with.scene, with.settings).caster_triangles(),
-              TruthGeometry(without.scene, with.settings).caster_triangles())
+    EXPECT_EQ(ReferenceGeometry(with.scene, with.settings).caster_triangles(),
+              ReferenceGeometry(without.scene, with.settings).caster_triangles())
         << "in the truth";
     // Under a light from below the box is lit as it would be without a ground.
     Settings s = with.settings;
@@ -206,7 +208,10 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     };
     const std::vector<float> stood = of_box(with.scene), alone = of_box(without.scene);
     std::size_t box = 0, differ = 0;
-    for (std::size_t i = 0; i < alone.size(); ++i) box += alone[i] >= 0, differ += stood[i] != alone[i];
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        box += alone[i] >= 0;
+        differ += stood[i] != alone[i];
+    }
     EXPECT_GT(box, 5000u);
     EXPECT_LT(differ, box / 100);
 }
@@ -316,8 +321,10 @@ TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
                     for (std::size_t i = 0; i < ids.data.size(); ++i) {
                         if (ids.data[i].x != ground) continue;
                         const float was = whole.data[i], is = fitted.data[i];
-                        dark += was < 0.01f, lost += was < 0.01f && is > 0.99f;
-                        lit += was > 0.99f, made += was > 0.99f && is < 0.01f;
+                        dark += was < 0.01f;
+                        lost += was < 0.01f && is > 0.99f;
+                        lit += was > 0.99f;
+                        made += was > 0.99f && is < 0.01f;
                     }
                     EXPECT_GT(dark, nearer == 1 ? 500u : 50u);
                     EXPECT_LE(lost, dark / 30 + 5);
@@ -416,7 +423,9 @@ TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
     EXPECT_EQ(session.scene.objects.size(), objects - 1);
     EXPECT_EQ(session.scene.nodes.size(), nodes - 1);
     EXPECT_TRUE(session.scene.ground_bounds.empty());
-    moment.ground = int(Ground::Auto), moment.scale = 1, moment.distance = 0;
+    moment.ground = int(Ground::Auto);
+    moment.scale = 1;
+    moment.distance = 0;
     pose_scene(session.scene, moment);
     EXPECT_EQ(session.scene.objects.size(), objects);
     EXPECT_NEAR(session.scene.ground_bounds.hi.y, session.scene.bounds.lo.y, 0.01);

@@ -82,7 +82,8 @@ std::string difference(const Bytes& a, const Bytes& b) {
     int most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const int d = std::abs(int(a[i]) - int(b[i]));
-        differ += d > 1, most = std::max(most, d);
+        differ += d > 1;
+        most = std::max(most, d);
     }
     return differ == 0 ? "" : fmt::format("{} of {} bytes differ, by {} at most", differ, a.size(), most);
 }
@@ -112,7 +113,10 @@ TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
     for (const Sets& sets : states()) {
         Settings s = settings_for(scene, {{"map.resolution", "64"}, {"filter.kernel", "hard"}});
         std::string what;
-        for (const auto& [key, value] : sets) set_setting(s, key, value), what += key + "=" + value + " ";
+        for (const auto& [key, value] : sets) {
+            set_setting(s, key, value);
+            what += key + "=" + value + " ";
+        }
         const Bytes before = pictures(scene, s);
         for (const SettingRef& ref : all_settings(s)) {
             if (ref.light > 1 || idle_reason(s, ref).empty()) continue;
@@ -195,13 +199,13 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
                                                 {"view.slabs", "both"},
                                                 {"view.slabs_texels", "4"},
                                                 {"view.map_fit", "true"}});
-    const auto drawn_anew = [&](const Settings& s) {
+    const auto drawn_again = [&](const Settings& s) {
         pictures(scene, apart, true);
         return pictures(scene, s, true);
     };
     Settings s = settings_for(scene, {{"map.resolution", "64"}});
     for (const auto& [key, value] : busy_states()[GetParam()]) set_setting(s, key, value);
-    const Bytes before = drawn_anew(s);
+    const Bytes before = drawn_again(s);
     std::size_t seen = 0;
     for (const SettingRef& ref : all_settings(s)) {
         // Of several lights the last: what the first alone has is changed in states that have no other.
@@ -215,7 +219,7 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
         if (ref.param->key == "map.resolution") changed.map.resolution = 96;
         const std::string what = setting_key(ref) + " = " + value_text(*ref.param, get_value(changed, ref));
         const Bytes now = pictures(scene, changed);
-        const bool fresh = now == drawn_anew(changed);  // not EXPECT_EQ, which would print them
+        const bool fresh = now == drawn_again(changed);  // not EXPECT_EQ, which would print them
         EXPECT_TRUE(fresh) << what;
         seen += now != before;
         const bool back = pictures(scene, s) == before;

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "renderer/reference/light_map_cache.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
@@ -14,7 +14,7 @@ namespace {
 
 class LightMapTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     Workers workers{.threads = 2};
     FrameRequest request{.width = 320, .height = 180, .outputs = {.colour = false, .visibility = true}};
     FrameResult frame;
@@ -24,7 +24,7 @@ protected:
         light_maps().forget();
     }
     FloatImage visibility(const Scene& scene, const Settings& s) {
-        frame = render_with_truth(renderer, scene, s, request, cache, workers);
+        frame = render_with_reference(renderer, scene, s, request, cache, workers);
         for (const std::string& note : frame.notes) ADD_FAILURE() << note;
         EXPECT_EQ(frame.light_maps.size(), 1u);
         EXPECT_TRUE(frame.light_maps.at(0).met);
@@ -33,18 +33,20 @@ protected:
     double texel_m() const { return 1 / frame.light_maps.at(0).texels_per_metre; }
     /// Calls with each pixel's point, its visibility and that of the truth, of those that count.
     template <class Visit>
-    void each_pixel(const Scene& scene, const Settings& s, const TruthOptions& options, Visit visit) {
+    void each_pixel(const Scene& scene, const Settings& s, const ReferenceOptions& options, Visit visit) {
         const FloatImage v = visibility(scene, s);
-        const TracedTruth t = cache.trace(truth_task(renderer, scene, s, request, 0, options), workers);
+        const TracedReference t = cache.trace(reference_task(renderer, scene, s, request, 0, options), workers);
         for (std::size_t i = 0; i < v.data.size(); ++i)
-            if (t.truth->state[i] == PixelState::Counted)
-                visit(t.receivers->pixels[i], double(v.data[i]), double(t.truth->visibility.data[i]));
+            if (t.reference->state[i] == PixelState::Counted)
+                visit(t.receivers->pixels[i], double(v.data[i]), double(t.reference->visibility.data[i]));
     }
     /// Share of the pixels that count on the wrong side of one half.
     double wrong_share(const Scene& scene, const Settings& s) {
         std::size_t wrong = 0, all = 0, dark = 0;
         each_pixel(scene, s, {.nearest = false}, [&](const Receiver&, double v, double t) {
-            ++all, dark += t < 0.5, wrong += (v >= 0.5) != (t >= 0.5);
+            ++all;
+            dark += t < 0.5;
+            wrong += (v >= 0.5) != (t >= 0.5);
         });
         EXPECT_GT(dark, all / 100);
         return double(wrong) / double(all);
@@ -76,7 +78,8 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
                 Settings s = light_mapped(test::hard_settings(), resolution);
                 s.lights[0].type = int(type);
-                s.lights[0].azimuth = place.azimuth, s.lights[0].elevation = place.elevation;
+                s.lights[0].azimuth = place.azimuth;
+                s.lights[0].elevation = place.elevation;
                 s.lights[0].distance = type == LightType::Directional ? 0 : 9;
                 s.lights[0].cone = 80;
                 test::move_camera(s, place.at);
@@ -128,7 +131,8 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
     s.lights[0].elevation = 90;
     s.lights[0].size = 6;
     s.light_map.samples = 256;
-    request.width = 960, request.height = 540;
+    request.width = 960;
+    request.height = 540;
     const double radius_m = 2.25 * std::tan(s.lights[0].size * std::numbers::pi / 180);
     double worst = 0, squares = 0;
     std::size_t within = 0;
@@ -138,7 +142,9 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
         if (std::abs(d) > 1.5) return;
         const double c = std::clamp(d, -1.0, 1.0);
         const double share = 0.5 + (c * std::sqrt(1 - c * c) + std::asin(c)) / std::numbers::pi;
-        worst = std::max(worst, std::abs(v - share)), squares += (v - share) * (v - share), ++within;
+        worst = std::max(worst, std::abs(v - share));
+        squares += (v - share) * (v - share);
+        ++within;
     });
     std::printf("penumbra: off by %.4f at most, %.4f root mean square, %zu pixels\n", worst,
                 std::sqrt(squares / double(within)), within);
@@ -186,11 +192,17 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         SCOPED_TRACE(testing::Message() << one_floor << sheet);
         const Scene scene = rooms(one_floor, sheet);
         Settings s = light_mapped(test::hard_settings(), 64);
-        s.lights[0].azimuth = 90 + kRoomsTurned, s.lights[0].elevation = 55;
+        s.lights[0].azimuth = 90 + kRoomsTurned;
+        s.lights[0].elevation = 55;
         s.camera.source = int(CameraSource::Manual);
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
-        s.camera.target_x = target.x, s.camera.target_y = target.y, s.camera.target_z = target.z;
-        s.camera.azimuth = 265 + kRoomsTurned, s.camera.elevation = 15, s.camera.distance = 2, s.camera.near = 0.05;
+        s.camera.target_x = target.x;
+        s.camera.target_y = target.y;
+        s.camera.target_z = target.z;
+        s.camera.azimuth = 265 + kRoomsTurned;
+        s.camera.elevation = 15;
+        s.camera.distance = 2;
+        s.camera.near = 0.05;
         s.camera.fov = 80;
         double brightest = 0, reach_m = 0;
         std::size_t pixels = 0;
@@ -248,16 +260,17 @@ TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
                                       {"light.2.source", "light-map"}});
     for (const int light : {0, 2}) {
         s.view.light = light;
-        frame = render_with_truth(renderer, scene, s, request, cache, workers);
+        frame = render_with_reference(renderer, scene, s, request, cache, workers);
         ASSERT_EQ(frame.light_maps.size(), 3u);
         EXPECT_TRUE(frame.light_maps[0].met && frame.light_maps[2].met);
         EXPECT_EQ(frame.light_maps[1].key, 0u);
         const FloatImage v = renderer.read_float(frame.visibility, 1);
-        const TracedTruth t = cache.trace(truth_task(renderer, scene, s, request, light, {.nearest = false}), workers);
+        const TracedReference t =
+            cache.trace(reference_task(renderer, scene, s, request, light, {.nearest = false}), workers);
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < v.data.size(); ++i)
-            wrong +=
-                t.truth->state[i] == PixelState::Counted && (v.data[i] < 0.5f) != (t.truth->visibility.data[i] < 0.5f);
+            wrong += t.reference->state[i] == PixelState::Counted &&
+                     (v.data[i] < 0.5f) != (t.reference->visibility.data[i] < 0.5f);
         EXPECT_LT(double(wrong), 0.01 * double(v.data.size())) << light;
     }
 }
@@ -269,7 +282,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     const std::size_t before = baked();
     visibility(scene, s);
     EXPECT_EQ(baked(), before + 1);
-    EXPECT_EQ(frame.pass("light map")->state, PassState::Ran);
+    EXPECT_EQ(frame.pass("light map")->state, PassState::Drawn);
     EXPECT_NE(frame.pass("light map")->reason.find("256² texels of a byte"), std::string::npos)
         << frame.pass("light map")->reason;
     EXPECT_EQ(frame.light_maps[0].bytes, 256u * 256u);
@@ -278,7 +291,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
         set_setting(other, key, value);
         const FrameResult f = renderer.render(scene, other, request);
         EXPECT_TRUE(f.light_maps[0].met) << key;
-        EXPECT_EQ(f.pass("light map")->state, PassState::Reused) << key;
+        EXPECT_EQ(f.pass("light map")->state, PassState::Cached) << key;
     };
     expect_known("camera.azimuth", "77");
     expect_known("camera.fov", "20");
@@ -304,7 +317,8 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     expect_unknown("light_map.resolution", "300");
     expect_unknown("caster.blend", "mask");
     Settings area = s;
-    area.light_map.samples = 64, area.lights[0].size = 2;
+    area.light_map.samples = 64;
+    area.lights[0].size = 2;
     EXPECT_FALSE(renderer.render(scene, area, request).light_maps[0].met);
     Settings dropped = s;
     dropped.objects[scene.nodes[std::size_t(scene.objects[0].node)].path].cast = false;
@@ -331,7 +345,7 @@ TEST_F(LightMapTest, HasTheSameBytesAfterItIsForgotten) {
     request.light_maps.clear();
     Renderer fresh;
     const FloatImage again =
-        fresh.read_float(render_with_truth(fresh, scene, s, request, cache, workers).visibility, 1);
+        fresh.read_float(render_with_reference(fresh, scene, s, request, cache, workers).visibility, 1);
     EXPECT_EQ(first.data, again.data);
 }
 

@@ -8,10 +8,10 @@
 #include "app/editor/frame_loop.h"
 #include "app/report/against.h"
 #include "app/session/session.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/camera.h"
-#include "renderer/view/sky.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/lights/sky.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/shared_models.h"
@@ -22,7 +22,9 @@ namespace {
 class LookTest : public FrameTest {
 protected:
     static Settings plain(Settings s) {
-        s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain), s.shading.exposure = 0;
+        s.shading.sky = int(SkyLook::Plain);
+        s.shading.curve = int(ToneCurve::Plain);
+        s.shading.exposure = 0;
         return s;
     }
     static glm::ivec3 pixel(const ByteImage& image, int x, int y) {
@@ -51,11 +53,11 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
         const FloatImage visibility = renderer.read_float(drawn.visibility, 1);
         const ByteImage picture = renderer.read_colour(drawn.colour);
         const FrameResult bare = renderer.render(scene, plain(on), request);
-        EXPECT_EQ(bare.pass("visibility")->state, PassState::Reused) << "it does not even have to be drawn again";
+        EXPECT_EQ(bare.pass("visibility")->state, PassState::Cached) << "it does not even have to be drawn again";
         EXPECT_GT(different_pixels(picture, renderer.read_colour(bare.colour)), 1000u);
         request.force = true;
-        const FloatImage anew = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
-        EXPECT_TRUE(anew.data == visibility.data);
+        const FloatImage again = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
+        EXPECT_TRUE(again.data == visibility.data);
     }
 }
 
@@ -109,7 +111,8 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
         std::size_t own = 0, dark = 0, differ = 0;
         for (std::size_t i = 0; i < none.ids.data.size(); ++i) {
             if (none.ids.data[i].x == 0 || none.ids.data[i].x != all.ids.data[i].x) continue;
-            ++own, dark += none.visibility.data[i] < 0.5f;
+            ++own;
+            dark += none.visibility.data[i] < 0.5f;
             differ += none.visibility.data[i] != all.visibility.data[i];
         }
         EXPECT_GT(own, 1000u);
@@ -122,7 +125,9 @@ TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
     s.light_count = 2;
-    s.lights[0].intensity = 1.5, s.lights[1] = s.lights[0], s.lights[1].azimuth += 20;
+    s.lights[0].intensity = 1.5;
+    s.lights[1] = s.lights[0];
+    s.lights[1].azimuth += 20;
     const int filmic = brightest(picture(scene, s));
     s.shading.curve = int(ToneCurve::Plain);
     EXPECT_EQ(brightest(picture(scene, s)), 255);
@@ -167,11 +172,18 @@ TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
     for (std::size_t i = 0; i < ids.data.size(); ++i) {
         const std::uint8_t* p = &image.data[4 * i];
         const double luma = (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
-        sum += luma, clipped += std::max({p[0], p[1], p[2]}) == 255;
+        sum += luma;
+        clipped += std::max({p[0], p[1], p[2]}) == 255;
         if (ids.data[i].x == 0 || scene.nodes[std::size_t(scene.objects[ids.data[i].x - 1].node)].name != "Ground")
             continue;
-        if (visibility.data[i] > 0.99f) lit += luma, ++lit_count;
-        if (visibility.data[i] < 0.01f) dark += luma, ++dark_count;
+        if (visibility.data[i] > 0.99f) {
+            lit += luma;
+            ++lit_count;
+        }
+        if (visibility.data[i] < 0.01f) {
+            dark += luma;
+            ++dark_count;
+        }
     }
     const double count = double(ids.data.size());
     EXPECT_GT(sum / count, 0.35);
@@ -198,11 +210,13 @@ TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
 TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 64, 3);
-    s.shading.specular = 0, s.shading.sky = int(SkyLook::Plain);
+    s.shading.specular = 0;
+    s.shading.sky = int(SkyLook::Plain);
     s.shading.exposure = 1;
     const ByteImage exposed = picture(scene, s);
     s.shading.exposure = 0;
-    s.lights[0].intensity *= 2, s.shading.ambient *= 2;
+    s.lights[0].intensity *= 2;
+    s.shading.ambient *= 2;
     EXPECT_LE(different_pixels(exposed, picture(scene, s), 1), 3u);
 }
 
@@ -217,7 +231,7 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);
         for (const PassInfo& pass : frame.passes)
-            EXPECT_EQ(pass.state == PassState::Ran, pass.name == "smoothing at rest") << pass.name;
+            EXPECT_EQ(pass.state == PassState::Drawn, pass.name == "smoothing at rest") << pass.name;
         EXPECT_TRUE(renderer.read_colour(frame.colour).data == as_drawn.data) << "the picture itself stays";
         if (request.smoothed == 1) one = renderer.read_colour(frame.smooth);
     }
@@ -263,8 +277,9 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     FrameLoop loop(false);
     PictureState state;
     state.settings = settings_for(scene, {{"map.resolution", "64"}});
-    EditorActions actions;
-    actions.scene_width = 64, actions.scene_height = 36;
+    EditorRequests actions;
+    actions.scene_width = 64;
+    actions.scene_height = 36;
     const auto changed = [&] { return loop.update(scene, state, actions, nullptr).changed; };
     const auto shows_smooth = [&] {
         const FrameResult result = loop.facts().result;
@@ -296,7 +311,8 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
         FrameRequest request = small();
-        request.smoothed = 1, request.force = true;
+        request.smoothed = 1;
+        request.force = true;
         for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))
             if (e.name == name) return e;
         ADD_FAILURE() << name;
@@ -304,15 +320,15 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     };
     const Settings s = settings_for(scene, {{"map.resolution", "64"}});
     for (const char* name : {"sky and its ambient light", "tone curve", "smoothing at rest"}) {
-        EXPECT_EQ(told(s, name).state, EffectState::Simulated) << name;
+        EXPECT_EQ(told(s, name).state, EffectState::Drawn) << name;
         EXPECT_FALSE(told(s, name).reason.empty()) << name;
     }
-    EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotCalledFor);
-    EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotCalledFor);
-    EXPECT_EQ(told(s, "ground").state, EffectState::NotCalledFor);
+    EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotNeeded);
+    EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotNeeded);
+    EXPECT_EQ(told(s, "ground").state, EffectState::NotNeeded);
     Settings apart = s;
     apart.lights[0].contact = 0.2;
-    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotCalledFor) << "visibility has its own pixels";
+    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotNeeded) << "visibility has its own pixels";
 }
 
 TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/frame/effects.h"
-#include "renderer/gl/trouble.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/gl/driver_failure.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/measure/measured_error.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -28,11 +28,11 @@ struct Spoilt {
 class NumericHealthTest : public FrameTest {
 protected:
     void TearDown() override {
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         FrameTest::TearDown();
     }
     static void spoil(const std::vector<Spoilt>& all) {
-        gl::trouble_seam().spoils = [all](std::string_view image, GLuint texture) {
+        gl::fault_injection().corrupt_image = [all](std::string_view image, GLuint texture) {
             for (const Spoilt& s : all) {
                 if (s.image != image) continue;
                 constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
@@ -50,8 +50,8 @@ protected:
     NumericHealth health_of(const Scene& scene, const Settings& s) {
         FrameRequest request{.width = 96, .height = 54, .force = true};
         request.outputs.health = true;
-        TruthCache truths;
-        trace_sources(renderer, scene, s, request, truths);
+        ReferenceCache references;
+        trace_sources(renderer, scene, s, request, references);
         const FrameResult frame = renderer.render(scene, s, request);
         return *renderer.numeric_health(frame);
     }
@@ -67,7 +67,7 @@ protected:
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
         spoil({s});
         const NumericHealth health = health_of(scene, sets);
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
         const NumberFinding& f = health.findings[0];
         EXPECT_EQ(f.fault, fault) << health_text(health);
@@ -183,7 +183,7 @@ TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
 
 TEST_F(NumericHealthTest, FindsItInThePagesOfTheMapThatHasThem) {
     // Wherever the page lies in the pool: every texel of it.
-    gl::trouble_seam().spoils = [](std::string_view image, GLuint texture) {
+    gl::fault_injection().corrupt_image = [](std::string_view image, GLuint texture) {
         if (image != "shadow map") return;
         const float nan = kNaN;
         glClearTexImage(texture, 0, GL_RED, GL_FLOAT, &nan);
@@ -242,7 +242,8 @@ TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
     };
     expect_sound();
     for (int turn = 0; turn < 8; ++turn) {
-        s.camera.roll += 45, s.camera.target_x += 0.01;
+        s.camera.roll += 45;
+        s.camera.target_x += 0.01;
         expect_sound();
     }
 }
@@ -269,16 +270,16 @@ TEST_F(NumericHealthTest, CostsNothingUnlessAskedForAndThenLeavesThePictureAlone
     EXPECT_THROW(renderer.numeric_health(plain), Error);
     bool told = false;
     for (const Effect& e : frame_effects(scene, s, plain, {}))
-        told |= e.name == "numeric health" && e.state == EffectState::NotCalledFor &&
+        told |= e.name == "numeric health" && e.state == EffectState::NotNeeded &&
                 e.reason == "Not needed: the numbers are not checked.";
     EXPECT_TRUE(told);
     request.outputs.health = true;
     const FrameResult searched = renderer.render(scene, s, request);
-    EXPECT_EQ(searched.pass("numeric health")->state, PassState::Ran);
+    EXPECT_EQ(searched.pass("numeric health")->state, PassState::Drawn);
     EXPECT_EQ(renderer.read_colour(searched.colour), before);
     const auto health = renderer.numeric_health(searched);
     ASSERT_TRUE(health);
-    EXPECT_EQ(renderer.render(scene, s, request).pass("numeric health")->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("numeric health")->state, PassState::Cached);
     EXPECT_EQ(renderer.numeric_health(searched), health) << "read back once";
 }
 

@@ -68,9 +68,10 @@ TEST_F(PanesTest, PanesOfOneOverlayShareItsImages) {
         frame(scene, {{"view.panes", "two"}, {"view.overlay", "n-dot-l"}, {"view.overlay_2", "n-dot-l"}});
     ASSERT_EQ(f.panes.size(), 2u);
     EXPECT_EQ(f.panes[0].picture.texture, f.panes[1].picture.texture);
-    EXPECT_EQ(std::count_if(
-                  f.passes.begin(), f.passes.end(),
-                  [](const PassInfo& p) { return p.name.starts_with("overlay values") && p.state == PassState::Ran; }),
+    EXPECT_EQ(std::count_if(f.passes.begin(), f.passes.end(),
+                            [](const PassInfo& p) {
+                                return p.name.starts_with("overlay values") && p.state == PassState::Drawn;
+                            }),
               1);
 }
 
@@ -101,7 +102,8 @@ TEST_F(PanesTest, FittedRangesFollowThePicture) {
     // The same picture as with these numbers by hand.
     const ByteImage fitted = renderer.read_colour(f.colour);
     Settings manual = settings_for(scene, {{"view.overlay", "own-depth"}, {"view.overlay_range", "manual"}});
-    manual.view.overlay_min = expected->min, manual.view.overlay_max = expected->max;
+    manual.view.overlay_min = expected->min;
+    manual.view.overlay_max = expected->max;
     EXPECT_EQ(fitted, picture(scene, manual));
     // And another one once the values change.
     settings.push_back({"light.elevation", "80"});

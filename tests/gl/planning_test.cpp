@@ -1,6 +1,6 @@
 // Planning a frame leaves the images of others as they are; only what is carried out takes their place.
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -43,7 +43,7 @@ protected:
     }
     static std::vector<std::uint8_t> bytes(const Image& image) {
         std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         GLint format = 0;
         glGetTextureLevelParameteriv(image.texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
         if (format == GL_RG32UI) return out;  // its pixels cannot be had as colours
@@ -97,11 +97,14 @@ TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
         for (const Sets& other : others) {
             Settings changed = s;
             std::string what;
-            for (const auto& [key, value] : other) set_setting(changed, key, value), what += key + "=" + value + " ";
+            for (const auto& [key, value] : other) {
+                set_setting(changed, key, value);
+                what += key + "=" + value + " ";
+            }
             SCOPED_TRACE(what);
             for (const int width : {96, 120}) plan(changed, request(width, 72));
             const FrameResult again = draw(s, request(96, 72));
-            for (const PassInfo& pass : again.passes) EXPECT_NE(pass.state, PassState::Ran) << pass.name;
+            for (const PassInfo& pass : again.passes) EXPECT_NE(pass.state, PassState::Drawn) << pass.name;
             std::vector<std::vector<std::uint8_t>> after;
             for (const Image& image : images(again))
                 if (image.texture) after.push_back(bytes(image));

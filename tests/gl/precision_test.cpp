@@ -1,5 +1,5 @@
 // What single precision costs: errors against a second computation in double, and against what rounding must cost.
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include "app/session/session.h"
 #include "renderer/measure/pipelines.h"
 #include "renderer/measure/shimmer.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
-#include "renderer/view/placement.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -35,13 +35,14 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
         for (const double distance : {0.0, 1e5}) {
             Scene scene = floor_and_box();
             Settings s = settings_at(scene, distance, type);
-            s.map.origin = int(MapOrigin::World), s.bias.normal = 0;
+            s.map.origin = int(MapOrigin::World);
+            s.bias.normal = 0;
             const FrameResult frame = hard_renderer().render(
                 scene, s,
                 {.width = kWidth, .height = kHeight, .outputs = {.map_coordinates = true, .precision = true}});
             ASSERT_TRUE(frame.precision);
             const FloatImage coordinates = hard_renderer().read_float(frame.map_coordinates, 4);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int compared = 0;
             for (int y = 2; y < kHeight; y += 5)
                 for (int x = 2; x < kWidth; x += 5) {
@@ -142,14 +143,15 @@ TEST(PrecisionTest, CostsNothingUnasked) {
     Renderer& renderer = hard_renderer();
     EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Skipped);
     request.outputs.precision = true;
-    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Ran);
-    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Drawn);
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Cached);
 }
 
 /// Cascades over what the camera sees of a wide floor with a box.
 Settings crawling(bool snap) {
     Settings s = hard_settings();
-    s.lights[0].fit = int(LightFit::Stabilised), s.lights[0].snap = snap;
+    s.lights[0].fit = int(LightFit::Stabilised);
+    s.lights[0].snap = snap;
     s.lights[0].cascades = 2;
     s.camera.distance = 6;
     s.map.resolution = 128;

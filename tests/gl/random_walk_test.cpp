@@ -28,7 +28,9 @@ public:
                 stop.scene, {{"map.resolution", "256"}, {"camera.source", "manual"}, {"light.fit", "scene"}});
             const Bounds& b = stop.scene.bounds;
             CameraSettings& c = stop.settings.camera;
-            c.target_x = b.centre().x, c.target_y = b.centre().y, c.target_z = b.centre().z;
+            c.target_x = b.centre().x;
+            c.target_y = b.centre().y;
+            c.target_z = b.centre().z;
             stops_.push_back(std::move(stop));
         }
     }
@@ -47,10 +49,12 @@ public:
                 return "another scene";
             case 1:
             case 2:
-                s.camera.azimuth += between(-40, 40), s.camera.elevation = between(5, 85);
+                s.camera.azimuth += between(-40, 40);
+                s.camera.elevation = between(5, 85);
                 return "camera turned";
             case 3:
-                s.camera.distance = between(3, 25), s.camera.target_x += between(-1, 1);
+                s.camera.distance = between(3, 25);
+                s.camera.target_x += between(-1, 1);
                 return "camera moved";
             case 4:
                 return move_caster();
@@ -134,12 +138,13 @@ protected:
     int kept_apart = 0;  ///< maps of which only what moved was drawn
 
     Drawn draw(Renderer& by, Stop& stop, FrameRequest request) {
-        request.width = stop.width, request.height = stop.height;
+        request.width = stop.width;
+        request.height = stop.height;
         request.outputs.shadow_map = true;
         Drawn out;
         const FrameResult frame = by.render(stop.scene, stop.settings, request);
         for (const PassInfo& pass : frame.passes)
-            for (const PartInfo& part : pass.parts) kept_apart += part.by == Saving::Resting && part.left_out > 0;
+            for (const PartInfo& part : pass.parts) kept_apart += part.by == Optimisation::Static && part.left_out > 0;
         out.picture = by.read_colour(frame.colour);
         if (frame.map_view.texture) out.map = by.read_colour(frame.map_view);
         request.outputs = {.colour = false, .visibility = true};

@@ -35,9 +35,9 @@ TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
     const Scene scene = ring_scene();
     const Settings settings = settings_for(scene);
     const SurfaceIds drawn = draw(scene, settings), traced = test::ids_by_rays(scene, frame.camera, 240, 160);
-    const TruthGeometry geometry(scene, settings);
-    const Receivers a = place_receivers(geometry, frame.camera, drawn, {});
-    const Receivers b = place_receivers(geometry, frame.camera, traced, {});
+    const ReferenceGeometry geometry(scene, settings);
+    const Receivers a = reconstruct_receivers(geometry, frame.camera, drawn, {});
+    const Receivers b = reconstruct_receivers(geometry, frame.camera, traced, {});
     std::size_t shown = 0, differing = 0, far = 0;
     std::vector<std::size_t> pixels(scene.objects.size());
     for (std::size_t i = 0; i < drawn.data.size(); ++i) {
@@ -59,10 +59,10 @@ TEST_F(SurfaceIdsTest, AreReusedAndFollowTheCamera) {
     const Scene scene = ring_scene();
     Settings settings = settings_for(scene);
     const SurfaceIds first = draw(scene, settings);
-    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Ran);
+    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Drawn);
     set_setting(settings, "bias.constant", "7");
     EXPECT_EQ(draw(scene, settings).data, first.data);
-    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Reused);
+    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Cached);
     set_setting(settings, "camera.source", "manual");
     set_setting(settings, "camera.azimuth", "100");
     EXPECT_NE(draw(scene, settings).data, first.data);
@@ -81,10 +81,12 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     leaf.double_sided = true;
     scene.materials.push_back(leaf);
     Texture t;
-    t.width = 13, t.height = 8;
+    t.width = 13;
+    t.height = 8;
     t.mipmaps = false;  // level 0 whatever the distance
     t.nearest_mag = t.nearest_min = nearest;
-    t.wrap_s = wrap, t.wrap_t = TextureWrap::Mirror;
+    t.wrap_s = wrap;
+    t.wrap_t = TextureWrap::Mirror;
     Random random(5);
     for (int i = 0; i < t.width * t.height; ++i) t.rgba.append({90, 120, 60, std::uint8_t(random.in(0, 256))});
     scene.textures.push_back(t);
@@ -108,7 +110,7 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
                                                            {"camera.target_y", "1"}});
             const SurfaceIds drawn = draw(scene, settings, 400, 300);
             const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // knows no masks
-            const TruthGeometry geometry(scene, settings);
+            const ReferenceGeometry geometry(scene, settings);
             const AlphaMask& mask = *geometry.objects[0].mesh->mask;
             std::size_t holes = 0, solid = 0, wrong = 0;
             for (int y = 0; y < 300; ++y)
@@ -142,18 +144,18 @@ TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
             request.outputs = {.colour = false, .shadow_map = true};
             request.force = true;
             const FrameResult result = renderer.render(session.scene, session.settings, request);
-            ASSERT_EQ(result.passes[0].state, PassState::Ran) << name;
-            const auto geometry = std::make_shared<TruthGeometry>(session.scene, session.settings);
+            ASSERT_EQ(result.passes[0].state, PassState::Drawn) << name;
+            const auto geometry = std::make_shared<ReferenceGeometry>(session.scene, session.settings);
             EXPECT_GT(result.passes[0].triangles, 0u) << name;
             EXPECT_LT(result.passes[0].triangles, session.scene.triangle_count()) << name;
-            EXPECT_EQ(TruthScene(geometry).triangle_count(), result.passes[0].triangles) << name;
+            EXPECT_EQ(ReferenceScene(geometry).triangle_count(), result.passes[0].triangles) << name;
             EXPECT_EQ(geometry->caster_triangles(), result.passes[0].triangles) << name;
         }
 }
 
 /// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
 std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
-    const TruthGeometry geometry(scene, s);
+    const ReferenceGeometry geometry(scene, s);
     std::vector<glm::ivec2> out;
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) {
@@ -173,7 +175,8 @@ TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
     std::size_t met = 0;
     for (const int turn : {0, 4}) {
         Settings s = stage_from_above(scene, "256");
-        s.camera.roll += 45 * turn, s.camera.target_x += 0.01 * turn;
+        s.camera.roll += 45 * turn;
+        s.camera.target_x += 0.01 * turn;
         const SurfaceIds ids = draw(scene, s, 295, 332);
         FrameRequest request{.width = ids.width, .height = ids.height};
         const ByteImage fused = renderer.read_colour(renderer.render(scene, s, request).colour);
@@ -184,8 +187,10 @@ TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
             SCOPED_TRACE(testing::Message() << "turn " << turn << ", pixel " << at.x << ", " << at.y);
             const std::size_t i = std::size_t(at.y * ids.width + at.x);
             int brightness = 0, off = 0;
-            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
-                brightness += fused.data[c], off = std::max(off, std::abs(int(fused.data[c]) - int(apart.data[c])));
+            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) {
+                brightness += fused.data[c];
+                off = std::max(off, std::abs(int(fused.data[c]) - int(apart.data[c])));
+            }
             EXPECT_GT(brightness, 0) << "what is no number is drawn black";
             EXPECT_LE(off, 1) << "fused and apart";
             const Probe probe = renderer.probe(scene, s, request, at.x, at.y);

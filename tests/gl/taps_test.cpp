@@ -80,7 +80,8 @@ std::vector<Settings> square_kernels() {
         };
         for (const bool point : {false, true})
             for (const int size : {2, 3, 8}) {
-                s.filter.size = size, s.filter.point = point;
+                s.filter.size = size;
+                s.filter.point = point;
                 if ((size == 3 || owns("filter.size")) && (!point || owns("filter.point"))) out.push_back(s);
             }
     }
@@ -206,7 +207,7 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
             s.lights[0].fit = int(LightFit::Manual);
             s.lights[0].extent = 4;
             const FrameResult frame = renderer.render(scene, s, request);
-            EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Reused);
+            EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Cached);
             const FloatImage read = renderer.read_float(frame.texels_read, 1);
             const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
             const int n = frame.map_resolution;

@@ -2,7 +2,7 @@
 // holes as geometry or as an alpha mask.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -53,7 +53,8 @@ protected:
 TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
     const Scene boxes = load_scene("boxes");
     glm::dmat4 shear(1);
-    shear[1][0] = 0.6, shear[2][1] = -0.3;
+    shear[1][0] = 0.6;
+    shear[2][1] = -0.3;
     const std::pair<const char*, glm::dmat4> transforms[] = {
         {"mirrored", glm::scale(glm::dmat4(1), {-1, 1, 1})},
         {"mirrored in all axes", glm::scale(glm::dmat4(1), {-1, -1, -1})},

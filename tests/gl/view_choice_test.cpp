@@ -1,7 +1,7 @@
 // Which view the GPU looks a point up in, and which one its twin in double says.
 #include <algorithm>
 
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {
@@ -17,8 +17,8 @@ protected:
         request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
-        const TruthTask task = truth_task(renderer, scene, s, request, 0);
-        const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const ReferenceTask task = reference_task(renderer, scene, s, request, 0);
+        const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         const FittedLight& light = frame.lights[0];
         std::vector<std::size_t> pixels(light.views.size());
         for (int y = 0; y < at.height; ++y)

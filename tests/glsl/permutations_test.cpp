@@ -29,7 +29,7 @@
 
 #include "renderer/base/key.h"
 #include "renderer/gl/shader_source.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
@@ -79,7 +79,9 @@ class Recorder {
 public:
     explicit Recorder(fs::path folder) : folder_(std::move(folder)) {
         current = this;
-        source_ = epoxy_glShaderSource, arrays_ = epoxy_glDrawArrays, instanced_ = epoxy_glDrawArraysInstanced;
+        source_ = epoxy_glShaderSource;
+        arrays_ = epoxy_glDrawArrays;
+        instanced_ = epoxy_glDrawArraysInstanced;
         elements_ = epoxy_glDrawElementsInstancedBaseVertexBaseInstance;
         read_ = epoxy_glGetTextureImage;
         // Where nothing is drawn a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead, and
@@ -111,7 +113,9 @@ public:
                                                                  GLuint) {};
     }
     ~Recorder() {
-        epoxy_glShaderSource = source_, epoxy_glDrawArrays = arrays_, epoxy_glDrawArraysInstanced = instanced_;
+        epoxy_glShaderSource = source_;
+        epoxy_glDrawArrays = arrays_;
+        epoxy_glDrawArraysInstanced = instanced_;
         epoxy_glDrawElementsInstancedBaseVertexBaseInstance = elements_;
         epoxy_glGetTextureImage = read_;
         current = nullptr;
@@ -311,7 +315,7 @@ std::vector<const Change*> kinds_of(const Axis& table) {
         const std::string kind =
             fmt::format("{} {} {} {} | {} {} | {} {} {} {}", int(filter.samples), is_bilinear(filter, s), filter.linear,
                         filter.moments.summed, bias.per_texel, int(bias.stage), needs.map, source_of(s, 0).fused,
-                        needs.truth, needs.light_map);
+                        needs.reference, needs.light_map);
         if (seen.insert(kind).second) out.push_back(&choice);
     }
     return out;
@@ -384,7 +388,7 @@ protected:
                 renderer_->render(scene, s, untold);
                 request.outputs.evidence = request.outputs.health = true;
             }
-            render_with_truth(*renderer_, scene, s, request, truths_);
+            render_with_reference(*renderer_, scene, s, request, references_);
             if (recorder_) recorder_->probes_hit = chosen.size() == 1;
             renderer_->probe(scene, s, request, 4, 4);
             if (recorder_) recorder_->probes_hit = false;
@@ -515,7 +519,7 @@ protected:
 
     const HeadlessContext context_;
     std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>();
-    TruthCache truths_;
+    ReferenceCache references_;
     Recorder* recorder_ = nullptr;
     int frames_ = 0;
 };

@@ -46,7 +46,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
 /// Share of lit pixels that are not fully lit.
 double acne_share(const Shot& shot) {
     std::size_t acne = 0, seen = 0;
-    const RayTruth rays(plane_scene());
+    const RayReference rays(plane_scene());
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
             glm::dvec3 origin, dir;
@@ -113,9 +113,9 @@ TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
             double needed = 0;
             for (double x : {-5.0, 0.0, 5.0})
                 for (double z : {-5.0, 0.0, 5.0}) {
-                    const BiasAccount a =
-                        bias_account(bare.light(), s, bare.frame.map_resolution,
-                                     {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
+                    const BiasBreakdown a =
+                        bias_breakdown(bare.light(), s, bare.frame.map_resolution,
+                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
                     EXPECT_GT(a.raster, 0);
                     EXPECT_EQ(a.clears(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
@@ -154,10 +154,15 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 const Scene scene =
                     make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
                 Settings s = plane_settings(MapFormat::D32F, "hard");
-                s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
+                s.camera.target_x = place.at.x;
+                s.camera.target_y = place.at.y;
+                s.camera.target_z = place.at.z;
                 s.camera.distance *= place.size / 10;
                 s.lights[0].type = int(type);
-                if (type == LightType::Spot) s.lights[0].distance = 2 * place.size, s.lights[0].cone = 60;
+                if (type == LightType::Spot) {
+                    s.lights[0].distance = 2 * place.size;
+                    s.lights[0].cone = 60;
+                }
                 s.lights[0].elevation = 90 - theta;
                 s.bias.unit = int(BiasUnit::Texels);
                 const auto visible = [&](Shot& shot) {
@@ -178,9 +183,9 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 Shot bare = shoot(scene, s);
                 double most = 0;
                 for (const auto& [pixel, at] : visible(bare)) {
-                    const BiasAccount a =
-                        bias_account(bare.light(), s, bare.frame.map_resolution,
-                                     {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, hard_renderer().driver());
+                    const BiasBreakdown a = bias_breakdown(bare.light(), s, bare.frame.map_resolution,
+                                                           {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()},
+                                                           hard_renderer().driver());
                     most = std::max(most, a.amount(a.least.total()).texels);
                 }
                 s.bias.constant = most;
@@ -212,7 +217,7 @@ TEST(HardCase2, SphereTerminator) {
     s.camera.elevation = 10;
     const auto energy = [&](const Shot& shot) {
         // A convex body: truth is lit wherever the facet faces the light.
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         double error = 0;
         int domain = 0;
         for (int y = 0; y < shot.height; ++y)

@@ -6,8 +6,8 @@
 #include "app/base/output.h"
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"
@@ -76,10 +76,11 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         const Session session = open_session({.scene = {}, .preset = p.key, .sets = {}});
         EXPECT_TRUE(session.notes.empty()) << session.notes.front();
         FrameRequest request;
-        request.width = 64, request.height = 36;
+        request.width = 64;
+        request.height = 36;
         request.outputs.health = true;
-        TruthCache truths;  // what is baked or traced for a picture is there when it is shown
-        trace_sources(hard_renderer(), session.scene, session.settings, request, truths);
+        ReferenceCache references;  // what is baked or traced for a picture is there when it is shown
+        trace_sources(hard_renderer(), session.scene, session.settings, request, references);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
         const auto health = hard_renderer().numeric_health(frame);
         EXPECT_TRUE(health->sound()) << health_text(*health);

@@ -4,7 +4,7 @@
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/hard_case.h"
@@ -54,7 +54,7 @@ struct Drawn {
         return std::ranges::count_if(shot.visibility.data, [](float v) { return v > 0.02f && v < 0.98f; });
     }
     double mae() const {
-        TruthCache cache;
+        ReferenceCache cache;
         return measure_error(hard_renderer(), scene, settings, {.width = 160, .height = 90}, 0, {}, cache).metrics.mae;
     }
     double depths_m() const {
@@ -93,7 +93,8 @@ const Claims& guided_view_claims() {
              double least = 1e300, most = 0;
              for (std::size_t i = 0; i < views.size(); ++i) {
                  const double share = views[i].half_width / spans[i].ends;
-                 least = std::min(least, share), most = std::max(most, share);
+                 least = std::min(least, share);
+                 most = std::max(most, share);
                  if (i > 1) {
                      EXPECT_NEAR(spans[i].ends / spans[i - 1].ends, spans[1].ends / spans[0].ends, 1e-6);
                  }

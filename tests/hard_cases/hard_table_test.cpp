@@ -6,7 +6,7 @@
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
@@ -28,7 +28,7 @@ TEST(HardCaseTable, HasThirtySixRowsWithWordsScenesAndLimits) {
         const HardCase& row = rows[i];
         EXPECT_EQ(row.number, int(i) + 1);
         EXPECT_TRUE(keys.insert(row.key).second && titles.insert(row.title).second) << row.key;
-        for (const std::string_view sentence : {row.fault, row.remedy}) {
+        for (const std::string_view sentence : {row.fault, row.fix}) {
             EXPECT_TRUE(sentence.size() > 30 && sentence.ends_with('.')) << row.key << ": " << sentence;
             EXPECT_LT(sentence.size(), 200u) << row.key << ": longer than a glance";
         }
@@ -111,10 +111,11 @@ TEST(HardCaseTable, PresetsOfFaultsShowThem) {
         double wrong[2] = {}, mae[2] = {};
         for (const bool fixed : {false, true}) {
             const DrawnCase c = hard_view(row.key, fixed);
-            TruthCache cache;
+            ReferenceCache cache;
             const MeasuredError e =
                 measure_error(hard_renderer(), c.scene, c.settings, {.width = 160, .height = 120}, 0, {}, cache);
-            wrong[fixed] = e.metrics.false_light + e.metrics.false_shadow, mae[fixed] = e.metrics.mae;
+            wrong[fixed] = e.metrics.false_light + e.metrics.false_shadow;
+            mae[fixed] = e.metrics.mae;
         }
         RecordProperty(std::string(row.key), std::to_string(wrong[0]) + " " + std::to_string(wrong[1]));
         EXPECT_GT(mae[0], 1.3 * mae[1]) << row.key << ": " << wrong[0] << " and " << wrong[1] << " wrong";

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
@@ -46,9 +46,10 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                          << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
             Settings s = hard_settings();
             s.lights[0].type = int(type);
-            s.lights[0].azimuth = angles.x, s.lights[0].elevation = angles.y;
+            s.lights[0].azimuth = angles.x;
+            s.lights[0].elevation = angles.y;
             const Shot shot = shoot(scene, s);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int parallel = 0, lit = 0;
             for (int y = 0; y < shot.height; ++y)
                 for (int x = 0; x < shot.width; ++x) {
@@ -57,7 +58,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                     const auto hit = rays.first_hit(origin, dir);
                     if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12)
                         continue;
-                    ++parallel, lit += shot.visibility.at(x, y) > 0;
+                    ++parallel;
+                    lit += shot.visibility.at(x, y) > 0;
                 }
             if (type == LightType::Directional) {
                 EXPECT_GT(parallel, 50);
@@ -67,16 +69,17 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     // What the truth counts: none of them, so that none is false.
     for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
         Settings s = hard_settings();
-        s.lights[0].azimuth = azimuth, s.lights[0].elevation = 90;
-        TruthCache cache;
+        s.lights[0].azimuth = azimuth;
+        s.lights[0].elevation = 90;
+        ReferenceCache cache;
         const MeasuredError m = measure_error(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0, {}, cache);
         const Shot shot = shoot(scene, s);
-        EXPECT_GT(m.traced.truth->pixels[std::size_t(PixelState::FacesAway)], 300u);
+        EXPECT_GT(m.traced.reference->pixels[std::size_t(PixelState::FacesAway)], 300u);
         EXPECT_EQ(m.metrics.any_acne, 0) << azimuth;
-        for (std::size_t i = 0; i < m.traced.truth->state.size(); ++i)
-            if (m.traced.truth->state[i] == PixelState::FacesAway) {
+        for (std::size_t i = 0; i < m.traced.reference->state.size(); ++i)
+            if (m.traced.reference->state[i] == PixelState::FacesAway) {
                 ASSERT_EQ(shot.visibility.data[i], 0) << azimuth;
-            } else if (m.traced.truth->state[i] == PixelState::Counted) {
+            } else if (m.traced.reference->state[i] == PixelState::Counted) {
                 ASSERT_GT(glm::dot(m.traced.receivers->pixels[i].normal_ws, glm::dvec3(0, 1, 0)), 1e-6);
             }
     }
@@ -89,7 +92,7 @@ TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
         Settings s;
         for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
         s.lights[0].elevation = elevation;
-        TruthCache cache;
+        ReferenceCache cache;
         return measure_error(hard_renderer(), scene, s, {.width = 320, .height = 180}, 0, {}, cache).metrics.iou;
     };
     EXPECT_NEAR(iou(90), iou(89.9), 0.05);
@@ -137,7 +140,7 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
             s.map.reversed_z = reversed;
             const Shot shot = shoot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             const LightView& view = shot.view();
             const FloatImage& map = shot.maps.at(0);
             int behind = 0, affected = 0, mirrored = 0;

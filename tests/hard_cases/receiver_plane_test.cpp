@@ -26,14 +26,20 @@ struct Plane {
 Settings over(const Plane& plane, LightType type, double theta_deg) {
     Settings s = hard_settings();
     s.camera.elevation = 70;
-    s.camera.target_x = plane.at.x, s.camera.target_y = plane.at.y, s.camera.target_z = plane.at.z;
+    s.camera.target_x = plane.at.x;
+    s.camera.target_y = plane.at.y;
+    s.camera.target_z = plane.at.z;
     s.camera.distance *= plane.size / 10;
     s.bias = no_bias();
     LightSettings& light = s.lights[0];
     light.type = int(type);
-    light.azimuth = plane.azimuth, light.elevation = 90 - theta_deg;
+    light.azimuth = plane.azimuth;
+    light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
-    if (type != LightType::Directional) light.distance = 2 * plane.size, light.cone = 50;
+    if (type != LightType::Directional) {
+        light.distance = 2 * plane.size;
+        light.cone = 50;
+    }
     return s;
 }
 
@@ -64,7 +70,7 @@ class ReceiverPlaneBias : public testing::TestWithParam<PlaneCase> {};
 
 TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
     const PlaneCase& c = GetParam();
-    std::size_t acne_without = 0, judged = 0;
+    std::size_t acne_without = 0, classified = 0;
     double most_texels = 0;
     // Each plane under each angle, and each kernel with each of both; SI_LONG=1: each kernel for every pair of these.
     const bool all = std::getenv("SI_LONG") != nullptr;
@@ -91,9 +97,9 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 std::size_t acne = 0;
                 for (const auto& [i, at] : pixels) {
                     acne += shot.visibility.data[i] < 1 - 1e-3f;
-                    const BiasAccount a =
-                        bias_account(shot.light(), s, shot.frame.map_resolution,
-                                     {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                    const BiasBreakdown a = bias_breakdown(shot.light(), s, shot.frame.map_resolution,
+                                                           {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
+                                                           hard_renderer().driver());
                     ASSERT_EQ(a.least.kernel, 0) << "whatever the kernel reaches";
                     ASSERT_EQ(a.clears(), a.least.total()) << "of itself just enough";
                     if (c.format == MapFormat::D32F && plane.at == glm::dvec3(0))
@@ -102,17 +108,17 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 EXPECT_EQ(acne, 0u) << "of " << pixels.size();
                 if (!against_one) continue;
                 // As much bias of one depth for all texels does not do.
-                const BiasAccount middle = bias_account(shot.light(), s, shot.frame.map_resolution,
-                                                        {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
-                                                        hard_renderer().driver());
+                const BiasBreakdown middle = bias_breakdown(
+                    shot.light(), s, shot.frame.map_resolution,
+                    {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 choose(s, "constant");
                 s.bias.constant = middle.clears();
                 const Shot one = shoot(scene, s);
-                judged += pixels.size();
+                classified += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
             }
         }
-    EXPECT_GT(double(acne_without), 0.7 * double(judged));
+    EXPECT_GT(double(acne_without), 0.7 * double(classified));
     if (c.format == MapFormat::D32F) {
         // Corners snap by half a step of the driver's grid, which both axes' slopes of 85 degrees make depth of.
         const double snapping = 17 * std::exp2(-(hard_renderer().driver().subpixel_bits + 1));
@@ -151,10 +157,17 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
             Settings s = texel_settings("hard", 512, texels);
             choose(s, "receiver-plane");
             s.lights[0].type = int(type);
-            s.lights[0].azimuth = 23, s.lights[0].elevation = 35;  // from +z
-            if (type == LightType::Spot) s.lights[0].distance = 16, s.lights[0].cone = 60;
-            s.camera.azimuth = 180, s.camera.elevation = 65, s.camera.distance = 9;
-            s.camera.target_x = s.camera.target_y = 0, s.camera.target_z = -0.5;
+            s.lights[0].azimuth = 23;
+            s.lights[0].elevation = 35;  // from +z
+            if (type == LightType::Spot) {
+                s.lights[0].distance = 16;
+                s.lights[0].cone = 60;
+            }
+            s.camera.azimuth = 180;
+            s.camera.elevation = 65;
+            s.camera.distance = 9;
+            s.camera.target_x = s.camera.target_y = 0;
+            s.camera.target_z = -0.5;
             const Shot shot = shoot(scene, s, 480, 360);
             double lit = 0, expected = 0;
             int columns = 0;
@@ -166,9 +179,9 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                 const glm::dvec3 to_light =
                     type == LightType::Directional ? light.to_light : glm::normalize(light.position - foot);
                 const glm::dvec3 along = -glm::normalize(glm::dvec3(to_light.x, 0, to_light.z));
-                const BiasAccount a =
-                    bias_account(light, s, shot.frame.map_resolution,
-                                 {foot, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                const BiasBreakdown a =
+                    bias_breakdown(light, s, shot.frame.map_resolution,
+                                   {foot, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 const double step = 0.005;
                 for (double d = 0.5 * step; d < 1.5; d += step) {
                     const glm::dvec4 p = shot.frame.camera.project(foot + along * d, shot.width, shot.height);
@@ -179,13 +192,15 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                 EXPECT_NEAR(a.amount(a.clears()).metres * a.receiver.axis_per_ray / a.receiver.texel_m, texels, 0.1);
                 ++columns;
             }
-            lit /= columns, expected /= columns;
+            lit /= columns;
+            expected /= columns;
             // Pixels at the foot show the wall, not the floor before it: less than one of them is missing.
             EXPECT_LE(lit, 1.02 * expected);
             EXPECT_GE(lit, expected - pixel_m);
-            if (texels == 2)
-                narrow = lit, narrow_expected = expected;
-            else  // under a spot light texels grow along the strip
+            if (texels == 2) {
+                narrow = lit;
+                narrow_expected = expected;
+            } else  // under a spot light texels grow along the strip
                 EXPECT_NEAR((lit - narrow) / (expected - narrow_expected), 1, 0.05);
         }
     }
@@ -201,13 +216,14 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
             s.lights[0].type = int(type);
-            s.lights[0].distance = 9, s.lights[0].cone = 80;
+            s.lights[0].distance = 9;
+            s.lights[0].cone = 80;
             choose(s, "receiver-plane");
             const Shot plane = shoot(scene, s, 320, 240);
             choose(s, "constant");
             s.bias.constant = 4 * reach_of(s).bias;
             const Shot one = shoot(scene, s, 320, 240);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int floor = 0, partly = 0, dark = 0, differ = 0;
             for (int y = 0; y < plane.height; ++y)
                 for (int x = 0; x < plane.width; ++x) {
@@ -218,7 +234,9 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
                     const glm::dvec4 uvd = uvdw(view_of(plane.light(), hit->position), hit->position);
                     if (std::min(uvd.x, uvd.y) < 0.02 || std::max(uvd.x, uvd.y) > 0.98) continue;
                     const float a = plane.visibility.at(x, y), b = one.visibility.at(x, y);
-                    ++floor, dark += b == 0, partly += b > 0 && b < 1;
+                    ++floor;
+                    dark += b == 0;
+                    partly += b > 0 && b < 1;
                     differ += std::abs(a - b) > 1e-5f;
                 }
             EXPECT_GT(floor, 5000);
@@ -243,13 +261,13 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     };
     const auto account = [&] {
         const Shot shot = shoot(scene, s);
-        return bias_account(shot.light(), s, shot.frame.map_resolution,
-                            {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+        return bias_breakdown(shot.light(), s, shot.frame.map_resolution,
+                              {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
     };
     s.bias.plane_clamp = 0;  // no limit
     EXPECT_EQ(acne(), 0);
     choose(s, "constant");
-    const BiasAccount whole = account();
+    const BiasBreakdown whole = account();
     const double needed = whole.amount(whole.least.kernel).texels;
     EXPECT_GT(needed, 8);
     choose(s, "receiver-plane");
@@ -258,7 +276,7 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     EXPECT_EQ(account().least.kernel, 0);
     s.bias.plane_clamp = 0.5 * needed;
     EXPECT_GT(acne(), 0.5);
-    const BiasAccount half = account();
+    const BiasBreakdown half = account();
     EXPECT_NEAR(half.amount(half.least.kernel).texels, 0.5 * needed, 1e-6 * needed) << "what is left to be cleared";
     s.bias.constant = half.least.kernel;
     EXPECT_EQ(acne(), 0) << "and with that much bias it is";

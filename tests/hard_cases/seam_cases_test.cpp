@@ -4,7 +4,7 @@
 
 #include "renderer/scenes/hard_scenes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"
 
@@ -29,18 +29,18 @@ protected:
     Seams count(const Scene& scene, const Settings& s) {
         const test::Shot shot = test::shoot(scene, s, 200, 150);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
-        const test::TruthImage truth = test::trace_truth(test::RayTruth(scene), shot.frame.camera, shot.light(), 200,
-                                                         150, shot.frame.map_resolution, reach);
+        const test::ReferenceImage reference = test::trace_reference(
+            test::RayReference(scene), shot.frame.camera, shot.light(), 200, 150, shot.frame.map_resolution, reach);
         Seams out;
-        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-            if (truth.lit[i] != test::Lit::Lit && truth.lit[i] != test::Lit::Shadow) continue;
-            if (truth.hits[i]->normal.y < 0.5) continue;
-            glm::dvec3 a = glm::abs(truth.hits[i]->position - shot.light().position);
+        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+            if (reference.lit[i] != test::Lit::Lit && reference.lit[i] != test::Lit::Shadow) continue;
+            if (reference.hits[i]->normal.y < 0.5) continue;
+            glm::dvec3 a = glm::abs(reference.hits[i]->position - shot.light().position);
             std::sort(&a.x, &a.x + 3);
             // Texels from where the two largest coordinates are equal.
             const double aside = (1 - a.y / a.z) * 0.5 * shot.frame.map_resolution;
             const double v = shot.visibility.data[i];
-            const bool wrong = truth.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
+            const bool wrong = reference.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
             const bool near = aside < reach + 3;
             (near ? out.near : out.inside) += 1;
             out.across += aside < reach - 1.5;
@@ -58,13 +58,19 @@ TEST_F(HardCase30, AreNoWorseThanTheFaces) {
                 Scene scene = hard_lamp();
                 test::move_scene(scene, at);
                 Settings s = test::texel_settings(kernel, 256, 0);
-                s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.25, s.bias.normal = 3;
+                s.bias.unit = int(BiasUnit::Metres);
+                s.bias.constant = 0.25;
+                s.bias.normal = 3;
                 LightSettings& light = s.lights[0];
-                light.type = int(LightType::Point), light.size = 0.02;
+                light.type = int(LightType::Point);
+                light.size = 0.02;
                 light.distance = 1e-3;  // at its target
                 const glm::dvec3 from = at + lamp - scene.bounds.centre();
-                light.target_x = from.x, light.target_y = from.y, light.target_z = from.z;
-                s.camera.distance = 11, s.camera.elevation = 65;
+                light.target_x = from.x;
+                light.target_y = from.y;
+                light.target_z = from.z;
+                s.camera.distance = 11;
+                s.camera.elevation = 65;
                 test::move_camera(s, at);
                 const Seams seams = count(scene, s);
                 EXPECT_GT(seams.near, 500u);

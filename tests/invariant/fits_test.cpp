@@ -7,7 +7,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -54,10 +54,15 @@ protected:
         Settings s = texel_settings(c.kernel, 256, 0);
         LightSettings& light = s.lights[0];
         light.type = int(c.light);
-        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.azimuth = c.place.azimuth;
+        light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80, light.size = c.light == LightType::Directional ? 0.5 : 0.05;
-        if (c.seen_in_part) s.camera.distance = 4, s.camera.target_x = 1;
+        light.cone = 80;
+        light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        if (c.seen_in_part) {
+            s.camera.distance = 4;
+            s.camera.target_x = 1;
+        }
         move_camera(s, c.place.at);
         // Enough for any of these maps: in metres, so that it is the same for all fits.
         s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.6;
@@ -88,21 +93,21 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
     const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
-    const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, wider, whole.width, whole.height,
-                                         whole.frame.map_resolution, reach);
+    const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
+                                                     whole.height, whole.frame.map_resolution, reach);
     // Of a warped map some texels are wider, and some are not.
-    const TruthImage own = !shot.light().is_warped()
-                               ? truth
-                               : trace_truth(RayTruth(scene), whole.frame.camera, shot.light(), whole.width,
-                                             whole.height, whole.frame.map_resolution, reach);
+    const ReferenceImage own = !shot.light().is_warped()
+                                   ? reference
+                                   : trace_reference(RayReference(scene), whole.frame.camera, shot.light(), whole.width,
+                                                     whole.height, whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        const Lit is = truth.lit[i];
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        const Lit is = reference.lit[i];
         if (is != Lit::Lit && is != Lit::Shadow && is != Lit::Boundary) continue;
-        if (truth.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
+        if (reference.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
         const double v = shot.visibility.data[i];
-        const glm::dvec4 at = uvdw(view_of(shot.light(), truth.hits[i]->position), truth.hits[i]->position);
+        const glm::dvec4 at = uvdw(view_of(shot.light(), reference.hits[i]->position), reference.hits[i]->position);
         const bool outside = std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0;
         if (outside && shot.light().closed) {
             ++beyond;
@@ -136,11 +141,11 @@ TEST_P(EachFit, LightsALonePlane) {
     Settings s = settings();
     set_setting(s, "light.fit", c.fit);
     const Shot shot = shoot(scene, s, 80, 60);
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, 0);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Lit) continue;
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Lit) continue;
         ++lit;
         ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
     }
@@ -157,10 +162,15 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             const bool sun = type == LightType::Directional;
             Settings s = texel_settings("pcf3", 512, 0);
             LightSettings& light = s.lights[0];
-            light.type = int(type), light.azimuth = 30, light.elevation = 60, light.distance = 9, light.cone = 100;
+            light.type = int(type);
+            light.azimuth = 30;
+            light.elevation = 60;
+            light.distance = 9;
+            light.cone = 100;
             light.projection = int(sun ? LightProjection::Perspective : LightProjection::Orthographic);
             set_setting(s, "light.fit", row.key);
-            s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.4;
+            s.bias.unit = int(BiasUnit::Metres);
+            s.bias.constant = 0.4;
             const Shot shot = shoot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
             EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";
@@ -169,14 +179,14 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             FittedLight as_mapped = shot.light();
             as_mapped.type = sun ? LightType::Point : LightType::Directional;
             as_mapped.position = shot.view().eye;
-            const TruthImage truth =
-                trace_truth(RayTruth(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
-                            shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
+            const ReferenceImage reference =
+                trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
+                                shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
-            for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-                const Lit is = truth.lit[i];
-                if ((is != Lit::Lit && is != Lit::Shadow) || truth.hits[i]->normal.y < 0.5) continue;
-                const glm::dvec3 at = uvdw(shot.view(), truth.hits[i]->position);
+            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+                const Lit is = reference.lit[i];
+                if ((is != Lit::Lit && is != Lit::Shadow) || reference.hits[i]->normal.y < 0.5) continue;
+                const glm::dvec3 at = uvdw(shot.view(), reference.hits[i]->position);
                 if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0.02) continue;
                 (is == Lit::Lit ? lit : dark) += 1;
                 ASSERT_NEAR(shot.visibility.data[i], is == Lit::Lit, 1e-6) << "pixel " << i;

@@ -14,8 +14,8 @@
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"
 #include "tests/support/number_from.h"
@@ -47,8 +47,8 @@ protected:
         FrameRequest request{.width = kPixels, .height = kPixels};
         request.outputs.health = health;
         request.outputs.overlay = health;
-        TruthCache truths;
-        trace_sources(*renderer, scene, s, request, truths);
+        ReferenceCache references;
+        trace_sources(*renderer, scene, s, request, references);
         return renderer->render(scene, s, request);
     }
 
@@ -159,7 +159,8 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
     }
     // In a depth buffer they were at the near plane.
     Settings s;
-    set_setting(s, "light.azimuth", "270"), set_setting(s, "light.elevation", "14.899059362498523");
+    set_setting(s, "light.azimuth", "270");
+    set_setting(s, "light.elevation", "14.899059362498523");
     FrameRequest request{.width = kPixels, .height = kPixels};
     request.outputs.shadow_map = true;
     const FloatImage map = renderer->read_shadow_map(renderer->render(small_scene("figures"), s, request), 0, 0);
@@ -178,7 +179,10 @@ TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
     const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
     for (unsigned i = from; i < to; ++i) {
         const unsigned seed = first + i / each * kSeedsAProgram + i % each;
-        if (i > from && seed % kSeedsARenderer == 0) renderer.reset(), renderer = std::make_unique<Renderer>();
+        if (i > from && seed % kSeedsARenderer == 0) {
+            renderer.reset();
+            renderer = std::make_unique<Renderer>();
+        }
         const RandomCase of = random_case(seed);
         const Verdict verdict = judge(of);
         if (verdict.good()) continue;

@@ -11,7 +11,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -123,10 +123,10 @@ protected:
 /// Each pixel's truth and visibility; boundary pixels are those with an edge within so many texels.
 template <class Visit>
 void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit visit) {
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, reach_texels);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, reach_texels);
     for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) visit(truth.at(x, y), double(shot.visibility.at(x, y)));
+        for (int x = 0; x < shot.width; ++x) visit(reference.at(x, y), double(shot.visibility.at(x, y)));
 }
 
 TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
@@ -138,9 +138,15 @@ TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
     const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
-    for_pixels(shot, scene, reach, [&](Lit truth, double v) {
-        if (truth == Lit::Lit) ++lit, darkened += v < 1 - row.tolerance.lit;
-        if (truth == Lit::Shadow) ++dark, most = std::max(most, v);
+    for_pixels(shot, scene, reach, [&](Lit reference, double v) {
+        if (reference == Lit::Lit) {
+            ++lit;
+            darkened += v < 1 - row.tolerance.lit;
+        }
+        if (reference == Lit::Shadow) {
+            ++dark;
+            most = std::max(most, v);
+        }
     });
     EXPECT_GT(lit, 2000);
     EXPECT_GT(dark, 100);
@@ -171,14 +177,15 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     int lit = 0;
     double least = 1;
     const Shot shot = shoot(scene, s);
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, 0);
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Lit) continue;
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, 0);
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Lit) continue;
         // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
-        const glm::dvec3 at = truth.hits[i]->position - c.place.at;
+        const glm::dvec3 at = reference.hits[i]->position - c.place.at;
         if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
-        ++lit, least = std::min(least, double(shot.visibility.data[i]));
+        ++lit;
+        least = std::min(least, double(shot.visibility.data[i]));
     }
     EXPECT_GT(lit, 1000);
     EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
@@ -191,8 +198,8 @@ TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
         s.lights[0].size *= 0.1;  // a penumbra stays as wide as it is
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(shoot(scene, s), scene, 0, [&](Lit truth, double v) {
-            if (truth == Lit::Lit || truth == Lit::Shadow) sum += std::abs(v - (truth == Lit::Lit ? 1 : 0));
+        for_pixels(shoot(scene, s), scene, 0, [&](Lit reference, double v) {
+            if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
         });
         return sum;
     };
@@ -223,7 +230,8 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
             }
             double sum = 0, weights = 0;
             for (const KernelTap& t : l.taps) {
-                sum += t.lit ? t.weight : 0, weights += t.weight;
+                sum += t.lit ? t.weight : 0;
+                weights += t.weight;
                 const glm::dvec2 off =
                     glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
                 EXPECT_LE(std::max(off.x, off.y), reach_under(s, l.fitted, p.map_resolution).read + 1e-3);
@@ -297,7 +305,7 @@ Settings overhead(std::string_view kernel) {
 template <class Visit>
 void along_the_edge(const Shot& shot, const Scene& scene, Visit visit) {
     const LightView& view = shot.view();
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     const int n = shot.frame.map_resolution;
     const int axis = std::abs(view.axes[0].x) > 0.5 ? 0 : 1;
     const bool grows = view.axes[axis].x > 0;
@@ -310,7 +318,10 @@ void along_the_edge(const Shot& shot, const Scene& scene, Visit visit) {
             if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 1.5 || std::abs(hit->position.z) > 1.5)
                 continue;
             double place = uvdw(view, hit->position)[axis] * n, first = std::ceil(edge - 0.5);
-            if (!grows) place = n - place, first = std::ceil(n - edge - 0.5);
+            if (!grows) {
+                place = n - place;
+                first = std::ceil(n - edge - 0.5);
+            }
             const double fraction = place - std::floor(place);
             if (std::min(fraction, 1 - fraction) < 1e-3) continue;
             visit(place, first, double(shot.visibility.at(x, y)));
@@ -328,7 +339,8 @@ TEST(FixedKernels, BlurAnEdgeAsTheirDefinitionsSay) {
             for (const bool point : {false, true}) {
                 if ((size != 3 && !owns("filter.size")) || (point && !owns("filter.point"))) continue;
                 Settings s = overhead(row.key);
-                s.filter.size = size, s.filter.point = point;
+                s.filter.size = size;
+                s.filter.point = point;
                 int partly = 0, wrong = 0;
                 along_the_edge(shoot(scene, s, 240, 180), scene, [&](double place, double first, double v) {
                     // Of an even size nearest texels change where the look-up crosses a texel's middle.
@@ -352,7 +364,9 @@ TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
     for (const int blur : {0, 1, 2}) {
         Settings s = overhead("vsm");
         s.bias.constant = 0.01;
-        s.filter.blur = blur, s.filter.bleed = 0, s.filter.min_variance = 0;
+        s.filter.blur = blur;
+        s.filter.bleed = 0;
+        s.filter.min_variance = 0;
         const Settings same = overhead(blur == 0 ? "hw2x2" : blur == 1 ? "pcf3" : "pcf5");
         int partly = 0;
         double worst = 0;
@@ -370,7 +384,9 @@ TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("vsm");
     s.bias.constant = 0.01;
-    s.filter.blur = 1, s.filter.bleed = 0.3, s.filter.min_variance = 0;
+    s.filter.blur = 1;
+    s.filter.bleed = 0.3;
+    s.filter.min_variance = 0;
     double worst = 0;
     along_the_edge(shoot(scene, s, 320, 240), scene, [&](double place, double first, double v) {
         const double share = edge_profile(overhead("pcf3"), place, first);
@@ -391,16 +407,16 @@ TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
     EXPECT_EQ(off.pass("moments")->state, PassState::Skipped);
     set_setting(s, "filter.kernel", "vsm");
     const FrameResult on = renderer.render(scene, s, request);
-    EXPECT_EQ(on.pass("moments")->state, PassState::Ran);
+    EXPECT_EQ(on.pass("moments")->state, PassState::Drawn);
     EXPECT_EQ(on.pass("moments")->category, PassCategory::Maps);
-    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Reused) << "a kernel is no reason to draw anew";
+    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw anew";
     s.filter.bleed = 0.4;
-    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Cached);
     s.filter.blur = 4;
-    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Ran);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Drawn);
     s.filter.radius = 7;  // of another kernel: nothing depends on it
     const FrameResult idle = renderer.render(scene, s, request);
-    for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Ran) << pass.name;
+    for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Drawn) << pass.name;
 }
 
 struct SizedLight {
@@ -428,7 +444,8 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
         s.lights[0].cone = 80;
         s.filter.max_radius = 64;
-        s.filter.rays = 32, s.filter.steps = 16;
+        s.filter.rays = 32;
+        s.filter.steps = 16;
         s.camera.distance = 3;
         FrameRequest request{.width = 320, .height = 240};
         request.outputs = {.colour = false, .overlay = true};
@@ -438,7 +455,7 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         };
         const FloatImage gap = values("blocker-gap"), width = values("penumbra-width"), taps = values("taps");
         const FrameResult frame = hard_renderer().render(scene, s, request);
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         int found = 0;
         for (int y = 0; y < request.height; ++y)
             for (int x = 0; x < request.width; ++x) {

@@ -11,7 +11,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {
@@ -52,10 +52,12 @@ protected:
         LightSettings& light = s.lights[0];
         set_setting(s, "light.source", c.source);
         light.type = int(c.light);
-        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.azimuth = c.place.azimuth;
+        light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
         light.cone = 80;
-        s.camera.elevation = 22, s.camera.distance = 11;  // sees below the cover
+        s.camera.elevation = 22;
+        s.camera.distance = 11;  // sees below the cover
         move_camera(s, c.place.at);
         return s;
     }
@@ -78,7 +80,7 @@ protected:
     }
     template <class Visit>
     void each_floor_pixel(const Shot& shot, const Scene& scene, Visit visit) const {
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         for (int y = 0; y < shot.height; ++y)
             for (int x = 0; x < shot.width; ++x) {
                 glm::dvec3 origin, dir;

@@ -10,7 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gltf/textures.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
@@ -111,9 +111,11 @@ const std::vector<GoldenTable>& tables() {
 
 GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const Sets& sets) {
     GoldenPicture out{table.name, row, still_life(), texel_settings("hard", 96, 1.5)};
-    out.settings.camera.distance = 6.5, out.settings.camera.target_y = 0.6;
+    out.settings.camera.distance = 6.5;
+    out.settings.camera.target_y = 0.6;
     out.settings.view.overlay_opacity = 1;
-    out.settings.shading.sky = int(SkyLook::Plain), out.settings.shading.curve = int(ToneCurve::Plain);
+    out.settings.shading.sky = int(SkyLook::Plain);
+    out.settings.shading.curve = int(ToneCurve::Plain);
     const auto set = [&](const Sets& of) {
         for (const auto& [key, value] : of) set_setting(out.settings, key, value);
     };
@@ -151,8 +153,9 @@ std::vector<GoldenPicture> golden_pictures(const std::string& table) {
 
 ByteImage draw_golden(Renderer& renderer, const GoldenPicture& picture) {
     FrameRequest request{.width = kWidth, .height = kHeight};
-    TruthCache cache;
-    return renderer.read_colour(render_with_truth(renderer, picture.scene, picture.settings, request, cache).colour);
+    ReferenceCache cache;
+    return renderer.read_colour(
+        render_with_reference(renderer, picture.scene, picture.settings, request, cache).colour);
 }
 
 std::filesystem::path golden_folder() {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/context/headless_context.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
@@ -73,15 +73,17 @@ Renderer& hard_renderer() {
 Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {
     Renderer& renderer = hard_renderer();
     Shot shot;
-    shot.width = width, shot.height = height;
-    TruthCache cache;
+    shot.width = width;
+    shot.height = height;
+    ReferenceCache cache;
     FrameRequest request;
-    request.width = width, request.height = height;
+    request.width = width;
+    request.height = height;
     request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
     Settings s = settings;
     s.view.overlay = overlay_row("non-finite");
     s.view.overlay_opacity = 0;
-    shot.frame = render_with_truth(renderer, scene, s, request, cache);
+    shot.frame = render_with_reference(renderer, scene, s, request, cache);
     expect_finite(shot.frame);
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
@@ -118,20 +120,27 @@ double shadow_share(const Shot& shot) {
     return shot.visibility.data.empty() ? 0 : double(dark) / double(shot.visibility.data.size());
 }
 
-TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
-    const RayTruth rays(scene);
+ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
+    const RayReference rays(scene);
     EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
-    const TruthImage truth = trace_truth(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, reach_texels);
-    TruthErrors e;
+    const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
+                                                     shot.frame.map_resolution, reach_texels);
+    ReferenceErrors e;
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
-            const Lit lit = truth.at(x, y);
+            const Lit lit = reference.at(x, y);
             if (lit == Lit::Nothing || lit == Lit::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);
-            if (lit == Lit::Shadow) ++e.shadow, e.false_light += v >= 0.5f, e.any_leak += v > 1e-3f;
-            if (lit == Lit::Lit) e.false_shadow += v < 0.5f, e.any_acne += v < 1 - 1e-3f;
+            if (lit == Lit::Shadow) {
+                ++e.shadow;
+                e.false_light += v >= 0.5f;
+                e.any_leak += v > 1e-3f;
+            }
+            if (lit == Lit::Lit) {
+                e.false_shadow += v < 0.5f;
+                e.any_acne += v < 1 - 1e-3f;
+            }
             if (lit == Lit::Boundary) ++e.boundary;
         }
     return e;
@@ -202,8 +211,11 @@ Scene wall_on_plane() {
 
 Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels) {
     Settings s = texel_settings(filter, resolution, constant_texels);
-    s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
-    s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
+    s.lights[0].azimuth = 0;
+    s.lights[0].elevation = 15;
+    s.camera.distance = 18;
+    s.camera.elevation = 35;
+    s.camera.azimuth = 150;
     return s;
 }
 
@@ -215,7 +227,9 @@ void move_scene(Scene& scene, const glm::dvec3& by) {
 }
 
 void move_camera(Settings& settings, const glm::dvec3& by) {
-    settings.camera.target_x += by.x, settings.camera.target_y += by.y, settings.camera.target_z += by.z;
+    settings.camera.target_x += by.x;
+    settings.camera.target_y += by.y;
+    settings.camera.target_z += by.z;
 }
 
 Scene floor_under_a_sheet(const Place& place) {

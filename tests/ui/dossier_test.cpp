@@ -13,21 +13,22 @@
 namespace si::test {
 namespace {
 
-Dossier acne_dossier() {
-    Dossier d;
-    d.truth.state = PixelState::Counted;
-    d.least = {0.001, 1.8, 0.02}, d.has = {0.0003, 0.6, 0.007};
+PixelDiagnosis acne_diagnosis() {
+    PixelDiagnosis d;
+    d.reference.state = PixelState::Counted;
+    d.least = {0.001, 1.8, 0.02};
+    d.has = {0.0003, 0.6, 0.007};
     d.right = false;
     d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
-    d.remedy = Remedy{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
     return d;
 }
 
-TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
+TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.open_tab = BottomTab::Probe;
-    ui.dossiers = {acne_dossier()};
+    ui.diagnoses = {acne_diagnosis()};
     ui.frames(5);
     const Settings before = ui.state.settings;
     const int light = 0;
@@ -41,26 +42,26 @@ TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(DossierPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
-    const Dossier d = acne_dossier();
-    Remedy worth = *d.remedy;
+TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+    const PixelDiagnosis d = acne_diagnosis();
+    SuggestedFix worth = *d.fix;
     worth.worth_texels = 1.804;
     EXPECT_EQ(fix_text(worth, Settings{}) + fix_worth_text(worth),
               "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
-    EXPECT_EQ(fix_worth_text(*d.remedy), "");
-    const Remedy two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
+    EXPECT_EQ(fix_worth_text(*d.fix), "");
+    const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.open_tab = BottomTab::Probe;
-    ui.dossiers = {d};
-    ui.dossiers[0].remedy = worth;
+    ui.diagnoses = {d};
+    ui.diagnoses[0].fix = worth;
     ui.frames(5);
     EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
-TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -68,9 +69,9 @@ TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
         ui.tracing_probe = true;
         ui.frames(4);
         ui.tracing_probe = false;
-        ui.dossiers = {acne_dossier()};
+        ui.diagnoses = {acne_diagnosis()};
         ui.frames(4);
-        ui.dossiers[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
+        ui.diagnoses[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
         ui.frames(4);
     }
 }
@@ -81,8 +82,8 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     const auto button = ui.find("/rows_", "bias", "Auto bias");
     ASSERT_TRUE(button);
     ui.click(*button);
-    ASSERT_TRUE(ui.last_wish.tune);
-    EXPECT_FALSE(ui.last_wish.tune->most_error || ui.last_wish.tune->most_ms);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_FALSE(ui.last_requests.tune->most_error || ui.last_requests.tune->most_ms);
 
     const auto limits = ui.find("/rows_", "bias", "Tune...");
     ASSERT_TRUE(limits);
@@ -91,18 +92,18 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     const auto search = ui.find("##Popup", "", "Search");
     ASSERT_TRUE(search);
     ui.click(*search);
-    ASSERT_TRUE(ui.last_wish.tune);
-    EXPECT_EQ(ui.last_wish.tune->most_error, 0.02);
-    EXPECT_EQ(ui.last_wish.tune->most_ms, 7);
-    EXPECT_TRUE(ui.last_wish.tune->area);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_EQ(ui.last_requests.tune->most_error, 0.02);
+    EXPECT_EQ(ui.last_requests.tune->most_ms, 7);
+    EXPECT_TRUE(ui.last_requests.tune->area);
 
-    ui.tuning = TuneFacts{"normal offset, 2 texels", 0.4};
+    ui.tuning = SearchProgress{"normal offset, 2 texels", 0.4};
     ui.frames(2);
     EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
     const auto cancel = ui.find("/rows_", "bias", "Cancel");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_wish.cancel_tune);
+    EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
 TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
@@ -114,7 +115,7 @@ TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
         const auto button = ui.find("/rows_", "bias", label);
         ASSERT_TRUE(button) << label;
         ui.click(*button);
-        EXPECT_FALSE(ui.last_wish.tune) << label;
+        EXPECT_FALSE(ui.last_requests.tune) << label;
         EXPECT_FALSE(ui.find("##Popup", "", "Search"));
     }
 }
@@ -131,18 +132,19 @@ EditorOptions boxes() {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"};
-    o.width = 1280, o.height = 720;
+    o.width = 1280;
+    o.height = 720;
     o.headless = true;
     return o;
 }
 
-TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorState& state = editor.model().state;
     // A pixel that acne darkens: some on a grid of the picture.
-    const Dossier* found = nullptr;
-    Dossier dossier;
+    const PixelDiagnosis* found = nullptr;
+    PixelDiagnosis diagnosis;
     for (int y = 100; y < 400 && !found; y += 12)
         for (int x = 40; x < 500 && !found; x += 12) {
             state.probe_pixel = glm::ivec2(x, y);
@@ -150,17 +152,20 @@ TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
             const EditorFrame facts = editor.model().facts();
             EXPECT_FALSE(facts.tracing_probe) << "settled";
             if (!facts.probe || !facts.probe->hit) continue;
-            ASSERT_EQ(facts.dossiers.size(), facts.probe->lights.size());
-            if (facts.dossiers[0].cause().artefact == Artefact::Acne) dossier = facts.dossiers[0], found = &dossier;
+            ASSERT_EQ(facts.diagnoses.size(), facts.probe->lights.size());
+            if (facts.diagnoses[0].cause().artefact == Artefact::Acne) {
+                diagnosis = facts.diagnoses[0];
+                found = &diagnosis;
+            }
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
-    ASSERT_TRUE(found->remedy);
-    for (const auto& [key, value] : found->remedy->settings) set_setting(state.settings, key, value);
+    ASSERT_TRUE(found->fix);
+    for (const auto& [key, value] : found->fix->settings) set_setting(state.settings, key, value);
     editor.settle();
     const EditorFrame after = editor.model().facts();
-    ASSERT_EQ(after.dossiers.size(), 1u);
-    EXPECT_TRUE(after.dossiers[0].right) << after.dossiers[0].verdict;
+    ASSERT_EQ(after.diagnoses.size(), 1u);
+    EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
 
 TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
@@ -168,10 +173,11 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     editor.settle();
     EditorModel& model = editor.model();
     const Settings before = model.state.settings;
-    EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
+    EditorRequests wish;
+    wish.scene_width = 320;
+    wish.scene_height = 180;
     model.fulfil(wish);
-    wish.tune = TuneWish{};
+    wish.tune = TuneRequest{};
     model.fulfil(wish);
     EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
     EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
@@ -189,8 +195,9 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     }));
     EXPECT_GT(model.facts().tuned.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
-    EditorActions resize;
-    resize.scene_width = 320, resize.scene_height = 180;
+    EditorRequests resize;
+    resize.scene_width = 320;
+    resize.scene_height = 180;
     model.fulfil(resize);
     EXPECT_TRUE(model.facts().tuned_current);
     EXPECT_EQ(model.state.history.undo(), before);
@@ -205,10 +212,11 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();
-    EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
+    EditorRequests wish;
+    wish.scene_width = 320;
+    wish.scene_height = 180;
     model.fulfil(wish);
-    wish.tune = TuneWish{};
+    wish.tune = TuneRequest{};
     model.fulfil(wish);
     model.state.settings.lights[0].elevation += 10;
     const Settings turned = model.state.settings;
@@ -216,8 +224,9 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
     EXPECT_EQ(model.state.settings, turned);
 
     model.fulfil(wish);
-    EditorActions cancel;
-    cancel.scene_width = 320, cancel.scene_height = 180;
+    EditorRequests cancel;
+    cancel.scene_width = 320;
+    cancel.scene_height = 180;
     cancel.cancel_tune = true;
     model.fulfil(cancel);
     editor.settle();

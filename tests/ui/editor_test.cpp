@@ -95,7 +95,7 @@ TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
 TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
-    const EditorActions still = editor.frame();
+    const EditorRequests still = editor.frame();
     EXPECT_FALSE(editor.model().fulfil(still));
     editor.model().state.settings.bias.constant += 1;
     EXPECT_TRUE(editor.model().fulfil(still));
@@ -112,7 +112,7 @@ TEST(Editor, EveryOverlayAndMapView) {
             editor.model().state.settings.view.overlay = int(overlay);
             editor.model().state.settings.view.map = (int(overlay) + map) % 3;
             for (int i = 0; i < 3; ++i) editor.frame();
-            if (editor.model().facts().result->panes.front().lacks_truth) editor.settle();
+            if (editor.model().facts().result->panes.front().lacks_reference) editor.settle();
             EXPECT_EQ(editor.model().facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;
         }
     }
@@ -145,7 +145,7 @@ TEST(Editor, APresetSavedAndOpenedIsTheSame) {
     s.lights[0].azimuth = 12.5;
     s.view.overlay = 2;
     const Settings saved = s;
-    EditorActions actions = editor.frame();
+    EditorRequests actions = editor.frame();
     actions.save_preset = file.string();
     editor.model().fulfil(actions);
     ASSERT_TRUE(std::filesystem::exists(file));

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/theme.h"
@@ -18,14 +18,20 @@ LiveError made_up_error() {
     LiveError e;
     ErrorMetrics& m = e.metrics;
     m.counted = 123456;
-    m.false_shadow = 0.25, m.acne = 0.2, m.boundary_false_shadow = 0.05;
-    m.false_light = 0.000123, m.mae = 0.1, m.rmse = 0.2, m.signed_mean = -0.09, m.iou = 0.5;
+    m.false_shadow = 0.25;
+    m.acne = 0.2;
+    m.boundary_false_shadow = 0.05;
+    m.false_light = 0.000123;
+    m.mae = 0.1;
+    m.rmse = 0.2;
+    m.signed_mean = -0.09;
+    m.iou = 0.5;
     m.pixels = {123456, 1000, 2000};
     m.artefacts = {90000, 24691, 5, 4, 6000, 3, 2, 11, 12, 13, 14, 15};
     return e;
 }
 
-TruthFacts made_up_truth() {
+ReferenceFacts made_up_reference() {
     return {.current = true,
             .wanted = true,
             .build_ms = 100,
@@ -51,10 +57,18 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
         ui.state.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
-            ui.truth = made_up_truth();
+            ui.reference = made_up_reference();
             ui.error = made_up_error();
-            if (variant == 1) ui.truth->current = false, ui.truth->doing = "Tracing rays", ui.error.reset();
-            if (variant == 2) ui.truth->current = false, ui.truth->problem = "Cancelled", ui.error.reset();
+            if (variant == 1) {
+                ui.reference->current = false;
+                ui.reference->doing = "Tracing rays";
+                ui.error.reset();
+            }
+            if (variant == 2) {
+                ui.reference->current = false;
+                ui.reference->problem = "Cancelled";
+                ui.error.reset();
+            }
             if (variant == 3) ui.state.settings.truth.area = true;
             ui.frames(4);
             ASSERT_EQ(ui.state.tab, BottomTab::Error);
@@ -76,7 +90,7 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
         UiHarness ui(width, 900);
         ui.state.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
-        ui.truth = made_up_truth();
+        ui.reference = made_up_reference();
         ui.error = made_up_error();
         ui.frames(4);
         const std::u32string all = ui.drawn().read();
@@ -108,7 +122,7 @@ TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
 TEST(ErrorPanel, TheLegendHasEveryColour) {
     UiHarness ui(1280, 720);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
-    ui.truth = made_up_truth();
+    ui.reference = made_up_reference();
     ui.frames(3);
     std::set<ImU32> seen = colours();
     for (const ArtefactStyle& style : artefact_styles()) EXPECT_TRUE(seen.contains(theme::rgb(style.rgb))) << style.key;
@@ -116,23 +130,23 @@ TEST(ErrorPanel, TheLegendHasEveryColour) {
     ui.frames(2);
 }
 
-TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
+TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
-        ui.truth = made_up_truth();
-        for (const AgainstView view : {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference,
-                                       AgainstView::Alone, AgainstView::Off}) {
+        ui.reference = made_up_reference();
+        for (const ComparisonView view : {ComparisonView::Swipe, ComparisonView::SideBySide, ComparisonView::Difference,
+                                          ComparisonView::Alone, ComparisonView::Off}) {
             ui.state.against.view = view;
             for (int variant = 0; variant < 3; ++variant) {
-                ui.state.against.truth = variant != 1;
+                ui.state.against.reference = variant != 1;
                 ui.against.reset();
                 if (variant > 0) {
-                    ui.against = AgainstFacts{.label = "x", .mae = 0.01};
+                    ui.against = PictureComparisonFacts{.label = "x", .mae = 0.01};
                     const FrameResult made_up = made_up_frame(ui.scene, ui.state.settings);
                     if (variant == 2) ui.against->picture = ui.against->difference = made_up.colour;
                     if (variant == 1) ui.against->problem = "no such preset";
                 }
-                const EditorActions actions = ui.frames(3);
+                const EditorRequests actions = ui.frames(3);
                 EXPECT_GT(actions.scene_width, 100);
                 EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000);
             }
@@ -140,9 +154,9 @@ TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
     }
 }
 
-TEST(Against, TheLineIsDraggedAndNothingElse) {
+TEST(PictureComparison, TheLineIsDraggedAndNothingElse) {
     UiHarness ui(1280, 720);
-    ui.state.against = {.view = AgainstView::Swipe};
+    ui.state.against = {.view = ComparisonView::Swipe};
     ui.frames(3);
     ASSERT_TRUE(ui.state.scene_view);
     const PictureView view = *ui.state.scene_view;

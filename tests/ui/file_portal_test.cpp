@@ -159,7 +159,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     UiHarness ui(1280, 720);
     const auto ask = [&] {
         ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
-        const EditorActions first = ui.frame();
+        const EditorRequests first = ui.frame();
         ui.frames(2);
         const bool own = ui.drawn().shows("Save the preset as");
         ui.state.file_dialog.asked = false;

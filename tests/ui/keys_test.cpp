@@ -23,12 +23,12 @@ struct Keys : testing::Test {
 
 TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
     settings().light_count = 2;
-    Dossier of_other;
+    PixelDiagnosis of_other;
     of_other.light = 1;
-    of_other.remedy = Remedy{{{"bias.slope", "7"}}, ""};
-    Dossier d;
-    d.remedy = Remedy{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
-    ui.dossiers = {of_other, d};
+    of_other.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
+    PixelDiagnosis d;
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
+    ui.diagnoses = {of_other, d};
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
@@ -39,7 +39,7 @@ TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
 }
 
 TEST_F(Keys, CWithoutAFixChangesNothing) {
-    ui.dossiers = {Dossier{}};
+    ui.diagnoses = {PixelDiagnosis{}};
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
@@ -50,21 +50,24 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
 }
 
 TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
-    Dossier stale;
-    stale.remedy = Remedy{{{"bias.slope", "7"}}, ""};
-    ui.dossiers = {stale};  // of the picture before
+    PixelDiagnosis stale;
+    stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
+    ui.diagnoses = {stale};  // of the picture before
     ui.verdict_follows = true;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
     key('C');
     EXPECT_EQ(settings(), before);
-    ui.verdict_follows = false, ui.tracing_probe = true, ui.dossiers.clear();
+    ui.verdict_follows = false;
+    ui.tracing_probe = true;
+    ui.diagnoses.clear();
     ui.frames(3);
     EXPECT_EQ(settings(), before);
-    Dossier d;
-    d.remedy = Remedy{{{"bias.slope", "4.5"}}, ""};
-    ui.tracing_probe = false, ui.dossiers = {d};
+    PixelDiagnosis d;
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, ""};
+    ui.tracing_probe = false;
+    ui.diagnoses = {d};
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
@@ -76,7 +79,8 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     key('C');
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1);
-    ui.state.artefact_tour.waits_for = 0, ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.artefact_tour.waits_for = 0;
+    ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
@@ -93,7 +97,8 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
 TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    io.KeyMap[ImGuiKey_PageUp] = 401, io.KeyMap[ImGuiKey_PageDown] = 402;
+    io.KeyMap[ImGuiKey_PageUp] = 401;
+    io.KeyMap[ImGuiKey_PageDown] = 402;
     for (const char* key : {"one", "two"}) ui.presets.emplace_back().key = key;
     ui.frames(2);
     ImGui::SetWindowFocus("editor");
@@ -102,7 +107,7 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ui.click(*search + glm::vec2(0, 60));  // among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
     io.KeysDown[402] = true;
-    const EditorActions wish = ui.frame();
+    const EditorRequests wish = ui.frame();
     io.KeysDown[402] = false;
     ui.frames(3);
     EXPECT_TRUE(wish.load_preset);
@@ -128,11 +133,11 @@ TEST_F(Keys, XSaysThatItLooks) {
 TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_FALSE(ui.state.against.reference);
     key('P');  // off
-    ui.state.against.view = AgainstView::Swipe, ui.state.against.truth = true;
+    ui.state.against.view = ComparisonView::Swipe, ui.state.against.reference = true;
     key('P');
-    EXPECT_TRUE(ui.state.against.truth) << "what is compared stays";
+    EXPECT_TRUE(ui.state.against.reference) << "what is compared stays";
 }
 
 TEST_F(Keys, UTakesAllBiasAway) {
@@ -156,7 +161,8 @@ TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
     settings().map.resolution = 2048;
     key('[');
     EXPECT_EQ(settings().map.resolution, 1024);
-    key(']'), key(']');
+    key(']');
+    key(']');
     EXPECT_EQ(settings().map.resolution, 4096);
     for (int i = 0; i < 20; ++i) key(']');
     EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->max));

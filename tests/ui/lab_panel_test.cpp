@@ -35,8 +35,11 @@ TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
     e.flips = 4711;
     const std::vector<PipelineError> errors{e};
     std::vector<ShimmerShown> shimmer{{"Stabilised, unsnapped", {}}};
-    shimmer[0].shimmer.flips_a_step = 96.125, shimmer[0].shimmer.restless = 357, shimmer[0].shimmer.places = 40514;
-    ui.lab.pipelines = errors, ui.lab.shimmer = shimmer;
+    shimmer[0].shimmer.flips_a_step = 96.125;
+    shimmer[0].shimmer.restless = 357;
+    shimmer[0].shimmer.places = 40514;
+    ui.lab.pipelines = errors;
+    ui.lab.shimmer = shimmer;
     ui.frames(2);
     const std::string text = shown_by(ui);
     for (const char* wanted :
@@ -53,12 +56,12 @@ TEST_F(LabPanelTest, ItsButtonsWish) {
         ui.click(*at);
     };
     press("ways", "Compare ways");
-    EXPECT_TRUE(ui.last_wish.compare_pipelines);
+    EXPECT_TRUE(ui.last_requests.compare_pipelines);
     press("crawling", "Measure shimmer");
-    ASSERT_TRUE(ui.last_wish.measure_shimmer);
-    EXPECT_EQ(ui.last_wish.measure_shimmer->motion, ShimmerMotion::LightTurns);
-    EXPECT_EQ(ui.last_wish.measure_shimmer->steps, 5);
-    ui.lab.measuring_shimmer = TuneFacts{"As set", 0.4};
+    ASSERT_TRUE(ui.last_requests.measure_shimmer);
+    EXPECT_EQ(ui.last_requests.measure_shimmer->motion, ShimmerMotion::LightTurns);
+    EXPECT_EQ(ui.last_requests.measure_shimmer->steps, 5);
+    ui.lab.measuring_shimmer = SearchProgress{"As set", 0.4};
     ui.frames(2);
     EXPECT_NE(shown_by(ui).find("40%"), std::string::npos);
 }
@@ -66,15 +69,19 @@ TEST_F(LabPanelTest, ItsButtonsWish) {
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     EditorOptions o;
     o.session.scene = "boxes";
-    o.width = 1280, o.height = 720, o.headless = true;
+    o.width = 1280;
+    o.height = 720;
+    o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
     model.state.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
-    wish.compare_pipelines = true, wish.measure_shimmer = ShimmerOptions{.steps = 2};
+    EditorRequests wish;
+    wish.scene_width = model.facts().result->colour.width;
+    wish.scene_height = model.facts().result->colour.height;
+    wish.compare_pipelines = true;
+    wish.measure_shimmer = ShimmerOptions{.steps = 2};
     const Settings settings = model.state.settings;
     model.fulfil(wish);
     EXPECT_TRUE(model.facts().comparing_pipelines);

@@ -30,7 +30,7 @@ struct Shown : UiHarness {
             if (w->WasActive && std::string_view(w->Name).starts_with("editor/" + std::string(name) + "_")) return w;
         return nullptr;
     }
-    EditorActions key(int code) {
+    EditorRequests key(int code) {
         ImGui::GetIO().KeysDown[code] = true;
         frame();
         ImGui::GetIO().KeysDown[code] = false;
@@ -60,9 +60,9 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
         unmoved("its scale");
         ui.state.settings.light_count = 3;
         unmoved("three lights");
-        ui.state.against.view = AgainstView::Swipe;
+        ui.state.against.view = ComparisonView::Swipe;
         unmoved("a comparison");
-        ui.state.against.view = AgainstView::Off;
+        ui.state.against.view = ComparisonView::Off;
         set_setting(ui.state.settings, "filter.kernel", "evsm4");
         unmoved("moments in the map");
         ui.state.log.add(LogKind::Error, "Something long that has happened to be said, " + std::string(300, 'x'));
@@ -77,7 +77,7 @@ TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
     ui.state.maximised = si::Panel::Scene;
     ui.state.open_tab = BottomTab::Error;
     ui.frames(3);
-    const EditorActions alone = ui.frame();
+    const EditorRequests alone = ui.frame();
     EXPECT_FALSE(alone.redraw);
     EXPECT_TRUE(alone.at_rest);
     EXPECT_FALSE(alone.want_timing) << "of the tab below";
@@ -239,7 +239,7 @@ TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
     ui.state.settings.view.panes = int(Panes::Four);
     ui.frames(3);
     EXPECT_EQ(places(), before) << "several panes";
-    ui.state.against.view = AgainstView::Swipe;
+    ui.state.against.view = ComparisonView::Swipe;
     ui.frames(3);
     EXPECT_EQ(places(), before) << "a comparison";
 }
@@ -252,8 +252,8 @@ TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
     const auto defaults = ui.find("##Combo", "", "the program's defaults");
     ASSERT_TRUE(defaults);
     ui.click(*defaults);
-    EXPECT_EQ(ui.state.against.view, AgainstView::Swipe);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_EQ(ui.state.against.view, ComparisonView::Swipe);
+    EXPECT_FALSE(ui.state.against.reference);
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
 }
 
@@ -288,7 +288,8 @@ TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
         if (number == 0) continue;
         Shown ui(1280, 720);
         ImGuiIO& io = ImGui::GetIO();
-        io.KeyShift = key.starts_with("Shift"), io.KeyAlt = key.starts_with("Alt");
+        io.KeyShift = key.starts_with("Shift");
+        io.KeyAlt = key.starts_with("Alt");
         io.KeyCtrl = key.starts_with("Ctrl");
         ui.key(key.back());
         EXPECT_EQ(ui.state.settings.view.overlay, number) << key;
@@ -309,7 +310,7 @@ TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
     ui.key('2');
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_EQ(ui.state.settings.view.overlay_4, 2);
-    ui.state.against.view = AgainstView::Swipe;
+    ui.state.against.view = ComparisonView::Swipe;
     ui.frames(2);
     ui.key('3');
     EXPECT_EQ(ui.state.settings.view.overlay, 3) << "compared, the picture is one pane";
@@ -466,8 +467,10 @@ TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     EXPECT_FALSE(shows("Polygon offset units"));
     ui.state.search = "addressing";
     EXPECT_TRUE(shows("Addressing"));
-    ui.state.search.clear(), ui.state.settings.bias.raster_slope = 0;
-    ui.state.only_changed = true, ui.state.settings.map.wrap = 1;
+    ui.state.search.clear();
+    ui.state.settings.bias.raster_slope = 0;
+    ui.state.only_changed = true;
+    ui.state.settings.map.wrap = 1;
     EXPECT_TRUE(shows("Addressing"));
 }
 

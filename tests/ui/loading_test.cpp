@@ -106,7 +106,7 @@ struct Loading {
 
     explicit Loading(const std::string& name = "city.gltf") {
         editor.settle();
-        EditorActions actions = editor.frame();
+        EditorRequests actions = editor.frame();
         actions.load_scene = name;
         editor.model().fulfil(actions);
     }
@@ -154,7 +154,7 @@ TEST(Loading, CancelKeepsTheSceneThatIsShown) {
     Loading l;
     l.puppet.advance(0.5);
     const Settings before = l.editor.model().state.settings;
-    EditorActions actions = l.editor.frame();
+    EditorRequests actions = l.editor.frame();
     actions.cancel_load = true;
     l.editor.model().fulfil(actions);
     EXPECT_FALSE(l.facts()) << "at once, not when the reader notices";
@@ -228,7 +228,7 @@ TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
     const double bias = l.editor.model().state.settings.bias.constant;
     l.editor.model().open(file);
     EXPECT_EQ(l.facts()->name, "town.gltf");
-    EditorActions actions = l.editor.frame();
+    EditorRequests actions = l.editor.frame();
     EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
     actions.cancel_load = true;
     l.editor.model().fulfil(actions);
@@ -291,7 +291,7 @@ TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
     EXPECT_FALSE(model.facts().result);
     EXPECT_THROW(model.require_scene(), Error);
     // Keys and buttons that need a scene do no harm.
-    EditorActions actions = editor.frame();
+    EditorRequests actions = editor.frame();
     actions.copy_command_line = true;
     model.fulfil(actions);
     editor.mouse.at = glm::vec2(270, 330);
@@ -311,7 +311,7 @@ TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
     puppet.advance(0.3);
-    EditorActions actions = editor.frame();
+    EditorRequests actions = editor.frame();
     actions.cancel_load = true;
     editor.model().fulfil(actions);
     editor.settle();

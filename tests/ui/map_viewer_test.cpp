@@ -167,7 +167,7 @@ TEST(MapViewer, SavesTheStoredDepth) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
-    EditorActions actions = editor.frame();
+    EditorRequests actions = editor.frame();
     actions.save_map = file.string();
     editor.model().fulfil(actions);
     std::ifstream in(file, std::ios::binary);

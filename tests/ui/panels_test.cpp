@@ -135,7 +135,7 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
 TEST(Panels, DrawWithoutAFrameAndWithoutLights) {
     UiHarness ui(kWidth, kHeight);
     ui.with_facts = false;
-    const EditorActions actions = ui.frames(3);
+    const EditorRequests actions = ui.frames(3);
     EXPECT_GT(actions.scene_width, 300);
     EXPECT_GT(actions.scene_height, 200);
     ui.with_facts = true;
@@ -147,7 +147,7 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
     for (const auto& [w, h, scale] :
          {std::tuple{1280, 720, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
-        const EditorActions actions = ui.frames(4);
+        const EditorRequests actions = ui.frames(4);
         EXPECT_GT(actions.scene_width, w / 6) << w;
         EXPECT_LT(actions.scene_width, w) << w;
         EXPECT_GT(actions.scene_height, h / 4) << w;
@@ -256,8 +256,10 @@ TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     const auto at = [&](float share) {
         const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
         ui.move(kFirstValue), ui.press(true), ui.frames(2);
-        ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0)), ui.frames(2);
-        ui.press(false), ui.frames(2);
+        ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0));
+        ui.frames(2);
+        ui.press(false);
+        ui.frames(2);
         return ui.state.settings.bias.constant;
     };
     const double quarter = at(0.25f), middle = at(0.5f), three = at(0.75f);
@@ -494,7 +496,7 @@ TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
     UiHarness ui(kWidth, kHeight);
     DepthHistogram histogram;
     histogram.counts.assign(100, 5);
-    ui.map_facts = MapFacts{{}, histogram};
+    ui.map_facts = MapPlots{{}, histogram};
     ui.state.settings.view.map_fit = true;
     ui.state.history.reset(ui.state.settings);
     ui.frames(3);

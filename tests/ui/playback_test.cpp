@@ -52,9 +52,9 @@ struct Bar {
         return {};
     }
     double time() const { return ui.state.settings.scene.time; }
-    EditorActions space() {
+    EditorRequests space() {
         ImGui::GetIO().KeysDown[' '] = true;
-        const EditorActions actions = ui.frame();
+        const EditorRequests actions = ui.frame();
         ImGui::GetIO().KeysDown[' '] = false;
         return actions;
     }
@@ -190,7 +190,8 @@ struct Film {
     EditorOptions options;
     Film() {
         options.session.scene = folder.write("sun.glb", moving_sun().glb()).string();
-        options.width = 1280, options.height = 720;
+        options.width = 1280;
+        options.height = 720;
     }
 };
 

@@ -46,10 +46,11 @@ protected:
     }
     EditorModel& model() { return editor_->model(); }
     EditorState& state() { return editor_->model().state; }
-    void wish(const PresetActions& actions) {
-        EditorActions all;
-        static_cast<PresetActions&>(all) = actions;
-        all.scene_width = 320, all.scene_height = 180;
+    void wish(const PresetRequests& actions) {
+        EditorRequests all;
+        static_cast<PresetRequests&>(all) = actions;
+        all.scene_width = 320;
+        all.scene_height = 180;
         model().fulfil(all);
         editor_->settle();
     }
@@ -234,7 +235,8 @@ TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
 
 TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     EditorOptions large = preset_options();
-    large.width = 1280, large.height = 720;
+    large.width = 1280;
+    large.height = 720;
     open(large);
     state().compare = {CompareKind::Preset, "acne"};
     state().open_tab = BottomTab::Compare;
@@ -411,8 +413,9 @@ TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
         wish({.load_preset = key});
         state().settings.view.frustum = false;
-        EditorActions copy;
-        copy.scene_width = 320, copy.scene_height = 180;
+        EditorRequests copy;
+        copy.scene_width = 320;
+        copy.scene_height = 180;
         model().fulfil(copy);
         copy.copy_command_line = true;
         model().fulfil(copy);

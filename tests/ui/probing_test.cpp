@@ -10,7 +10,7 @@
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
 #include "renderer/inspect/probe.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
 #include "tests/ui/ui_harness.h"
@@ -25,7 +25,8 @@ EditorOptions boxes_under(std::vector<std::string> sets) {
     EditorOptions o;
     sets.insert(sets.end(), {"view.frustum=false", "map.resolution=256"});
     o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = 960, o.height = 600;
+    o.width = 960;
+    o.height = 600;
     return o;
 }
 
@@ -106,7 +107,8 @@ TEST(Probing, TheProbeSticksToItsSurface) {
 
 TEST(Probing, APixelBelowThePictureIsItsNearest) {
     EditorOptions options = boxes_under({});
-    options.probe_x = 120, options.probe_y = 5000;
+    options.probe_x = 120;
+    options.probe_y = 5000;
     HeadlessEditor editor(options);
     editor.settle();
     const EditorState& state = editor.model().state;
@@ -221,7 +223,8 @@ TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().scene_view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
-    editor.frames(3), editor.settle();
+    editor.frames(3);
+    editor.settle();
     const FloatImage* values = editor.model().facts().overlay_values;
     ASSERT_TRUE(values);
     const test::DrawnText drawn;
@@ -263,8 +266,8 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
         EXPECT_LT(glm::distance(editor.probe()->position_ws, spot.position_ws),
                   0.05 * view.metres_per_pixel(spot.position_ws))
             << "the very point that is wrong";
-        ASSERT_FALSE(editor.model().facts().dossiers.empty());
-        EXPECT_EQ(editor.model().facts().dossiers[0].cause().artefact, cause);
+        ASSERT_FALSE(editor.model().facts().diagnoses.empty());
+        EXPECT_EQ(editor.model().facts().diagnoses[0].cause().artefact, cause);
         EXPECT_NEAR(editor.probe()->x, 0.5 * editor.probe()->width, 1.5) << "in the middle of the picture";
         EXPECT_NEAR(editor.probe()->y, 0.5 * editor.probe()->height, 1.5);
         seen.push_back(spot.position_ws);
@@ -284,9 +287,10 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
     ui.state.open_tab = BottomTab::Error;
     ui.state.layout.bottom_height = 17;
-    ui.truth = TruthFacts{.current = true, .wanted = true};
+    ui.reference = ReferenceFacts{.current = true, .wanted = true};
     LiveError e;
-    e.metrics.counted = 1000, e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
+    e.metrics.counted = 1000;
+    e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
     ui.error = e;
     ui.frames(4);
     const ArtefactStyle& style = artefact_styles()[1];

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/editor/headless_editor.h"
-#include "renderer/frame/effects.h"
 #include "renderer/gl/target.h"
+#include "renderer/inspect/effects.h"
 
 namespace si {
 namespace {
@@ -24,12 +24,13 @@ protected:
         EditorOptions options;
         options.session.scene = "boxes";
         options.session.sets = {"map.resolution=256"};
-        options.width = 1280, options.height = 720;
+        options.width = 1280;
+        options.height = 720;
         options.headless = true;
         return options;
     }
     /// Another picture, of which there is one shading and no smooth one.
-    void begin_anew() {
+    void begin_again() {
         model.smooths = false;
         model.state.settings.lights[0].azimuth += 1;
         editor.settle();
@@ -41,7 +42,7 @@ protected:
     std::vector<std::uint8_t> picture() const {
         const Image image = model.facts().result->panes.front().picture;
         std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
         return out;
     }
@@ -50,29 +51,30 @@ protected:
 TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     struct Measurement {
         const char* name;
-        void (*begin)(EditorActions&);
-        void (*cancel)(EditorActions&);  ///< null: it is waited for
+        void (*begin)(EditorRequests&);
+        void (*cancel)(EditorRequests&);  ///< null: it is waited for
     };
     const std::vector<Measurement> measurements = {
-        {"savings", [](EditorActions& a) { a.measure_saved = true; }, nullptr},
+        {"savings", [](EditorRequests& a) { a.measure_saved = true; }, nullptr},
         {"a sweep",
-         [](EditorActions& a) {
-             a.start_sweep = SweepWish{{"map.resolution=64,128"}, 64, 48, false};
+         [](EditorRequests& a) {
+             a.start_sweep = SweepRequest{{"map.resolution=64,128"}, 64, 48, false};
          },
          nullptr},
-        {"tuning", [](EditorActions& a) { a.tune = TuneWish{}; }, [](EditorActions& a) { a.cancel_tune = true; }},
-        {"cures", [](EditorActions& a) { a.find_cures = CureWish{}; }, [](EditorActions& a) { a.cancel_cures = true; }},
-        {"advice", [](EditorActions& a) { a.find_advice = AdviceWish{}; },
-         [](EditorActions& a) { a.cancel_advice = true; }},
-        {"ways", [](EditorActions& a) { a.compare_pipelines = true; },
-         [](EditorActions& a) { a.cancel_pipelines = true; }},
-        {"shimmer", [](EditorActions& a) { a.measure_shimmer = ShimmerOptions{.steps = 2}; },
-         [](EditorActions& a) { a.cancel_shimmer = true; }},
+        {"tuning", [](EditorRequests& a) { a.tune = TuneRequest{}; }, [](EditorRequests& a) { a.cancel_tune = true; }},
+        {"cures", [](EditorRequests& a) { a.find_fixes = CureRequest{}; },
+         [](EditorRequests& a) { a.cancel_fixes = true; }},
+        {"advice", [](EditorRequests& a) { a.find_advice = AdviceRequest{}; },
+         [](EditorRequests& a) { a.cancel_advice = true; }},
+        {"ways", [](EditorRequests& a) { a.compare_pipelines = true; },
+         [](EditorRequests& a) { a.cancel_pipelines = true; }},
+        {"shimmer", [](EditorRequests& a) { a.measure_shimmer = ShimmerOptions{.steps = 2}; },
+         [](EditorRequests& a) { a.cancel_shimmer = true; }},
     };
     for (const Measurement& m : measurements) {
         SCOPED_TRACE(m.name);
-        ASSERT_NO_FATAL_FAILURE(begin_anew());
-        EditorActions actions = editor.frame();
+        ASSERT_NO_FATAL_FAILURE(begin_again());
+        EditorRequests actions = editor.frame();
         ASSERT_TRUE(actions.at_rest && is_smooth()) << "nothing is measured yet";
         const auto begun = picture();
         m.begin(actions);
@@ -105,7 +107,8 @@ TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
     editor.settle();
     ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     const std::vector<PassInfo> timed = model.facts().result->passes;
     const std::size_t frames = model.state.times.frames.size();
     ASSERT_TRUE(std::ranges::any_of(timed, [](const PassInfo& pass) { return pass.gpu_ms > 0; }));
@@ -127,7 +130,7 @@ TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
     const auto effects = model.facts().effects;
     const auto row = std::ranges::find(effects, kSmoothingPass, &Effect::name);
     ASSERT_NE(row, effects.end());
-    EXPECT_EQ(row->state, EffectState::Simulated) << row->reason;
+    EXPECT_EQ(row->state, EffectState::Drawn) << row->reason;
     EXPECT_EQ(model.state.times.frames.size(), frames) << "a shading counts as a frame";
 }
 

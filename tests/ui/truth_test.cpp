@@ -8,8 +8,8 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
-#include "renderer/base/held.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/base/held_memory.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
@@ -23,7 +23,8 @@ const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 EditorOptions options(const std::vector<std::string>& sets, int width = 1280, int height = 720) {
     EditorOptions o;
     o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = width, o.height = height;
+    o.width = width;
+    o.height = height;
     return o;
 }
 
@@ -34,18 +35,18 @@ void expect_calm(HeadlessEditor& editor) {
     for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
 }
 
-TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
+TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     HeadlessEditor editor(options(kNoBias));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
-    EXPECT_FALSE(editor.model().facts().truth->wanted);
+    EXPECT_FALSE(editor.model().facts().reference->wanted);
 
     EditorState& state = editor.model().state;
     state.open_tab = BottomTab::Error;
     editor.settle();
     const auto error = [&] { return editor.model().facts().error; };
     ASSERT_TRUE(error());
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
     const ErrorMetrics before = error()->metrics;
     EXPECT_GT(before.acne, 0.1);
     write_png(kOut / "editor_error.png", editor.picture());
@@ -54,7 +55,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     {
         const FrameResult& shown = *editor.model().facts().result;
         Renderer renderer;
-        TruthCache cache;
+        ReferenceCache cache;
         const MeasuredError measured =
             measure_error(renderer, load_scene("boxes"), state.settings,
                           {.width = shown.colour.width, .height = shown.colour.height}, 0, {}, cache);
@@ -64,17 +65,17 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     state.settings.bias.constant = 4;
     for (int i = 0; i < 2; ++i) {
         editor.frame();
-        EXPECT_NE(editor.model().facts().truth->doing, "Tracing rays") << "a slider that moves waits for nothing";
+        EXPECT_NE(editor.model().facts().reference->doing, "Tracing rays") << "a slider that moves waits for nothing";
         EXPECT_TRUE(error());
     }
     ASSERT_TRUE(error());
     EXPECT_LT(error()->metrics.acne, 0.2 * before.acne);
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
 
     state.settings.lights[0].azimuth += 10;
     editor.frame();
     EXPECT_FALSE(error()) << "the light moved: the old truth says nothing of it";
-    EXPECT_FALSE(editor.model().facts().truth->current);
+    EXPECT_FALSE(editor.model().facts().reference->current);
     editor.settle();
     EXPECT_TRUE(error());
     state.open_tab = BottomTab::Effects;
@@ -83,7 +84,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     expect_calm(editor);
 }
 
-TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
+TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
     // More rays than can be traced before it is cancelled.
     std::vector<std::string> sets = kNoBias;
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
@@ -95,18 +96,18 @@ TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
         editor.frame();
     }
     ASSERT_TRUE(editor.model().tracing());
-    EditorActions cancel = editor.frame();
-    cancel.cancel_truth = true;
+    EditorRequests cancel = editor.frame();
+    cancel.cancel_reference = true;
     editor.model().fulfil(cancel);
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error);
-    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
     editor.model().state.settings.truth.area = false;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().error);
 }
 
-TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
+TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
     set_setting(editor.model().state.settings, "view.overlay_2", "truth");
@@ -114,13 +115,13 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     editor.model().finish_loading();
     for (int i = 0; i < 3; ++i) editor.frame();
     ASSERT_TRUE(editor.model().facts().result);
-    EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_truth);
+    EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_reference);
     const ByteImage waiting = editor.picture();
     const int width = editor.model().facts().result->colour.width,
               height = editor.model().facts().result->colour.height;
     editor.settle();
     for (const Pane& pane : editor.model().facts().result->panes) {
-        EXPECT_FALSE(pane.lacks_truth);
+        EXPECT_FALSE(pane.lacks_reference);
         EXPECT_GT(pane.overlay, 0);
     }
     ASSERT_TRUE(editor.model().facts().error) << "for the legend";
@@ -131,9 +132,9 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     expect_calm(editor);
 }
 
-TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
+TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     const auto receivers = [] {
-        for (const HeldBytes& h : memory_facts().holders)
+        for (const MemoryUse& h : memory_report().holders)
             if (h.holder == "receivers") return h.count;
         return std::size_t(0);
     };
@@ -141,11 +142,11 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     HeadlessEditor editor(options(kNoBias));
     EditorState& state = editor.model().state;
     state.open_tab = BottomTab::Error;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.against = {.view = ComparisonView::SideBySide, .reference = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
     // The other side is not shown any more when the truth about another view comes.
-    state.against.view = AgainstView::Off;
+    state.against.view = ComparisonView::Off;
     state.settings.camera.azimuth += 5;
     editor.settle();
     EXPECT_EQ(receivers(), others + 1);
@@ -157,13 +158,13 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     EXPECT_EQ(receivers(), others) << "no picture needs any";
 }
 
-TEST(EditorTruth, SavesAllNumbers) {
+TEST(EditorReference, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(kNoBias));
     editor.model().state.open_tab = BottomTab::Error;
     editor.settle();
-    EditorActions save = editor.frame();
+    EditorRequests save = editor.frame();
     save.save_error = file.string();
     editor.model().fulfil(save);
     editor.settle();
@@ -188,12 +189,12 @@ std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& 
     return out;
 }
 
-TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
+TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     HeadlessEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
                                    "view.axes=false", "map.resolution=256"}));
     editor.settle();
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::Swipe, .truth = true, .at = 1};
+    state.against = {.view = ComparisonView::Swipe, .reference = true, .at = 1};
     editor.settle();
     ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
     ASSERT_TRUE(state.scene_view);
@@ -212,7 +213,8 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
         return glm::vec2(view.origin.x + share * view.size.x, view.origin.y + 0.7 * view.size.y);
     };
     editor.mouse.at = at(0.3);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = true;
     editor.frame();
     for (const double share : {0.35, 0.42, 0.5}) {
@@ -232,11 +234,13 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
 
     // Elsewhere a drag turns the camera as ever.
     editor.mouse.at = at(0.8);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = true;
     editor.frame();
     editor.mouse.at = at(0.9);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = false;
     editor.frame();
     EXPECT_NEAR(state.against.at, 0.5, 0.01);
@@ -253,32 +257,33 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
     press(',');
     EXPECT_NEAR(state.against.at, 0.5, 0.01);
     press('B');
-    EXPECT_EQ(state.against.view, AgainstView::SideBySide);
-    press('B'), press('B');
-    EXPECT_EQ(state.against.view, AgainstView::Off);
+    EXPECT_EQ(state.against.view, ComparisonView::SideBySide);
+    press('B');
+    press('B');
+    EXPECT_EQ(state.against.view, ComparisonView::Off);
     expect_calm(editor);
 }
 
-TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
+TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.against = {.view = ComparisonView::SideBySide, .reference = false};
     state.compare = {CompareKind::Defaults, {}};
     editor.settle();
     const auto facts = [&] { return editor.model().facts().against; };
     ASSERT_TRUE(facts() && facts()->picture.texture);
     EXPECT_EQ(facts()->picture.width, editor.model().facts().result->colour.width) << "both sides are of one size";
     write_png(kOut / "editor_beside.png", editor.picture());
-    state.against.view = AgainstView::Difference;
+    state.against.view = ComparisonView::Difference;
     editor.settle();
     ASSERT_TRUE(facts()->difference.texture);
     const double different = facts()->mae;
     EXPECT_GT(different, 1e-4);
     write_png(kOut / "editor_difference.png", editor.picture());
-    state.against.view = AgainstView::Off;
+    state.against.view = ComparisonView::Off;
     editor.settle();
     EXPECT_FALSE(facts());
-    state.against.view = AgainstView::Difference;
+    state.against.view = ComparisonView::Difference;
     editor.settle();
     expect_calm(editor);
     // Light, maps and kernel as the defaults have them: nothing is left to differ but shading by rounding.
@@ -296,7 +301,7 @@ TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
-TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
+TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     editor.settle();
     EditorState& state = editor.model().state;
@@ -309,7 +314,8 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     EXPECT_FALSE(state.flicker) << "nothing is pinned";
     key('A', false);
     const auto pinned = seen();
-    key('P', true), key('P', false);
+    key('P', true);
+    key('P', false);
     ASSERT_TRUE(state.pinned);
     EXPECT_EQ(seen(), pinned);
     state.settings.map.resolution = 1024;
@@ -317,7 +323,7 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     const auto changed = seen();
     ASSERT_NE(changed, pinned);
 
-    const Against before = state.against;
+    const PictureComparison before = state.against;
     for (int round = 0; round < 2; ++round) {
         key('A', true);
         EXPECT_EQ(seen(), pinned) << "while it is held";
@@ -325,13 +331,13 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
         key('A', false);
         EXPECT_EQ(seen(), changed);
         EXPECT_EQ(state.against.view, before.view);
-        EXPECT_EQ(state.against.truth, before.truth);
+        EXPECT_EQ(state.against.reference, before.reference);
     }
     EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
     EXPECT_EQ(state.history.at(), 1u);
 
     state.compare = {CompareKind::Pinned, {}};
-    state.against = {.view = AgainstView::Swipe, .truth = false, .at = 0};
+    state.against = {.view = ComparisonView::Swipe, .reference = false, .at = 0};
     editor.settle();
     EXPECT_EQ(part(editor, *state.scene_view, 0.05, 0.9), [&] {
         key('A', true);
@@ -349,9 +355,10 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
 
     state.settings = state.pinned->settings;
     editor.settle();
-    key('P', true), key('P', false);
+    key('P', true);
+    key('P', false);
     EXPECT_FALSE(state.pinned);
-    EXPECT_EQ(state.against.view, AgainstView::Off) << "with what it was compared is gone";
+    EXPECT_EQ(state.against.view, ComparisonView::Off) << "with what it was compared is gone";
     expect_calm(editor);
 }
 
@@ -361,7 +368,7 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
     editor.settle();
     EXPECT_TRUE(need().met);
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
     const ByteImage first = editor.picture();
     write_png(kOut / "editor_light_map.png", first);
 
@@ -374,10 +381,10 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     state.settings.lights[0].azimuth += 40;
     editor.frame();
     EXPECT_FALSE(need().met);
-    EXPECT_TRUE(editor.model().facts().truth->lacks_light_map);
+    EXPECT_TRUE(editor.model().facts().reference->lacks_light_map);
     editor.settle();
     EXPECT_TRUE(need().met);
-    EXPECT_FALSE(editor.model().facts().truth->lacks_light_map);
+    EXPECT_FALSE(editor.model().facts().reference->lacks_light_map);
     EXPECT_NE(editor.picture().data, first.data);
     const std::size_t baked = light_maps().counts().baked;
     state.settings.lights[0].azimuth -= 40;
@@ -396,8 +403,8 @@ TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
         editor.frame();
         editor.settle();
     }
-    EXPECT_NE(editor.model().facts().truth->problem.find("light_map.resolution"), std::string::npos)
-        << editor.model().facts().truth->problem;
+    EXPECT_NE(editor.model().facts().reference->problem.find("light_map.resolution"), std::string::npos)
+        << editor.model().facts().reference->problem;
     EXPECT_FALSE(editor.model().tracing());
     int said = 0;
     for (const LogLine& line : editor.model().state.log.lines()) said += line.kind == LogKind::Error ? line.count : 0;
@@ -416,13 +423,13 @@ TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
         editor.frame();
     }
     ASSERT_TRUE(editor.model().tracing());
-    EditorActions cancel = editor.frame();
-    EXPECT_EQ(editor.model().facts().truth->doing, "Baking the light map");
+    EditorRequests cancel = editor.frame();
+    EXPECT_EQ(editor.model().facts().reference->doing, "Baking the light map");
     write_png(kOut / "editor_light_map_baking.png", editor.picture());
-    cancel.cancel_truth = true;
+    cancel.cancel_reference = true;
     editor.model().fulfil(cancel);
     editor.settle();
-    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
     EXPECT_FALSE(editor.model().facts().result->light_maps.at(0).met);
     editor.model().state.settings.light_map = {.resolution = 128, .samples = 1};
     editor.settle();

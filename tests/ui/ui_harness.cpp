@@ -26,10 +26,11 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.map_resolution = settings.map.resolution;
     r.map_view_size = glm::ivec2(settings.map.resolution);
     if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
-    r.map_black = float(settings.view.map_black), r.map_white = float(settings.view.map_white);
-    r.passes = {{"shadow map 0", PassState::Ran, "its inputs changed", 1.5, 0.2, 12, 34567},
+    r.map_black = float(settings.view.map_black);
+    r.map_white = float(settings.view.map_white);
+    r.passes = {{"shadow map 0", PassState::Drawn, "its inputs changed", 1.5, 0.2, 12, 34567},
                 {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
-                {"shading", PassState::Reused, "unchanged since frame 12", 0, 0, 0, 0}};
+                {"shading", PassState::Cached, "unchanged since frame 12", 0, 0, 0, 0}};
     r.notes = {"view.light was clamped"};
     r.clock = "a made-up clock";
     return r;
@@ -38,7 +39,8 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
 Probe made_up_probe(int lights) {
     Probe p;
     p.hit = true;
-    p.x = 12, p.y = 34;
+    p.x = 12;
+    p.y = 34;
     p.object = "Root/Box";
     for (int i = 0; i < lights; ++i) {
         Probe::PerLight l;
@@ -47,7 +49,8 @@ Probe made_up_probe(int lights) {
         l.texel = {5, 7};
         l.where = "inside";
         l.n_dot_l = 0.6;
-        l.taps_first = {4, 6}, l.taps_size = {2, 2};
+        l.taps_first = {4, 6};
+        l.taps_size = {2, 2};
         for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})
             l.taps.push_back(
                 {.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});
@@ -87,7 +90,7 @@ UiHarness::~UiHarness() {
     ImGui::DestroyContext();
 }
 
-EditorActions UiHarness::frame() {
+EditorRequests UiHarness::frame() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = float(frame_seconds);
@@ -95,7 +98,10 @@ EditorActions UiHarness::frame() {
     effects_ = frame_effects(scene, frame_settings.value_or(state.settings), result_, state.effects.forced);
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;
-    if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
+    if (state.probe_pixel) {
+        probe_.x = state.probe_pixel->x;
+        probe_.y = state.probe_pixel->y;
+    }
     EditorFrame facts;
     facts.loading = loading;
     facts.drawing = drawing;
@@ -111,42 +117,42 @@ EditorActions UiHarness::frame() {
         facts.result = &result_;
         facts.scene = &scene;
         facts.driver = &driver_;
-        facts.truth = truth;
+        facts.reference = reference;
         facts.error = error ? &*error : nullptr;
         facts.against = against;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;
-        if (facts.probe) facts.dossiers = dossiers;
+        if (facts.probe) facts.diagnoses = diagnoses;
         facts.sections = sections;
         facts.tracing_probe = tracing_probe;
         facts.verdict_follows = verdict_follows;
         facts.tuning = tuning;
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
-        facts.cures = cures;
-        static_cast<EffectsShown&>(facts) = effects;
+        facts.fixes = fixes;
+        static_cast<EffectsFacts&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
-        static_cast<AdviceShown&>(facts) = advice;
-        static_cast<LabShown&>(facts) = lab;
+        static_cast<AdvicePanelFacts&>(facts) = advice;
+        static_cast<LabFacts&>(facts) = lab;
         facts.health = health;
         facts.memory = memory;
         facts.driver_reset = driver_reset;
     }
     ImGui::NewFrame();
-    EditorActions actions = draw_editor(state, facts);
+    EditorRequests actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
+    if (actions.tune || actions.cancel_tune || actions.find_fixes || actions.cancel_fixes || actions.forget_fixes ||
         actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice ||
         actions.compare_pipelines || actions.measure_shimmer)
-        last_wish = actions;
+        last_requests = actions;
     io.MouseWheel = 0;
     return actions;
 }
 
-EditorActions UiHarness::frames(int count) {
-    EditorActions last;
+EditorRequests UiHarness::frames(int count) {
+    EditorRequests last;
     for (int i = 0; i < count; ++i) last = frame();
     return last;
 }

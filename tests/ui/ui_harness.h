@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/effects.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/live_error.h"
 #include "tests/ui/drawn_text.h"
 #include "ui/state/editor_ui.h"
@@ -38,24 +38,24 @@ public:
     std::vector<std::string> recent_scenes, recent_presets;
     std::optional<ComparisonFacts> comparison;
     std::optional<LostFacts> lost;
-    std::optional<TruthFacts> truth;
+    std::optional<ReferenceFacts> reference;
     std::optional<LiveError> error;
-    std::optional<AgainstFacts> against;
-    std::optional<MapFacts> map_facts;
+    std::optional<PictureComparisonFacts> against;
+    std::optional<MapPlots> map_facts;
     std::vector<LostCaster> lost_casters;
-    std::vector<Dossier> dossiers;
+    std::vector<PixelDiagnosis> diagnoses;
     Sections sections;
     bool tracing_probe = false;
     bool verdict_follows = false;  ///< the probe is of an earlier picture
-    std::optional<TuneFacts> tuning;
+    std::optional<SearchProgress> tuning;
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
-    CureSearch cures;
-    EffectsShown effects;  ///< where its list is empty, that of the made-up frame
-    AdviceShown advice;
-    LabShown lab;
+    FixSearch fixes;
+    EffectsFacts effects;  ///< where its list is empty, that of the made-up frame
+    AdvicePanelFacts advice;
+    LabFacts lab;
     const NumericHealth* health = nullptr;
-    const MemoryFacts* memory = nullptr;
+    const MemoryReport* memory = nullptr;
     bool driver_reset = false;
     bool desktop_dialogs = false;
     bool with_facts = true;  ///< false: the editor knows no frame yet
@@ -64,8 +64,8 @@ public:
     std::string probed_object = "Root/Box";  ///< what probes find
 
     /// One frame, `frame_seconds` after the one before. What it prints must be text that its font has.
-    EditorActions frame();
-    EditorActions frames(int count);
+    EditorRequests frame();
+    EditorRequests frames(int count);
     void move(glm::vec2 to);
     void press(bool down, int button = 0);
     /// Press and release with frames between.
@@ -87,7 +87,7 @@ public:
     std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
     const DrawnText& drawn() const { return *drawn_; }
 
-    EditorActions last_wish;  ///< of the last frame that asked for a search or its end
+    EditorRequests last_requests;  ///< of the last frame that asked for a search or its end
 
 private:
     int width_, height_;

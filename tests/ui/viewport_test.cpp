@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "renderer/view/camera_settings.h"
+#include "renderer/view/cameras/camera_settings.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/selection.h"
@@ -97,7 +97,7 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
 TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     Viewport v;
     v.ui.move(kPicture);
-    EditorActions actions = v.ui.frames(2);
+    EditorRequests actions = v.ui.frames(2);
     EXPECT_FALSE(actions.hold_cursor);
     EXPECT_TRUE(actions.want_links && actions.want_overlay_values);
     for (const int button : {0, 1}) {

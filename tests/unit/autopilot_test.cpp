@@ -1,5 +1,5 @@
 // The autopilot over made-up worlds, whose optimum is known by trying all.
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +16,7 @@ struct World {
     double now = 0;
     double seconds_each = 0;  ///< of a judgement or a time
     double seconds_pair = 0;  ///< that times against each other take besides
-    int judged = 0, timed = 0;
+    int classified = 0, timed = 0;
 
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.lights[0].cascades * s.map.resolution * s.map.resolution +
@@ -31,7 +31,8 @@ struct World {
     AutopilotMeter meter() {
         AutopilotMeter m;
         m.judge = [this](const Settings& s, int) {
-            ++judged, now += seconds_each;
+            ++classified;
+            now += seconds_each;
             const auto texels =
                 std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
             return JudgedSettings{.error = error(s),
@@ -54,7 +55,10 @@ std::vector<SweepAxis> axes_of(bool many) {
     std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf5", "pcf7"}},
                                    {"map.resolution", {"", "256", "512", "1024", "4096"}},
                                    {"light.0.cascades", {"", "2", "4"}}};
-    if (many) axes.push_back({"map.format", {"", "d16"}}), axes.push_back({"light.0.contact", {"", "0"}});
+    if (many) {
+        axes.push_back({"map.format", {"", "d16"}});
+        axes.push_back({"light.0.contact", {"", "0"}});
+    }
     return axes;
 }
 
@@ -128,7 +132,7 @@ TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
     EXPECT_NEAR(contact->ms.value, 1, 1e-9);
     EXPECT_EQ(contact->before, "0.1");
     EXPECT_EQ(contact->now, "0");
-    EXPECT_NEAR(contact->error, r.best.judged.error - 1e-5, 1e-12);
+    EXPECT_NEAR(contact->error, r.best.classified.error - 1e-5, 1e-12);
 }
 
 TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
@@ -137,7 +141,7 @@ TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
     EXPECT_FALSE(r.held);
     EXPECT_NE(r.summary.find("mae at most 1e-09 cannot be held by what was tried; nearest came"), std::string::npos)
         << r.summary;
-    for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.judged.error, c.judged.error);
+    for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.classified.error, c.classified.error);
     World fast;
     const AutopilotResult slow = run_autopilot(Settings{}, axes_of(false), {.most_ms = 0.01}, fast.meter());
     EXPECT_FALSE(slow.held);
@@ -156,7 +160,8 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
 
 TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
     World world;
-    world.seconds_each = 1, world.seconds_pair = 8;
+    world.seconds_each = 1;
+    world.seconds_pair = 8;
     const std::vector<SweepAxis> axes = {
         {"map.resolution", {"", "256"}}, {"map.format", {"", "d16"}}, {"light.0.contact", {"", "0"}}};
     const AutopilotResult r =

@@ -34,7 +34,8 @@ TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
 TEST(Biases, AmountsAreTheClosedForms) {
     BiasInput b{.curve = {.perspective = false, .near = 2, .far = 10}, .texel_m = 0.05, .n_dot_l = 0.25, .rest = 1e-4};
     Settings s;
-    s.bias.constant = 2, s.bias.slope = 8;  // 6 at 1 - n.l = 3/4
+    s.bias.constant = 2;
+    s.bias.slope = 8;  // 6 at 1 - n.l = 3/4
     const auto amount = [&](std::string_view kind, BiasUnit unit) {
         s.bias.unit = int(unit);
         set_setting(s, "bias.kind", kind);
@@ -45,7 +46,8 @@ TEST(Biases, AmountsAreTheClosedForms) {
     EXPECT_DOUBLE_EQ(amount("slope", BiasUnit::Texels), 6 * 0.05 / 8);
     EXPECT_DOUBLE_EQ(amount("constant", BiasUnit::Metres), 2.0 / 8);
     EXPECT_DOUBLE_EQ(amount("receiver-plane", BiasUnit::Metres), 2.0 / 8 + 1e-4);
-    b.per_texel = {0.02, -0.03}, b.least = 0.7;
+    b.per_texel = {0.02, -0.03};
+    b.least = 0.7;
     EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
     EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
     b.n_dot_l = -1;  // away from the light: as edge-on
@@ -95,17 +97,17 @@ TEST(Biases, ListedSettingsAreOnlyTheirs) {
             for (const Choice& kind : bias_choices()) {
                 Settings s = of_kind(kind.key);
                 const auto account = [&] {
-                    return bias_account(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
+                    return bias_breakdown(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
                 };
-                const auto differs = [&](const BiasAccount& a, const BiasAccount& b) {
+                const auto differs = [&](const BiasBreakdown& a, const BiasBreakdown& b) {
                     return a.clears() != b.clears() || a.least.total() != b.least.total() ||
-                           a.compared_at({0.3, 0.3}) != b.compared_at({0.3, 0.3});
+                           a.compared_depth_at({0.3, 0.3}) != b.compared_depth_at({0.3, 0.3});
                 };
-                const BiasAccount before = account();
+                const BiasBreakdown before = account();
                 set_setting(s, key, "0.7");
-                const BiasAccount less = account();
+                const BiasBreakdown less = account();
                 set_setting(s, key, "900");
-                const BiasAccount more = account();
+                const BiasBreakdown more = account();
                 const bool reads = reads_setting(bias_of(s), key);
                 EXPECT_EQ(differs(before, less) || differs(before, more), reads) << kind.key << " and " << key;
             }

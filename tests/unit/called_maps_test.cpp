@@ -1,13 +1,12 @@
 // Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
-#include "renderer/view/called_maps.h"
-
 #include <gtest/gtest.h>
 
+#include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/projection.h"
+#include "renderer/view/culling/needed_maps.h"
 
 namespace si {
 namespace {
@@ -22,7 +21,7 @@ Settings settings_of(const Sets& sets) {
 
 std::vector<std::vector<Cluster>> all_clusters(const Scene& scene) {
     std::vector<std::vector<Cluster>> out;
-    for (const Mesh& m : scene.meshes) out.push_back(clusters_of(m));
+    for (const Mesh& m : scene.meshes) out.push_back(build_clusters(m));
     return out;
 }
 
@@ -30,7 +29,7 @@ TEST(Clusters, HoldEveryTriangle) {
     for (const char* name : {"boxes", "landscape", "figures"}) {
         const Scene scene = load_scene(name);
         for (const Mesh& m : scene.meshes) {
-            const std::vector<Cluster> boxes = clusters_of(m);
+            const std::vector<Cluster> boxes = build_clusters(m);
             EXPECT_LE(boxes.size(), m.indices.size() / 3);
             for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
                 const bool held = std::ranges::any_of(boxes, [&](const Cluster& c) {
@@ -51,7 +50,7 @@ TEST(Clusters, HoldEveryTriangle) {
     }
     const Scene scene = load_scene("landscape");
     const auto large = std::ranges::max_element(scene.meshes, {}, [](const Mesh& m) { return m.indices.size(); });
-    EXPECT_GT(clusters_of(*large).size(), 500u);
+    EXPECT_GT(build_clusters(*large).size(), 500u);
 }
 
 // Whatever side a cluster is said to show, each of its triangles does, at each of its corners.
@@ -61,15 +60,17 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     for (const char* name : {"landscape", "figures", "teapot", "stage", "boxes"}) {
         const Scene scene = load_scene(name);
         for (const Mesh& m : scene.meshes) {
-            const std::vector<Cluster> clusters = clusters_of(m);
+            const std::vector<Cluster> clusters = build_clusters(m);
             for (int round = 0; round < 20; ++round) {
                 const glm::dvec3 way(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
                 const bool parallel = round % 2 == 0;
                 const glm::dvec3 there = m.bounds.centre() + random.in(0.3, 3) * m.bounds.radius() * way;
                 const Cluster& c = clusters[std::size_t(random.in(0, double(clusters.size()) - 0.01))];
-                const Shows side = shown_side(c, parallel ? glm::dvec4(way, 0) : glm::dvec4(there, 1));
-                fronts += side == Shows::Front, backs += side == Shows::Back, either += side == Shows::Either;
-                if (side == Shows::Either) continue;
+                const VisibleSide side = visible_side(c, parallel ? glm::dvec4(way, 0) : glm::dvec4(there, 1));
+                fronts += side == VisibleSide::Front;
+                backs += side == VisibleSide::Back;
+                either += side == VisibleSide::Either;
+                if (side == VisibleSide::Either) continue;
                 for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
                     const glm::dvec3 a = m.positions[m.indices[i]], b = m.positions[m.indices[i + 1]],
                                      d = m.positions[m.indices[i + 2]];
@@ -80,7 +81,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
                     if (box.lo != c.box.lo || box.hi != c.box.hi || glm::dot(n, c.axis) < std::cos(c.spread)) continue;
                     for (const glm::dvec3& p : {a, b, d}) {
                         const double at = glm::dot(n, parallel ? way : there - p);
-                        ASSERT_TRUE(side == Shows::Front ? at > 0 : at < 0) << name << ", " << m.name;
+                        ASSERT_TRUE(side == VisibleSide::Front ? at > 0 : at < 0) << name << ", " << m.name;
                     }
                 }
             }
@@ -89,15 +90,15 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     EXPECT_GT(fronts, 30);
     EXPECT_GT(backs, 30);
     EXPECT_GT(either, 10);
-    EXPECT_EQ(shown_side({}, {0, 1, 0, 0}), Shows::Either);
+    EXPECT_EQ(visible_side({}, {0, 1, 0, 0}), VisibleSide::Either);
     // A floor is seen from one side wherever one stands over it, also near its middle.
     Mesh plane = make_plane(40, 40);
     for (const auto& p : plane.positions) plane.bounds.add(p);
-    const std::vector<Cluster> floor = clusters_of(plane);
+    const std::vector<Cluster> floor = build_clusters(plane);
     ASSERT_EQ(floor.size(), 1u);
-    EXPECT_EQ(shown_side(floor[0], {1, 2, 3, 1}), Shows::Front);
-    EXPECT_EQ(shown_side(floor[0], {1, -2, 3, 1}), Shows::Back);
-    EXPECT_EQ(shown_side(floor[0], {1, 0.1, 3, 1}), Shows::Either) << "its far corners are seen nearly edge-on";
+    EXPECT_EQ(visible_side(floor[0], {1, 2, 3, 1}), VisibleSide::Front);
+    EXPECT_EQ(visible_side(floor[0], {1, -2, 3, 1}), VisibleSide::Back);
+    EXPECT_EQ(visible_side(floor[0], {1, 0.1, 3, 1}), VisibleSide::Either) << "its far corners are seen nearly edge-on";
 }
 
 TEST(MapCells, MeetWhatTheyHold) {
@@ -167,7 +168,7 @@ Scene boxes_and_balls(bool alone) {
 }
 
 // Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
-TEST(CalledMaps, HoldAllThatIsSeen) {
+TEST(NeededMaps, HoldAllThatIsSeen) {
     const Scene scenes[] = {boxes_and_balls(false), boxes_and_balls(true)};
     const std::vector<std::vector<Cluster>> of_scenes[] = {all_clusters(scenes[0]), all_clusters(scenes[1])};
     Random random(3);
@@ -178,9 +179,12 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
             const std::vector<std::vector<Cluster>>& clusters = of_scenes[round / 2 % 2];
             Settings s = settings_of(kind.sets);
             s.camera.source = int(CameraSource::Manual);
-            s.camera.azimuth = random.in(0, 360), s.camera.elevation = random.in(-10, 80);
-            s.camera.distance = random.in(0.3, 9), s.camera.fov = random.in(15, 70);
-            s.camera.target_x = random.in(-3, 3), s.camera.target_z = random.in(-3, 3);
+            s.camera.azimuth = random.in(0, 360);
+            s.camera.elevation = random.in(-10, 80);
+            s.camera.distance = random.in(0.3, 9);
+            s.camera.fov = random.in(15, 70);
+            s.camera.target_x = random.in(-3, 3);
+            s.camera.target_z = random.in(-3, 3);
             s.lights[0].azimuth = random.in(0, 360);
             const Camera camera = make_camera(scene, s, 1.5);
             const FittedLight light = fit_lights(scene, s, &camera)[0];
@@ -193,15 +197,21 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
                                   .normal_texels = 4,
                                   .wrap = MapWrap(s.map.wrap),
                                   .light_alone = light_alone};
-            const CalledMaps called = called_maps(light, seen, area);
+            const NeededMaps called = needed_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());
-            for (const MapCells& r : called.views) ++views, unread += !r.is_whole();
+            for (const MapCells& r : called.views) {
+                ++views;
+                unread += !r.is_whole();
+            }
             for (const Object& object : scene.objects) {
                 const Mesh& m = scene.meshes[std::size_t(object.mesh)];
                 for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3 * (1 + m.indices.size() / 600))
                     for (int k = 0; k < 20; ++k) {
                         double a = random.in(0, 1), b = random.in(0, 1);
-                        if (a + b > 1) a = 1 - a, b = 1 - b;
+                        if (a + b > 1) {
+                            a = 1 - a;
+                            b = 1 - b;
+                        }
                         const glm::dvec3 p0 = m.positions[m.indices[i]], p1 = m.positions[m.indices[i + 1]],
                                          p2 = m.positions[m.indices[i + 2]];
                         const glm::dvec3 p = object.world * glm::dvec4(p0 + a * (p1 - p0) + b * (p2 - p0), 1);
@@ -243,7 +253,7 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
     }
 }
 
-TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
+TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
     Scene scene;
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1, 200, 100), -1));
     finalise(scene);
@@ -252,11 +262,12 @@ TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
     s.lights[0].elevation = 0;
     int called[2];
     for (const bool against : {false, true}) {
-        s.camera.azimuth = 40, s.lights[0].azimuth = against ? 220 : 40;
+        s.camera.azimuth = 40;
+        s.lights[0].azimuth = against ? 220 : 40;
         const Camera camera = make_camera(scene, s, 1.5);
         const SeenBodies seen =
             seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
-        const CalledMaps maps = called_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
+        const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
         int& cells = called[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
@@ -266,7 +277,7 @@ TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
     EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
 }
 
-TEST(CalledMaps, SayWhyNothingOfThemIs) {
+TEST(NeededMaps, SayWhyNothingOfThemIs) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_of({{"light.intensity", "0"}});
     const Camera camera = make_camera(scene, s, 1.5);
@@ -274,12 +285,12 @@ TEST(CalledMaps, SayWhyNothingOfThemIs) {
     const SeenBodies seen =
         seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
     const FittedLight dark = fit_lights(scene, s, &camera)[0];
-    EXPECT_NE(called_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
+    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
               std::string::npos);
-    EXPECT_EQ(called_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
-    EXPECT_NE(called_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
+    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
+    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
     SeenBodies unknown{seen.view, {}, true};
-    EXPECT_TRUE(called_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
+    EXPECT_TRUE(needed_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
 }
 
 }  // namespace

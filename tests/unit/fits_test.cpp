@@ -7,7 +7,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/fits/flat_mesh.h"
+#include "renderer/view/bounds/flat_mesh.h"
 #include "renderer/view/fits/region.h"
 #include "tests/support/ray_truth.h"
 
@@ -221,7 +221,8 @@ Camera camera_at(const glm::dvec3& eye, const glm::dvec3& at, double fov_deg, do
     c.eye = eye;
     c.axes = orthonormal_basis(glm::normalize(eye - at));
     c.fov_y_rad = fov_deg * kDegree;
-    c.curve.near = near, c.curve.far = far;
+    c.curve.near = near;
+    c.curve.far = far;
     c.curve.perspective = true;
     return c;
 }
@@ -264,7 +265,7 @@ OnSurface surface_point(const Scene& scene, const test::Triangle& t, const glm::
 
 /// Points on all surfaces, wherever a camera may be.
 template <class Use>
-void each_surface_point(const Scene& scene, const test::RayTruth& rays, int count, Use use) {
+void each_surface_point(const Scene& scene, const test::RayReference& rays, int count, Use use) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<double> area{0};
@@ -277,7 +278,10 @@ void each_surface_point(const Scene& scene, const test::RayTruth& rays, int coun
         const int which = int(std::upper_bound(area.begin(), area.end(), at) - area.begin()) - 1;
         const test::Triangle& t = rays.triangle(std::min(which, int(rays.triangle_count()) - 1));
         double u = unit(random), v = unit(random);
-        if (u + v > 1) u = 1 - u, v = 1 - v;
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
         use(surface_point(scene, t, t.a + u * (t.b - t.a) + v * (t.c - t.a) + scene.bounds.centre()));
     }
 }
@@ -285,7 +289,7 @@ void each_surface_point(const Scene& scene, const test::RayTruth& rays, int coun
 /// What each pixel of a small picture shows: the first surface between the near and far planes that is not the back of
 /// a single-sided one.
 template <class Use>
-void each_seen_point(const Scene& scene, const test::RayTruth& rays, const Camera& camera, int width, int height,
+void each_seen_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
                      Use use) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -313,10 +317,11 @@ class Beyond {
 public:
     int beyond = 0, within = 0, shadowed = 0;
 
-    Beyond(const Scene& scene, const test::RayTruth& rays, const LightView& view, const MapRegion& region)
+    Beyond(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
         : scene_(scene), rays_(rays), view_(view), region_(region) {
         light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
-        light_.to_light = view.axes[2], light_.position = view.eye;
+        light_.to_light = view.axes[2];
+        light_.position = view.eye;
     }
     /// @param every of the points within so many are asked whether they lie in shadow
     void look_at(const OnSurface& p, int every) {
@@ -338,14 +343,14 @@ public:
 
 private:
     const Scene& scene_;
-    const test::RayTruth& rays_;
+    const test::RayReference& rays_;
     LightView view_;
     MapRegion region_;
     FittedLight light_;
 };
 
 Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
-    const test::RayTruth rays(scene);
+    const test::RayReference rays(scene);
     Beyond out(scene, rays, view, region);
     each_surface_point(scene, rays, points, [&](const OnSurface& p) { out.look_at(p, 16); });
     return out;
@@ -427,7 +432,8 @@ TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
         const auto region = s.made.fit(fit_casters, view);
         if (!region) continue;
         const Beyond n = expect_lit_beyond(s.made.scene, view, *region, 400);
-        beyond += n.beyond, shadowed += n.shadowed;
+        beyond += n.beyond;
+        shadowed += n.shadowed;
     }
     EXPECT_GT(beyond, 5000);
     EXPECT_GT(shadowed, 300);
@@ -457,8 +463,14 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         if (kind == 2) eye = view.curve.perspective ? view.eye + 2 * m * view.axes[2] : middle + 15 * m * view.axes[2];
         Camera camera = camera_at(eye, at, kind == 3 ? 6 : 45, 1e-2 * m, 80 * m);
         camera.aspect = 1.6;
-        if (kind == 4) camera.orthographic = true, camera.height = 5 * m;
-        if (kind == 5) camera.curve.near = 5 * m, camera.curve.far = 11 * m;
+        if (kind == 4) {
+            camera.orthographic = true;
+            camera.height = 5 * m;
+        }
+        if (kind == 5) {
+            camera.curve.near = 5 * m;
+            camera.curve.far = 11 * m;
+        }
         const auto region = s.made.fit(fit_view, view, {}, &camera);
         const auto all = s.made.fit(fit_casters, view);
         if (!region) continue;
@@ -466,10 +478,11 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).holds(*region)) << "at most what casters need";
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         Beyond n(scene, rays, view, *region);
         each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
-        beyond[std::size_t(kind)] += n.beyond, shadowed[std::size_t(kind)] += n.shadowed;
+        beyond[std::size_t(kind)] += n.beyond;
+        shadowed[std::size_t(kind)] += n.shadowed;
     }
     for (std::size_t kind = 0; kind < 6; ++kind) {
         EXPECT_GT(beyond[kind], 300) << kind;

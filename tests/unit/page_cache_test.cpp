@@ -1,5 +1,5 @@
 // Pages in a pool: what is asked for is found, what is kept is not drawn again, and a full pool leaves no hole.
-#include "renderer/frame/page_cache.h"
+#include "renderer/passes/page_cache.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "renderer/base/key.h"
-#include "renderer/view/clip_levels.h"
+#include "renderer/view/cascades/clip_levels.h"
 #include "shaders/shared/pages.h"
 
 namespace si {
@@ -63,7 +63,8 @@ TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
             pool[{p.at.x, p.at.y}] = p.key;
         }
         kept += choice.read.size() - choice.drawn.size();
-        evicted += std::size_t(choice.evicted), coarser += std::size_t(choice.coarser);
+        evicted += std::size_t(choice.evicted);
+        coarser += std::size_t(choice.coarser);
         for (int layer = 0; layer < 3; ++layer)
             for (int y = 0; y < kSide; ++y)
                 for (int x = 0; x < kSide; ++x) {

@@ -1,12 +1,12 @@
 // Scenes put elsewhere, and settings that go along.
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 #include <gtest/gtest.h>
 
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 namespace {
@@ -58,7 +58,8 @@ TEST(Placement, SettingsGoAlong) {
     for (const double scale : {1e-3, 1.0, 1e3})
         for (const double distance : {0.0, 777.0, 1e7}) {
             Settings s = home.settings;
-            s.scene.scale = scale, s.scene.distance = distance;
+            s.scene.scale = scale;
+            s.scene.distance = distance;
             pose_scene(scene, s.scene);
             carry_settings(s, home.settings.scene, s.scene);
             EXPECT_NEAR(s.bias.constant, 0.02 * scale, 1e-12);

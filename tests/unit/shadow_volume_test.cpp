@@ -1,5 +1,5 @@
 // Shadow volumes without a GPU: how often their boundary encloses a point, against triangles counted one by one.
-#include "renderer/view/shadow_volume.h"
+#include "renderer/view/lights/shadow_volume.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,9 @@ public:
                 faces_.push_back(t);
             }
         };
-        add(found.caps, false), add(found.turned_caps, true), add(found.rest, false);
+        add(found.caps, false);
+        add(found.turned_caps, true);
+        add(found.rest, false);
         sides = found.rest.size() / 3;
     }
     /// How many times the boundary encloses the point.
@@ -136,9 +138,9 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                         // Without caps not out of the far end, which is open.
                         const glm::dvec3 along =
                             capped ? random.direction() : glm::normalize(random.direction() + 1.5 * towards);
-                        const int is = volume.encloses(p, along), truth = volume.between(p);
-                        shadowed += truth > 0;
-                        off += c.exact ? is != truth : (is > 0) != (truth > 0) || is < 0;
+                        const int is = volume.encloses(p, along), reference = volume.between(p);
+                        shadowed += reference > 0;
+                        off += c.exact ? is != reference : (is > 0) != (reference > 0) || is < 0;
                     }
                     EXPECT_EQ(off, 0);
                     if (c.mesh.indices.size() > 30) {

@@ -12,9 +12,10 @@ namespace {
 FrameResult frame_of(double shadow_ms, double shade_ms, bool reused = false) {
     FrameResult f;
     f.clock = "a clock";
-    f.passes = {{"a map", reused ? PassState::Reused : PassState::Ran, "", shadow_ms, 0.1, 3, 100, PassCategory::Maps},
-                {"shading", PassState::Ran, "", shade_ms, 0.2, 5, 200},
-                {"overlay", PassState::Skipped, "", 99, 99, 9, 900}};
+    f.passes = {
+        {"a map", reused ? PassState::Cached : PassState::Drawn, "", shadow_ms, 0.1, 3, 100, PassCategory::Maps},
+        {"shading", PassState::Drawn, "", shade_ms, 0.2, 5, 200},
+        {"overlay", PassState::Skipped, "", 99, 99, 9, 900}};
     return f;
 }
 
@@ -23,7 +24,11 @@ struct FakeTime {
     double now = 1000;
     std::vector<double> pauses;
     BurstClock clock() {
-        return {[this] { return now; }, [this](double s) { now += s, pauses.push_back(s); }};
+        return {[this] { return now; },
+                [this](double s) {
+                    now += s;
+                    pauses.push_back(s);
+                }};
     }
 };
 
@@ -102,7 +107,10 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     const std::vector<double> moods = {29, 31, 33, 35, 40};
     std::size_t burst = 0;
     BurstClock clock = time.clock();
-    clock.wait_s = [&](double s) { time.now += s, burst = std::min(burst + 1, moods.size() - 1); };
+    clock.wait_s = [&](double s) {
+        time.now += s;
+        burst = std::min(burst + 1, moods.size() - 1);
+    };
     const TimeMeasurement m = sample_times(
         {.most = 15}, [&] { return time.now += moods[burst] / 1000, frame_of(moods[burst], 0); }, clock);
     EXPECT_EQ(m.total_ms.samples, 15);
@@ -113,13 +121,15 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     EXPECT_FALSE(m.settled) << "by the ranks of fifteen frames alone it would be";
     EXPECT_NEAR(0.5 * (m.maps_ms.median_high - m.maps_ms.median_low), 5.238, 1e-3) << "of its parts likewise";
     TimeSamples two;
-    two.add(frame_of(1, 0)), two.burst_ended = true, two.add(frame_of(1, 0));
+    two.add(frame_of(1, 0));
+    two.burst_ended = true;
+    two.add(frame_of(1, 0));
     EXPECT_FALSE(summary(two).settled) << "two bursts tell nothing";
 }
 
 TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
     FrameResult f = frame_of(2, 3);
-    f.passes.push_back({"another change of the maps", PassState::Ran, "", 7, 0, 0, 0, PassCategory::Maps});
+    f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});
     TimeSamples samples;
     samples.add(f);
     const TimeMeasurement m = summary(samples);

@@ -1,5 +1,5 @@
 // The searches for the least bias and the best setting, on made-up frames whose answer is known.
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 
 #include <gtest/gtest.h>
 
@@ -32,12 +32,15 @@ struct MadeUpFrame {
         t.error.counted = 1000;
         int acne = 0;
         double gap = 0;
-        for (int i = 0; i < 100; ++i)
-            acne += worth(b, i) < harder * need(i), gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+        for (int i = 0; i < 100; ++i) {
+            acne += worth(b, i) < harder * need(i);
+            gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+        }
         t.needs.faint_acne = std::size_t(acne);
         t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);
         t.needs.pixels = 100;
-        t.needs.gap_p95_m = gap, t.needs.gap_median_m = gap / 2;
+        t.needs.gap_p95_m = gap;
+        t.needs.gap_median_m = gap / 2;
         BiasSettings one;
         one.unit = int(BiasUnit::Texels);
         one.constant = worst([&](int i) { return need(i); });
@@ -46,7 +49,8 @@ struct MadeUpFrame {
         one.constant = 0.3;
         one.slope = worst([&](int i) { return need(i) <= 0.3 ? 0 : need(i) / (1 - std::cos(theta(i))); });
         t.needs.least[std::size_t(BiasFamily::Slope)] = one;
-        one.constant = 0.01, one.slope = 0;
+        one.constant = 0.01;
+        one.slope = 0;
         one.normal = worst([&](int i) { return (need(i) - 0.01) * std::cos(theta(i)); });
         t.needs.least[std::size_t(BiasFamily::Normal)] = one;
         return t;
@@ -117,7 +121,7 @@ struct MadeUpWorld {
     static double error(const Settings& s) {
         return 2.0 / s.map.resolution / std::sqrt(double(taps_across(filter_of(s), s)));
     }
-    int judged = 0;
+    int classified = 0;
     std::vector<Settings> timed;
 
     Tuner run(const TuneGoals& goals) {
@@ -129,11 +133,11 @@ struct MadeUpWorld {
                 tuner.timed(ms(s));
                 continue;
             }
-            ++judged;
+            ++classified;
             const MadeUpFrame frame{.kappa = reach_of(s).bias};
             BiasTrial t = frame.shown(s.bias);
             t.error.mae = error(s);
-            tuner.judged(t);
+            tuner.classified(t);
         }
         EXPECT_EQ(tuner.ask(), Tuner::Ask::Nothing);
         EXPECT_EQ(tuner.progress(), 1);
@@ -182,7 +186,8 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
         for (const Settings& timed : world.timed) {
             if (!goals.most_ms || timed.map.resolution == 256) continue;
             Settings coarser;
-            coarser.filter = timed.filter, coarser.map.resolution = timed.map.resolution / 2;
+            coarser.filter = timed.filter;
+            coarser.map.resolution = timed.map.resolution / 2;
             EXPECT_LE(MadeUpWorld::ms(coarser), *goals.most_ms) << "finer maps than one that is too slow are not tried";
         }
     }

@@ -36,7 +36,7 @@ bool of_camera(const Settings& s) {
     return s.view.map_source == int(MapSource::Camera);
 }
 
-void save_menu(EditorState& state, EditorActions& actions) {
+void save_menu(EditorState& state, EditorRequests& actions) {
     menu_button("Save", "save map",
                 "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
                 "linear), .png the picture as shown",
@@ -99,7 +99,7 @@ bool has_room_for_plots(const EditorLayout& layout, float height) {
     return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
 }
 
-void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
+void header(EditorState& state, const FrameResult* result, EditorRequests& actions) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
     const bool plots = has_room_for_plots(state.layout, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight());
@@ -278,7 +278,7 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     state.hovered_texel.reset();
     header(state, frame.result, actions);
     actions.want_map = true;

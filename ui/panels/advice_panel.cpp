@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
+#include "renderer/advise/autopilot.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/autopilot.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/cost_combo.h"
@@ -46,7 +46,7 @@ void bound(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, least);
 }
 
-void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorActions& actions) {
+void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorRequests& actions) {
     if (frame.advising) {
         if (ImGui::Button("Cancel")) actions.cancel_advice = true;
         progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
@@ -57,7 +57,7 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
     choose_cost("Times", panel.cost);
     const bool ready = frame.scene != nullptr;
     ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Run")) actions.find_advice = AdviceWish{.cost = panel.cost};
+    if (ImGui::Button("Run")) actions.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
         "Nothing is changed.");
@@ -69,7 +69,7 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
     if (ImGui::Button("Autopilot")) {
-        actions.find_advice = AdviceWish{.cost = panel.cost};
+        actions.find_advice = AdviceRequest{.cost = panel.cost};
         if (panel.bound_error) actions.find_advice->most_error = panel.most_error;
         if (panel.bound_ms) actions.find_advice->most_ms = panel.most_ms;
     }
@@ -90,9 +90,12 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
     for (const Finding& f : report.findings) {
         ImGui::PushID(id++);
         coloured_text(fmt::format("{}: {}", severity_word(f.severity), f.text), kColours[std::size_t(f.severity)]);
-        if (!f.cure.empty()) {
-            if (!f.settings.empty()) apply_button(settings, f.settings, current), ImGui::SameLine();
-            ImGui::TextWrapped("%s", f.cure.c_str());
+        if (!f.fix.empty()) {
+            if (!f.settings.empty()) {
+                apply_button(settings, f.settings, current);
+                ImGui::SameLine();
+            }
+            ImGui::TextWrapped("%s", f.fix.c_str());
         }
         ImGui::PopID();
     }
@@ -162,7 +165,7 @@ void show_flight(Settings& settings, const AutopilotResult& r, bool current, Cha
 
 }  // namespace
 
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
     draw_advice_controls(state.advice, frame, actions);

@@ -7,12 +7,12 @@
 
 #include "renderer/measure/artefact_clusters.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 
 /// The clusters of a cause in the picture shown are asked for.
-struct ArtefactWish {
+struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< another one for each wish; 0: none was made
 };

@@ -96,7 +96,7 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
 
 }  // namespace
 
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Compared with");

@@ -6,8 +6,8 @@
 #include <ranges>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/frame/effects.h"
-#include "renderer/measure/saved.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/measure/optimisation_times.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
@@ -50,7 +50,7 @@ void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
     const std::string shape = kShapes[std::size_t(state)], word(state_name(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
-    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotCalledFor ? theme::muted() : theme::text());
+    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     if (room <= Room::Narrow) wrapped_tooltip(word);
@@ -72,19 +72,19 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
 }
 
 /// Whether frames are to do what a saving spares.
-void force_box(SavingSet& forced, Saving saving, const char* label) {
+void force_box(OptimisationSet& forced, Optimisation saving, const char* label) {
     bool on = forced.contains(saving);
     if (ImGui::Checkbox(label, &on)) {
-        SavingSet next;
-        for (std::size_t i = 0; i < kSavings; ++i)
-            if (Saving(i) == saving ? on : forced.contains(Saving(i))) next.add(Saving(i));
+        OptimisationSet next;
+        for (std::size_t i = 0; i < kOptimisations; ++i)
+            if (Optimisation(i) == saving ? on : forced.contains(Optimisation(i))) next.add(Optimisation(i));
         forced = next;
     }
     wrapped_tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
                                 row_of(saving).label, row_of(saving).help));
 }
 
-void measure_button(const EditorFrame& frame, EditorActions& actions) {
+void measure_button(const EditorFrame& frame, EditorRequests& actions) {
     if (frame.measuring_saved) {
         const std::string text =
             fmt::format("{:.0f} %  {}", 100 * frame.measuring_saved->progress, frame.measuring_saved->about);
@@ -99,18 +99,18 @@ void measure_button(const EditorFrame& frame, EditorActions& actions) {
         "difference in milliseconds with its interval.");
 }
 
-void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void tools(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     measure_button(frame, actions);
-    SavingSet& forced = state.effects.forced;
+    OptimisationSet& forced = state.effects.forced;
     int count = 0;
-    for (std::size_t i = 0; i < kSavings; ++i) count += forced.contains(Saving(i));
+    for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
     flow(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
     wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
     if (ImGui::BeginPopup("savings")) {
-        for (std::size_t i = 0; i < kSavings; ++i)
-            force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
+        for (std::size_t i = 0; i < kOptimisations; ++i)
+            force_box(forced, Optimisation(i), std::string(savings()[i].label).c_str());
         ImGui::EndPopup();
     }
     flow(button_width("Reset"));
@@ -141,8 +141,12 @@ void header(Room room) {
     else  // what the reasons leave is the names'
         ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch | (reasons ? 0 : ImGuiTableColumnFlags_Disabled));
-    fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
-    fixed("Saved ms", 5.2f, saved), fixed("Force", 2.8f, saved);
+    fixed("Time ms", 4);
+    fixed("CPU ms", 4, counts);
+    fixed("Draws", 3.2f, counts);
+    fixed("Triangles", 5, counts);
+    fixed("Saved ms", 5.2f, saved);
+    fixed("Force", 2.8f, saved);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < kColumns; ++column) {
         if (!ImGui::TableSetColumnIndex(column)) continue;
@@ -197,10 +201,10 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     ImGui::TableSetColumnIndex(int(Column::State));
     state_cell(effect.state, room);
     ImGui::TableSetColumnIndex(int(Column::Effect));
-    const bool called_for = effect.state != EffectState::NotCalledFor;
+    const bool needed = effect.state != EffectState::NotNeeded;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
     if (indent > 0) ImGui::Indent(indent);
-    ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::text() : theme::muted());
+    ImGui::PushStyleColor(ImGuiCol_Text, needed ? theme::text() : theme::muted());
     ImGui::TextUnformatted(effect.name.c_str());
     ImGui::PopStyleColor();
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
@@ -213,12 +217,14 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         ImGui::PopStyleColor();
     }
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
-    if (pass && pass->state != PassState::Ran) last_time_cell(state, *pass);
-    if (pass && pass->state == PassState::Ran) {
+    if (pass && pass->state != PassState::Drawn) last_time_cell(state, *pass);
+    if (pass && pass->state == PassState::Drawn) {
         if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
-        sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
-        sum.draws += pass->draws, sum.triangles += pass->triangles;
+        sum.gpu_ms += pass->gpu_ms;
+        sum.cpu_ms += pass->cpu_ms;
+        sum.draws += pass->draws;
+        sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(int(Column::Saved)))
         saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, saved_together(frame.effects, effect),
@@ -230,7 +236,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
 /// What is forced stays on view, so that its box can be taken back.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
-    return panel.hide_uncalled && effect.state == EffectState::NotCalledFor && !forced;
+    return panel.hide_uncalled && effect.state == EffectState::NotNeeded && !forced;
 }
 
 void sum_row(const PassCost& sum) {
@@ -283,7 +289,7 @@ void clock_line(const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     actions.want_effects = true;
     if (!frame.result) {
         ImGui::TextDisabled("No frame yet.");

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
@@ -129,7 +129,7 @@ void draw_size(SweepPanel& panel) {
     choose_cost("Times", panel.timed);
 }
 
-void draw_running(const SweepFacts& facts, EditorActions& actions) {
+void draw_running(const SweepFacts& facts, EditorRequests& actions) {
     if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
     wrapped_tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
@@ -139,7 +139,7 @@ void draw_running(const SweepFacts& facts, EditorActions& actions) {
     if (!facts.current.empty()) wrapped_tooltip(facts.current);
 }
 
-void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& actions) {
+void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& actions) {
     SweepPanel& panel = state.sweep;
     std::vector<std::string> axes;
     const std::size_t product = draw_axes(state, axes);
@@ -149,7 +149,7 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorActions& a
     } else {
         ImGui::BeginDisabled(product == 0);
         if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
-            actions.start_sweep = SweepWish{axes, panel.width, panel.height, panel.area, panel.timed};
+            actions.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
         wrapped_tooltip(
             "Error against ray-traced truth and time of every combination, in the background. Settings without "
@@ -332,7 +332,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     draw_before(facts, cost, error);
 }
 
-void draw_state(const SweepFacts& facts, EditorActions& actions) {
+void draw_state(const SweepFacts& facts, EditorRequests& actions) {
     if (!facts.problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
@@ -357,7 +357,7 @@ void draw_state(const SweepFacts& facts, EditorActions& actions) {
 
 }  // namespace
 
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     static const SweepFacts kNothing;
     const SweepFacts& facts = frame.sweep ? *frame.sweep : kNothing;
     const float em = ImGui::GetFontSize();

@@ -6,10 +6,10 @@
 #include <algorithm>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/right_aligned.h"
@@ -61,7 +61,7 @@ void place_rows(EditorState& state) {
 }
 
 /// A button that starts a measurement, or how far it is and one that ends it.
-bool measure_button(const char* label, const char* about, const std::optional<TuneFacts>& running, bool ready,
+bool measure_button(const char* label, const char* about, const std::optional<SearchProgress>& running, bool ready,
                     bool& cancel) {
     bool pressed = false;
     if (running) {
@@ -99,7 +99,7 @@ std::string choice_label(std::string_view key, int value) {
     return std::string(find_setting(key)->param->choices()[std::size_t(value)].label);
 }
 
-void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     heading("Single precision against double");
     if (measure_button("Compare ways",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
@@ -164,7 +164,7 @@ void motion_widgets(ShimmerOptions& options) {
     options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
 }
 
-void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void shimmer_part(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     heading("Shimmer");
     motion_widgets(state.lab.shimmer);
     if (measure_button("Measure shimmer",
@@ -200,7 +200,7 @@ void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& a
 
 }  // namespace
 
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float gap = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x - 2 * gap;
     const auto part = [&](const char* id, float share, const auto& draw) {
         ImGui::BeginChild(id, {share * width, 0}, false);

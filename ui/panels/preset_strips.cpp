@@ -61,7 +61,9 @@ Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDr
                     if (draw) draw->AddText(run.font, size, {at.x + x - space, at.y + y}, run.colour, kMore);
                     return {y + line, lines, true};
                 }
-                x = 0, y += line, ++lines;
+                x = 0;
+                y += line;
+                ++lines;
             }
             if (draw) draw->AddText(run.font, size, {at.x + x, at.y + y}, run.colour, word, end);
             x += w + space;
@@ -136,7 +138,7 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
     return runs;
 }
 
-void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
     const GuideNote& guide = state.guide;
     if (guide.about.empty() || state.hidden_guide == guide.key) return;
     const std::span<const PresetEntry> walk = open_walk(state, frame);
@@ -164,7 +166,7 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
     });
 }
 
-void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_lost(const EditorFrame& frame, EditorRequests& actions, float width) {
     if (!frame.lost) return;
     const std::string text =
         fmt::format("The last session has unsaved changes: {}, {}.", scene_label(frame.lost->scene), frame.lost->when);
@@ -177,7 +179,7 @@ void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
           });
 }
 
-void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
     if (!frame.driver_reset) return;
     constexpr const char* kText =
         "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
@@ -211,7 +213,7 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
     return walk[std::size_t(to)].key;
 }
 
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
     ImGui::BeginGroup();
     draw_reset(state, frame, actions, width);
     draw_lost(frame, actions, width);

@@ -36,7 +36,7 @@ float presets_menu_width() {
 }
 
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorActions& actions) {
+                       EditorRequests& actions) {
     const float em = ImGui::GetFontSize();
     const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
     ImGui::SetNextWindowSize({presets_menu_width(), height});

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/owners.h"
-#include "renderer/view/placement.h"
-#include "ui/panels/lights.h"
+#include "ui/panels/lights_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
@@ -97,10 +97,10 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
 void nearest_first(std::vector<Group>& list, const EditorState& state) {
     if (state.search.empty()) return;
     const auto rank = [&](const Group& group) {
-        if (words_match(state.search, {group.label, group.prefix})) return 0;
+        if (matches_all_words(state.search, {group.label, group.prefix})) return 0;
         const std::vector<SettingRef> rows = rows_of(state, group.prefix).shown;
         const bool called = std::ranges::any_of(rows, [&](const SettingRef& ref) {
-            return words_match(state.search, {ref.param->label, ref.param->key});
+            return matches_all_words(state.search, {ref.param->label, ref.param->key});
         });
         return called ? 1 : 2;
     };
@@ -157,7 +157,7 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
     ImGui::GetWindowDrawList()->AddText({from, corner.y + padding}, theme::muted(), text.c_str());
 }
 
-void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
+void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& actions, const Group& group) {
     const Rows rows = rows_of(state, group.prefix);
     if (rows.shown.empty() && rows.folded.empty()) return;
     const bool filtered = !state.search.empty() || state.only_changed;
@@ -201,7 +201,7 @@ std::string_view setting_group_label(std::string_view prefix) {
     return prefix;
 }
 
-void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float em = ImGui::GetFontSize();
     search_field("search", "Search settings", state.search, em * 7.2f, "; other engines' names count too");
     ImGui::SameLine();

@@ -39,7 +39,7 @@ void recent_menu(const char* label, std::span<const std::string> paths, std::opt
     ImGui::EndMenu();
 }
 
-void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
     if (!ImGui::BeginPopup("file")) return;
     if (ImGui::MenuItem("Open…", "Ctrl+O")) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
@@ -76,7 +76,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
     ImGui::EndPopup();
 }
 
-void scene_combo(EditorState& state, EditorActions& actions, float width) {
+void scene_combo(EditorState& state, EditorRequests& actions, float width) {
     ImGui::SetNextItemWidth(width);
     if (!begin_combo("##scene", scene_label(state.scene_name), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtin_scenes()) {
@@ -96,7 +96,7 @@ void scene_combo(EditorState& state, EditorActions& actions, float width) {
     ImGui::EndCombo();
 }
 
-void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
     if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset before (Page up)");
@@ -189,7 +189,7 @@ std::string scene_label(const std::string& name) {
     return last_part(name);
 }
 
-void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;
     const char *help = "Help", *view = "View";
     const float right = button_width(view) + close + button_width(help);

@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
+#include "renderer/advise/tuner.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/tuner.h"
 #include "ui/state/quick_changes.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
@@ -25,7 +25,7 @@ void limit(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, step);
 }
 
-void limits_popup(TunePanel& panel, TuneActions& actions) {
+void limits_popup(TunePanel& panel, TuneRequests& actions) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
@@ -43,7 +43,7 @@ void limits_popup(TunePanel& panel, TuneActions& actions) {
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
-        actions.tune = TuneWish{.area = panel.area, .cost = panel.cost};
+        actions.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
         if (panel.bound_error) actions.tune->most_error = panel.most_error;
         if (panel.bound_ms) actions.tune->most_ms = panel.most_ms;
         ImGui::CloseCurrentPopup();
@@ -96,8 +96,8 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 
 }  // namespace
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, const std::string& why_not,
-                        TuneActions& actions) {
+void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
+                        TuneRequests& actions) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
         const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
@@ -112,7 +112,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     ImGui::BeginGroup();
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
     const bool narrow = room - others < button_width("Auto bias");
-    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) actions.tune = TuneWish{};
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) actions.tune = TuneRequest{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"

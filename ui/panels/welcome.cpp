@@ -6,7 +6,7 @@
 
 namespace si {
 
-void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     constexpr const char* kTitle = "Welcome";
     constexpr const char* kSentences[] = {
         "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",

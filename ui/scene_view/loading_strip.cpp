@@ -42,7 +42,7 @@ void progress_bar(double share, const std::string& text, float width) {
     ImGui::PopClipRect();
 }
 
-void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width) {
+void draw_loading(const EditorFrame& frame, EditorRequests& actions, float left, float top, float width) {
     if (!frame.loading) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 28);

@@ -56,10 +56,10 @@ void header(EditorState& state, const EditorFrame& frame) {
     bar.title("Scene");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
     bar.item("Overlay", em * 9, [&s](float room) { overlay_widget(s, overlay_setting(0), room); });
-    bar.item("Compare", em * 6.5f, [&state](float room) { against_view_widget(state, room); });
-    bar.item("", em * 9, [&](float room) { against_other_widget(state, frame, room); });
+    bar.item("Compare", em * 6.5f, [&state](float room) { comparison_view_widget(state, room); });
+    bar.item("", em * 9, [&](float room) { comparison_other_widget(state, frame, room); });
     bar.item("Panes", em * 4, [&state, &s](float room) {
-        const bool comparing = chosen_view(state) != AgainstView::Off;
+        const bool comparing = chosen_comparison(state) != ComparisonView::Off;
         ImGui::BeginDisabled(comparing);
         setting_widget(s, "view.panes", room);
         ImGui::EndDisabled();
@@ -130,7 +130,7 @@ struct Panorama {
 };
 
 /// Mouse and keys over the panes. The pane in which a press began keeps it to the end.
-void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Panorama& panes) {
+void steer(EditorState& state, const EditorFrame& frame, EditorRequests& actions, const Panorama& panes) {
     const bool hovered = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsItemActive() || ImGui::IsItemActivated())
@@ -211,7 +211,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
     list.PushClipRect(lo, hi, true);
-    draw_against(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
+    draw_comparison(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     draw_scene_marks(PicturePainter(view, list), state, frame);
     if (frame.anchor_place != AnchorPlace::Outside) draw_probe_mark(state, result, lo, size);
@@ -224,7 +224,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
     if (state.hovered_pixel && index == state.active_pane) {
         // Above it stands which overlay the pane has, or which side of a comparison it is.
-        const bool named = panes.grid.count() > 1 || state.against.view != AgainstView::Off;
+        const bool named = panes.grid.count() > 1 || state.against.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
     }
@@ -245,7 +245,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
     return std::clamp(settings.view.face, 0, std::max(0, int(result.lights[std::size_t(light)].views.size()) - 1));
 }
 
-void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     state.hovered_pixel.reset();
     state.loupe_pixel.reset();
     header(state, frame);
@@ -253,10 +253,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
-    const AgainstView against = state.against.view;
-    const int shown_panes = against == AgainstView::Off          ? state.settings.view.panes
-                            : against == AgainstView::SideBySide ? int(Panes::Two)
-                                                                 : int(Panes::One);
+    const ComparisonView against = state.against.view;
+    const int shown_panes = against == ComparisonView::Off          ? state.settings.view.panes
+                            : against == ComparisonView::SideBySide ? int(Panes::Two)
+                                                                    : int(Panes::One);
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
     actions.scene_width = panes.grid.width;
@@ -265,7 +265,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
     state.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
     // After a change of view.panes the pictures are there with the next frame.
-    const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
+    const int pictures = against == ComparisonView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
         draw_loading(frame, actions, origin.x, origin.y, size.x);
@@ -299,7 +299,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");
     for (int i = 0; i < pictures; ++i)
-        if (frame.result->panes[std::size_t(i)].lacks_truth || (i == 0 && awaits_rays(*frame.result))) {
+        if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
             draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
             ImGui::PopID();

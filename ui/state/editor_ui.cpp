@@ -103,7 +103,7 @@ void choose_overlay(EditorState& state) {
     const ImGuiIO& io = ImGui::GetIO();
     const HeldKeys held{io.KeyShift, io.KeyAlt, io.KeyCtrl};
     // Held against another, the picture is one pane.
-    const int pane = state.against.view == AgainstView::Off ? state.active_pane : 0;
+    const int pane = state.against.view == ComparisonView::Off ? state.active_pane : 0;
     const SettingRef of = *find_setting(overlay_setting(pane));
     const int shown = std::get<int>(get_value(state.settings, of));
     for (int digit = 0; digit <= 9; ++digit) {
@@ -114,14 +114,14 @@ void choose_overlay(EditorState& state) {
 }
 
 /// A picture of this frame, which shows what is to be seen in it.
-void take_shot(EditorState& state, EditorActions& actions, Shot of) {
+void take_shot(EditorState& state, EditorRequests& actions, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const ScreenRect rect = of == Shot::Scene     ? state.scene_rect
                             : of == Shot::Map     ? state.map_rect
                             : of == Shot::Drawing ? state.drawing_rect
                                                   : ScreenRect{{0, 0}, {all.x, all.y}};
     if (rect.size.x >= 1 && rect.size.y >= 1)
-        actions.shot = ShotWish{of, rect};
+        actions.shot = ShotRequest{of, rect};
     else
         state.log.add(LogKind::Info, of == Shot::Map ? "The map is hidden (N): no screenshot of it"
                                      : of == Shot::Drawing
@@ -130,7 +130,7 @@ void take_shot(EditorState& state, EditorActions& actions, Shot of) {
 }
 
 // Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
-void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const ImGuiIO& io = ImGui::GetIO();
     const bool elsewhere = keys_are_taken(state);
     // Escape has closed a menu before anybody asks for it here.
@@ -165,7 +165,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('L')) toggle_light_camera(state);
     if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
     if (pressed('K')) toggle_frozen_camera(state, frame);
-    if (pressed('B') && !state.flicker) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
+    if (pressed('B') && !state.flicker) state.against.view = ComparisonView((int(state.against.view) + 1) % 4);
     if (pressed('P')) pin_settings(state);
     if (pressed('H')) steer_hiding(state, frame);
     if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
@@ -177,7 +177,7 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (pressed('[') || pressed(']')) scale_resolution(s, pressed(']'));
     if (pressed('Q')) point_quads(state, frame);
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
-        if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
+        if (state.against.view == ComparisonView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
     if (pressed('N')) state.layout.map_place = MapSpot((int(state.layout.map_place) + 1) % 4);
     if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
@@ -240,7 +240,7 @@ bool double_click_on_tabs() {
            bar->BarRect.Contains(ImGui::GetIO().MousePos);
 }
 
-void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
@@ -292,20 +292,20 @@ void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const a
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.hovered_panel = which;
 }
 
-void scene_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
     panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, actions); });
 }
 
-void map_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+void map_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
     panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, actions); });
 }
 
-void tabs_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
+void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
     panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, actions); });
 }
 
 /// The panel that fills the window.
-void one_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
     switch (*state.maximised) {
@@ -323,7 +323,7 @@ void one_panel(EditorState& state, const EditorFrame& frame, EditorActions& acti
 }
 
 /// The scene and, where it stands there, the map beside or in it.
-void pictures_row(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     if (layout.map_place == MapSpot::BesideScene) {
@@ -351,7 +351,7 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorActions& a
 }
 
 /// The settings and, where it stands there, the map above them.
-void right_column(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
@@ -383,7 +383,7 @@ float needed_height(BottomTab tab) {
     return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
 }
 
-void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
     child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
@@ -436,8 +436,8 @@ void maximise(EditorState& state, Panel panel) {
         state.maximised = panel;
 }
 
-EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
-    EditorActions actions;
+EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
+    EditorRequests actions;
     const std::optional<Shot> shot = std::exchange(state.shot_next, {});
     state.scene_rect = state.map_rect = state.drawing_rect = {};
     state.dragging = false;
@@ -480,7 +480,10 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
-    if (keys_wait) shortcuts(state, frame, actions), actions.redraw = true;
+    if (keys_wait) {
+        shortcuts(state, frame, actions);
+        actions.redraw = true;
+    }
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings) || waits;

@@ -11,28 +11,28 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
-#include "renderer/frame/renderer.h"
 #include "renderer/inspect/lost_casters.h"
+#include "renderer/render/renderer.h"
 #include "ui/map_view/map_shown.h"
-#include "ui/panels/advice.h"
+#include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
-#include "ui/panels/effects.h"
-#include "ui/panels/health.h"
-#include "ui/panels/lab.h"
+#include "ui/panels/effects_panel.h"
+#include "ui/panels/frontier_panel.h"
+#include "ui/panels/health_panel.h"
+#include "ui/panels/lab_panel.h"
 #include "ui/panels/presets.h"
-#include "ui/panels/probed.h"
+#include "ui/panels/probe_panel.h"
 #include "ui/panels/truth.h"
 #include "ui/panels/tune.h"
-#include "ui/scene_view/against.h"
 #include "ui/scene_view/cameras.h"
 #include "ui/scene_view/light_drag.h"
+#include "ui/scene_view/picture_comparison.h"
 #include "ui/scene_view/probe_anchor.h"
 #include "ui/state/frame_times.h"
 #include "ui/state/history.h"
 #include "ui/state/log.h"
-#include "ui/state/measured.h"
 #include "ui/state/shots.h"
 #include "ui/widgets/file_dialog.h"
 
@@ -70,7 +70,7 @@ struct PinnedSettings {
 
 /// What was compared before a key showed the other side alone.
 struct Flicker {
-    Against against;
+    PictureComparison against;
     CompareWith compare;
 };
 
@@ -81,14 +81,14 @@ enum class LoupeMode { Probed, Mouse, Off };
 struct PictureState {
     Settings settings;
     CompareWith compare;
-    Against against;
+    PictureComparison against;
     std::optional<PinnedSettings> pinned;
     EffectsPanel effects;
     std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
     std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
     std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
     LoupeMode loupe = LoupeMode::Probed;
-    ArtefactWish artefacts;
+    ArtefactRequest artefacts;
     int active_pane = 0;  ///< under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
     std::optional<FrozenCamera> frozen;
@@ -187,11 +187,18 @@ struct DrawingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown, LabShown, HealthShown {
+struct EditorFrame : ProbeFacts,
+                     TunePanelFacts,
+                     MapPanelFacts,
+                     PresetsFacts,
+                     EffectsFacts,
+                     AdvicePanelFacts,
+                     LabFacts,
+                     HealthFacts {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
-    CureSearch cures;
+    FixSearch fixes;
     const FloatImage* overlay_values = nullptr;  ///< of the active pane
     std::span<const LostCaster> lost_casters;    ///< of the shown light
     const ComparisonFacts* comparison = nullptr;
@@ -201,24 +208,24 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
     const SweepFacts* sweep = nullptr;
-    std::optional<TruthFacts> truth;
+    std::optional<ReferenceFacts> reference;
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known
-    std::optional<AgainstFacts> against;
+    std::optional<PictureComparisonFacts> against;
     const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
     bool desktop_dialogs = false;              ///< the desktop's dialog for files can be asked for
     const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
 };
 
-struct EditorActions : MapActions,
-                       TruthActions,
-                       PresetActions,
-                       SweepActions,
-                       TuneActions,
-                       CureActions,
-                       EffectsActions,
-                       AdviceActions,
-                       LabActions,
-                       HealthActions {
+struct EditorRequests : MapRequests,
+                        TruthRequests,
+                        PresetRequests,
+                        SweepRequests,
+                        TuneRequests,
+                        CureRequests,
+                        EffectsRequests,
+                        AdviceRequests,
+                        LabRequests,
+                        HealthRequests {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;
@@ -228,7 +235,7 @@ struct EditorActions : MapActions,
     bool welcomed = false;     ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon
-    std::optional<ShotWish> shot;
+    std::optional<ShotRequest> shot;
     bool at_rest = false;  ///< nobody touches anything: the picture may be made smooth (view.smooth)
 };
 
@@ -236,6 +243,6 @@ struct EditorActions : MapActions,
 inline constexpr float kLeastWidth = 640, kLeastHeight = 360;
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
-EditorActions draw_editor(EditorState& state, const EditorFrame& frame);
+EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -68,7 +68,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
             entries.push_back({name, is_folder, date_of(*it)});
     }
     std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
-        return a.folder != b.folder ? a.folder : in_small_letters(a.name) < in_small_letters(b.name);
+        return a.folder != b.folder ? a.folder : lower_ascii(a.name) < lower_ascii(b.name);
     });
     d.folder = folder;
     d.folder_input = folder.string();
@@ -165,7 +165,7 @@ int complete(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-void choose(EditorState& state, EditorActions& actions) {
+void choose(EditorState& state, EditorRequests& actions) {
     FileDialog& d = state.file_dialog;
     fs::path path = d.folder / d.name;
     std::error_code error;
@@ -224,7 +224,7 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
     return any ? lead + common : typed;
 }
 
-void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
     FileDialog& d = state.file_dialog;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
         d.asked = false;
@@ -271,7 +271,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorAction
     ImGui::EndPopup();
 }
 
-void draw_replace_dialog(EditorState& state, EditorActions& actions) {
+void draw_replace_dialog(EditorState& state, EditorRequests& actions) {
     constexpr const char* kTitle = "Replace the file?";
     if (state.replace && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/view/fits/flat_mesh.h"
+#include "renderer/view/bounds/flat_mesh.h"
 
 namespace si {
 namespace {
@@ -215,8 +215,10 @@ private:
             for (glm::dvec3& p : polygon) p = seen_from_light(view, p);
             for (const HalfSpace& line : blocker.outline) clip(polygon, line);
             MapRegion part;
-            for (const glm::dvec3& p : polygon)
-                part.add(glm::dvec2(p) - blocker.rim), part.add(glm::dvec2(p) + blocker.rim);
+            for (const glm::dvec3& p : polygon) {
+                part.add(glm::dvec2(p) - blocker.rim);
+                part.add(glm::dvec2(p) + blocker.rim);
+            }
             add(part.common(both));
         }
     }

@@ -1,0 +1,156 @@
+#include "app/editor/picture_comparison.h"
+
+#include <epoxy/gl.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/report/against.h"
+#include "renderer/gl/driver_failure.h"
+
+namespace si {
+
+/// A picture on the GPU for the panels to show.
+struct EditorPictureComparison::Texture {
+    GLuint id = 0;
+    int width = 0, height = 0;
+
+    explicit Texture(const ByteImage& image) : width(image.width), height(image.height) {
+        glCreateTextures(GL_TEXTURE_2D, 1, &id);
+        gl::clear_gl_errors();
+        glTextureStorage2D(id, 1, GL_RGBA8, width, height);
+        try {
+            gl::check_memory_errors(fmt::format("the picture compared with ({} x {})", width, height),
+                                    "make the window smaller, or switch comparing off");
+        } catch (...) {
+            glDeleteTextures(1, &id);
+            throw;
+        }
+        glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        for (int y = 0; y < height; ++y)  // bottom row first, as the renderer's pictures
+            glTextureSubImage2D(id, 0, 0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                                &image.data[std::size_t(y) * std::size_t(width) * 4]);
+    }
+    ~Texture() { glDeleteTextures(1, &id); }
+    Texture(const Texture&) = delete;
+    Texture& operator=(const Texture&) = delete;
+};
+
+namespace {
+
+constexpr const char* kLacksRays =
+    "The other side's shadow is ray traced, and rays are traced for the settings shown alone: show that side itself, "
+    "or compare the two by render --against";
+
+}  // namespace
+
+EditorPictureComparison::EditorPictureComparison() = default;
+EditorPictureComparison::~EditorPictureComparison() = default;
+
+void EditorPictureComparison::clear() {
+    hide();
+    other_.reset();
+    other_scene_ = 0;
+    other_reference_.reset();
+    other_traced_.clear();
+    other_light_maps_.clear();
+}
+
+void EditorPictureComparison::hide() {
+    facts_.reset();
+    difference_.reset();
+}
+
+void EditorPictureComparison::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
+                                         const ComparisonFacts* comparison) {
+    if (!comparison || comparison->with != state.compare) return;  // read with the next frame
+    if (!comparison->problem.empty()) {
+        facts_->problem = comparison->problem;
+        return;
+    }
+    Settings settings = other_settings(state.settings, comparison->settings);
+    settings.view.panes = int(Panes::One);
+    const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
+                      other_height_ == request.height && other_reference_ == request.reference &&
+                      other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
+                      (facts_->picture.texture || !other_problem_.empty());
+    if (same) {
+        facts_->problem = other_problem_;
+        return;
+    }
+    if (!other_) other_ = std::make_unique<Renderer>();
+    FrameRequest wanted{.width = request.width,
+                        .height = request.height,
+                        .reference = request.reference,
+                        .traced = request.traced,
+                        .light_maps = request.light_maps};
+    other_drawn_ = settings;
+    other_scene_ = scene.id;
+    other_width_ = request.width;
+    other_height_ = request.height;
+    other_reference_ = request.reference;
+    other_traced_ = request.traced;
+    other_light_maps_ = request.light_maps;
+    facts_->picture = facts_->difference = {};  // what fails leaves none, not even the one before
+    try {
+        const FrameResult drawn = other_->render(scene, settings, wanted);
+        const auto lacks = [](const auto& n) { return n.key != 0 && !n.met; };
+        const bool rays = std::ranges::any_of(drawn.traced, lacks) || std::ranges::any_of(drawn.light_maps, lacks);
+        other_problem_ = rays ? kLacksRays : "";
+        if (!rays) facts_->picture = drawn.colour;
+    } catch (const std::exception& e) {
+        other_problem_ = e.what();  // told once: the same is not tried again
+        facts_->problem = other_problem_;
+        throw;
+    }
+    facts_->problem = other_problem_;
+}
+
+void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
+    const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
+    if (a.width != b.width || a.height != b.height) return;
+    difference_ = std::make_unique<Texture>(difference(a, b));
+    facts_->difference = {difference_->id, difference_->width, difference_->height};
+    facts_->mae = mean_difference(a, b);
+}
+
+bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, const PictureState& state,
+                                     const FrameRequest& request, const FrameResult& frame, bool drawn,
+                                     const ComparisonFacts* comparison) {
+    const bool had = facts_.has_value();
+    if (state.against.view == ComparisonView::Off) {
+        // What is pinned is flickered to again and again: its maps are kept.
+        if (state.pinned)
+            hide();
+        else
+            clear();
+        return had;
+    }
+    const std::string label = state.against.reference ? "ray-traced truth" : reference_label(state.compare);
+    if (!had || facts_->label != label) {
+        if (state.against.reference) other_.reset();
+        facts_ = PictureComparisonFacts{.label = label};
+    }
+    const unsigned before = facts_->picture.texture;
+    const bool known = before != 0;
+    facts_->problem.clear();
+    if (state.against.reference)
+        facts_->picture = frame.true_colour;
+    else
+        draw_other(scene, state, request, comparison);
+    const bool wants_difference = state.against.view == ComparisonView::Difference;
+    const bool there = facts_->picture.texture != 0;
+    if (!there || !wants_difference) {
+        facts_->difference = {};
+        difference_.reset();
+    } else if (drawn || !known || !difference_ || before != facts_->picture.texture) {
+        find_difference(renderer, frame);
+        return true;
+    }
+    return drawn || there != known || !had;
+}
+
+}  // namespace si

@@ -1,0 +1,256 @@
+#include "app/editor/scene_loader.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "app/editor/requests.h"
+#include "app/session/command_line.h"
+#include "renderer/base/error.h"
+#include "renderer/settings/param.h"
+#include "ui/state/selection.h"
+
+namespace si {
+namespace {
+
+/// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
+/// scene, the scene's own suggestions do not.
+Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
+    Settings out = settings;
+    for (const SettingRef& ref : all_settings(to))
+        if (ref.param->scope != Scope::Object && get_value(settings, ref) == get_value(from, ref))
+            set_value(out, ref, get_value(to, ref));
+    out.camera = to.camera;
+    out.scene = to.scene;
+    out.objects = to.objects;
+    return out;
+}
+
+}  // namespace
+
+SceneLoader::SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict)
+    : state_(state), persistence_(memory), strict_(strict), loading_(std::move(read)) {}
+
+void SceneLoader::begin(const Settings& settings) {
+    state_.settings = base_ = given_ = settings;
+    state_.history.reset(settings);
+}
+
+const Scene& SceneLoader::require() const {
+    if (failure_) std::rethrow_exception(failure_);
+    if (!has_scene_) throw Error("there is no scene");
+    return scene_;
+}
+
+void SceneLoader::load(Arrival arrival) {
+    cancel_loading();
+    if (!has_scene_) problem_.clear();
+    loading_.start(arrival.scene_name, arrival.file_scene);
+    arrival_ = std::move(arrival);
+    state_.between_steps = arrival_.step;
+}
+
+void SceneLoader::show(Arrival arrival) {
+    arrival.scene_name = known_name(arrival.scene_name);
+    if (!is_shown(arrival.scene_name, arrival.file_scene)) return load(std::move(arrival));
+    cancel_loading();
+    std::vector<std::string> left_out;
+    state_.settings = *arrival.settings;
+    check_objects(scene_, state_.settings, arrival.scene_name, &left_out);
+    state_.guide = arrival.guide;
+    if (arrival.lost) persistence_.forget_lost();
+    if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
+    for (const std::string& text : left_out) report(state_, text);
+}
+
+void SceneLoader::cancel_loading() {
+    if (const std::string name = loading_.wanted(); !name.empty()) {
+        const std::string text = fmt::format("Cancelled: {} was not loaded", name);
+        state_.log.add(LogKind::Info, text);
+        if (!has_scene_) problem_ = text;
+    }
+    loading_.cancel();
+    give_up_step();
+}
+
+void SceneLoader::give_up_step() {
+    if (std::exchange(arrival_.step, false)) state_.history.stay();
+    state_.between_steps = false;
+}
+
+void SceneLoader::keep_scene() {
+    if (!has_scene_ || state_.settings.scene.index == file_scene_) return;
+    const Settings before = state_.settings;
+    state_.settings.scene.index = seen_index_ = file_scene_;
+    state_.history.follow(before, state_.settings);
+}
+
+bool SceneLoader::poll() {
+    if (!loading_.ended()) return false;
+    std::optional<SceneLoading::Outcome> outcome = loading_.poll();
+    if (!outcome) return true;
+    try {
+        if (!outcome->scene) throw Error(outcome->error);
+        show_scene(std::move(*outcome->scene), arrival_);
+    } catch (const std::exception& e) {
+        if (!has_scene_) {
+            problem_ = e.what();
+            failure_ = std::current_exception();
+        }
+        keep_scene();
+        give_up_step();
+        report(state_, e.what());
+        if (std::error_code error; !std::filesystem::exists(arrival_.scene_name, error))
+            persistence_.drop(arrival_.scene_name);
+    }
+    return true;
+}
+
+void SceneLoader::finish() {
+    while (loading_.busy()) {
+        loading_.wait();
+        poll();
+    }
+}
+
+Settings SceneLoader::base_of_scene() const {
+    return suggests_ ? base_settings(scene_) : Settings{};
+}
+
+void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
+    const bool first = !has_scene_;
+    std::vector<std::string> left_out, notes;
+    if (arrival.plan) {
+        Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
+        // What was changed by hand while the first scene was being read is kept.
+        state_.settings = first ? rebased(state_.settings, base_, session.settings) : session.settings;
+        given_ = session.settings;
+        suggests_ = !arrival.plan->preset;
+        scene_ = std::move(session.scene);
+        notes = std::move(session.notes);
+        base_ = base_of_scene();
+    } else {
+        if (arrival.settings) pose_scene(loaded, arrival.settings->scene);
+        const Settings base = base_settings(loaded);
+        state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
+        if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
+        // What a person changed before is no less unsaved here.
+        const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
+        given_ = !arrival.settings                             ? rebased(given_, base_, base)
+                 : arrival.step && was_here != given_at_.end() ? was_here->second
+                                                               : base;
+        suggests_ = true;
+        scene_ = std::move(loaded);
+        for (const std::string& warning : scene_.warnings) notes.push_back(warning);
+        base_ = base;
+    }
+    state_.settings.scene.index = file_scene_ = seen_index_ = arrival.file_scene;
+    posed_ = state_.settings.scene;
+    given_.scene.index = file_scene_;
+    given_at_[{arrival.scene_name, arrival.guide.key}] = given_;
+    follow_objects();
+    has_scene_ = true;
+    failure_ = nullptr;
+    problem_.clear();
+    state_.scene_name = arrival.scene_name;
+    state_.playback.playing = false;
+    state_.guide = arrival.guide;
+    arrival_.step = state_.between_steps = false;
+    persistence_.note_scene(state_.scene_name);
+    if (arrival.lost) persistence_.forget_lost();
+    if (first) {
+        state_.history.set_place({state_.scene_name, state_.guide});
+        state_.history.reset(state_.settings);
+        notes_ = notes;
+    } else {
+        state_.probe_pixel.reset();
+        select_objects(state_, {});
+        state_.closed_nodes.clear();
+        state_.camera_before_light.reset();
+        state_.frozen.reset();
+        state_.map_window = {};
+    }
+    const std::string hidden = scene_.hidden.empty() ? "" : fmt::format(", {} hidden", scene_.hidden.size());
+    const std::size_t objects = scene_.object_count();
+    state_.log.add(LogKind::Info, fmt::format("{}: {} object{}, {} triangles{}", state_.scene_name, objects,
+                                              objects == 1 ? "" : "s", scene_.triangle_count(), hidden));
+    for (const std::string& note : notes) state_.log.add(LogKind::Warning, note);
+    for (const std::string& text : left_out) report(state_, text);
+    if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
+}
+
+void SceneLoader::follow_step() {
+    const Place place = state_.history.place();
+    const Settings settings = state_.history.settings();
+    show({.scene_name = place.scene,
+          .file_scene = settings.scene.index,
+          .settings = settings,
+          .guide = place.guide,
+          .step = true});
+}
+
+bool SceneLoader::has_moved() const {
+    return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
+                          state_.settings.objects != followed_objects_);
+}
+
+void SceneLoader::follow_settings() {
+    if (state_.settings.scene.index != seen_index_) follow_file_scene();
+    if (state_.settings.scene != posed_) follow_time();
+    follow_objects();
+}
+
+void SceneLoader::follow_objects() {
+    followed_objects_ = state_.settings.objects;
+    hide_objects(scene_, hidden_paths(state_.settings));
+}
+
+void SceneLoader::follow_file_scene() {
+    const int wanted = seen_index_ = state_.settings.scene.index;
+    if (wanted == file_scene_)
+        cancel_loading();
+    else
+        load({.scene_name = state_.scene_name, .file_scene = wanted});
+}
+
+void SceneLoader::follow_time() {
+    posed_ = state_.settings.scene;
+    if (const std::string remark = pose_scene(scene_, posed_); !remark.empty())
+        state_.log.add(LogKind::Warning, remark);
+    const Settings base = base_of_scene();
+    const Settings before = state_.settings;
+    for (const SettingRef& ref : all_settings(base))
+        if (ref.param->scope == Scope::Light && get_value(state_.settings, ref) == get_value(base_, ref))
+            set_value(state_.settings, ref, get_value(base, ref));
+    if (state_.settings != before) state_.history.follow(before, state_.settings);
+    base_ = base;
+}
+
+bool SceneLoader::is_shown(const std::string& scene_name, int file_scene) const {
+    return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
+}
+
+std::string SceneLoader::known_name(const std::string& name) const {
+    std::error_code error;
+    return std::filesystem::equivalent(name, state_.scene_name, error) ? state_.scene_name : name;
+}
+
+std::vector<std::string> SceneLoader::take(const Settings& settings, const std::string& what) {
+    std::vector<std::string> left_out;
+    Settings taken = settings;
+    if (has_scene_) check_objects(scene_, taken, what, &left_out);
+    given_ = state_.settings = taken;
+    suggests_ = false;
+    base_ = base_of_scene();
+    return left_out;
+}
+
+void SceneLoader::reset() {
+    if (has_scene_) {
+        given_ = state_.settings = base_settings(scene_);
+        state_.guide = {};
+    }
+}
+
+}  // namespace si

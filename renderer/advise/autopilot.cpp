@@ -1,0 +1,374 @@
+#include "renderer/advise/autopilot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "renderer/base/lengths_text.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+using AxisChoice = std::vector<std::size_t>;
+
+constexpr double kClose = 0.1;  ///< shares of the least time: those are timed against each other
+constexpr std::size_t kFinalists = 3;
+// Shares of the time: judging ends with the first; the second is left for pricing what was dropped.
+constexpr double kMeasuringShare = 0.6, kTimingShare = 0.15;
+
+std::string value_of(const Settings& s, const std::string& key) {
+    const SettingRef ref = *find_setting(key);
+    return value_text(*ref.param, get_value(s, ref));
+}
+
+class Flight {
+public:
+    Flight(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
+           const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
+        : start_(start), axes_(axes), goals_(goals), meter_(meter), report_(report), begun_s_(meter.now_s()) {}
+
+    AutopilotResult fly() {
+        AutopilotResult out;
+        out.before = meter_.judge(start_, start_.view.light);
+        out.before_ms = meter_.ms(start_);
+        out.combinations = 1;
+        for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
+        at_.assign(axes_.size(), 0);
+        if (settings_at(at_) == start_)
+            known_[at_] = {.at = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
+        if (out.combinations <= goals_.most_combinations) {
+            search_block(all_axes());
+        } else {
+            search_by_parts();
+            out.untried.push_back(
+                fmt::format("{} of {} combinations were not tried: two settings were searched at a time",
+                            out.combinations - known_.size(), out.combinations));
+        }
+        finish(out);
+        return out;
+    }
+
+private:
+    const Settings& start_;
+    const std::vector<SweepAxis>& axes_;
+    const AutopilotGoals& goals_;
+    const AutopilotMeter& meter_;
+    const std::function<void(double, const std::string&)>& report_;
+    double begun_s_;
+    std::map<AxisChoice, AutopilotCase> known_;
+    AxisChoice at_;
+    std::set<AxisChoice> unjudged_;
+    std::size_t untimed_ = 0;
+
+    double spent_s() const { return meter_.now_s() - begun_s_; }
+    bool late() const { return spent_s() > goals_.most_seconds; }
+    /// What is left is for pricing what was dropped.
+    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.most_seconds; }
+    /// What is left is for timing what was judged.
+    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.most_seconds; }
+    void tell(const std::string& what) const {
+        if (report_) report_(std::min(spent_s() / goals_.most_seconds, 0.99), what);
+    }
+
+    Settings settings_at(const AxisChoice& at) const {
+        Settings s = start_;
+        bool bias = false;
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const std::string& value = axes_[i].values[at[i]];
+            if (value.empty()) continue;
+            set_setting(s, axes_[i].key, value);
+            bias |= axes_[i].key.starts_with("bias.");
+        }
+        // Wider kernels need more of it.
+        if (!bias && !(s.filter == start_.filter))
+            s.bias = scaled(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
+        return s;
+    }
+
+    std::string name_of(const AxisChoice& at) const {
+        std::string text;
+        for (std::size_t i = 0; i < axes_.size(); ++i)
+            if (!axes_[i].values[at[i]].empty())
+                text += fmt::format("{}{}={}", text.empty() ? "" : " ", axes_[i].key, axes_[i].values[at[i]]);
+        return text.empty() ? "the present settings" : text;
+    }
+
+    AutopilotCase* classified(const AxisChoice& at) {
+        if (const auto it = known_.find(at); it != known_.end()) return &it->second;
+        if (out_of_measuring_time()) return nullptr;
+        tell(name_of(at));
+        AutopilotCase c{.at = at, .settings = settings_at(at), .classified = {}, .ms = {}};
+        c.classified = meter_.judge(c.settings, start_.view.light);
+        return &known_.emplace(at, std::move(c)).first->second;
+    }
+
+    bool accurate(const AutopilotCase& c) const {
+        return !goals_.most_error || c.classified.error <= *goals_.most_error;
+    }
+    /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
+    bool time_it(AutopilotCase& c) {
+        if (!c.ms) {
+            if (late_to_search()) return ++untimed_, false;
+            tell(name_of(c.at) + ", timing");
+            c.ms = meter_.ms(c.settings);
+        }
+        c.holds = accurate(c) && (!goals_.most_ms || *c.ms <= *goals_.most_ms);
+        return c.holds;
+    }
+
+    /// With the same kernel, another does no more of anything and less of something.
+    static bool outdone(const AutopilotCase& c, const std::vector<AutopilotCase*>& others) {
+        const auto no_more = [](const WorkCost& a, const WorkCost& b) {
+            return a.map_texels <= b.map_texels && a.map_bytes <= b.map_bytes && a.bytes_touched <= b.bytes_touched &&
+                   a.draws <= b.draws && a.triangles <= b.triangles;
+        };
+        return std::any_of(others.begin(), others.end(), [&](const AutopilotCase* o) {
+            return o->settings.filter == c.settings.filter &&
+                   o->classified.work.bytes_touched < c.classified.work.bytes_touched &&
+                   no_more(o->classified.work, c.classified.work);
+        });
+    }
+
+    /// So that those that there is time for lie evenly among all.
+    static std::size_t stride_over(std::size_t count) {
+        std::size_t stride = std::max<std::size_t>(1, std::size_t(0.618 * double(count)));
+        while (std::gcd(stride, count) != 1) ++stride;
+        return stride;
+    }
+
+    double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.classified.error; }
+
+    /// Of these the best that holds the bounds; null: none does.
+    AutopilotCase* best_of(std::vector<AutopilotCase*> cases) {
+        std::erase_if(cases, [&](const AutopilotCase* c) { return !accurate(*c); });
+        // Without a bound on the error the first that is fast enough is the most accurate.
+        const auto order = [&](const AutopilotCase* a, const AutopilotCase* b) {
+            return goals_.most_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
+                                     : a->classified.error < b->classified.error;
+        };
+        std::stable_sort(cases.begin(), cases.end(), order);
+        AutopilotCase* best = nullptr;
+        for (AutopilotCase* c : cases) {
+            if (goals_.most_error && outdone(*c, cases)) continue;
+            if (!time_it(*c)) continue;
+            if (!best || cost_of_case(*c) < cost_of_case(*best)) best = c;
+            if (!goals_.most_error) break;
+        }
+        return goals_.most_error ? settle(best, cases) : best;
+    }
+
+    /// Those that are about as fast are timed against each other: times taken apart err by more.
+    AutopilotCase* settle(AutopilotCase* best, const std::vector<AutopilotCase*>& cases) {
+        if (!best) return nullptr;
+        std::vector<AutopilotCase*> close;
+        for (AutopilotCase* c : cases)
+            if (c != best && c->holds && *c->ms < (1 + kClose) * *best->ms) close.push_back(c);
+        std::sort(close.begin(), close.end(), [](const auto* a, const auto* b) { return *a->ms < *b->ms; });
+        if (close.size() > kFinalists) close.resize(kFinalists);
+        for (AutopilotCase* c : close) {
+            if (late_to_search()) break;
+            tell(name_of(c->at) + ", against the best");
+            const CostChange more = meter_.time(best->settings, c->settings);
+            if (more.told() && more.value < 0) best = c;
+        }
+        return best;
+    }
+
+    std::vector<std::size_t> all_axes() const {
+        std::vector<std::size_t> all(axes_.size());
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+        return all;
+    }
+
+    /// All combinations of some axes, the others as they stand. Goes to the best, and returns whether there is one.
+    bool search_block(const std::vector<std::size_t>& block) {
+        std::vector<AxisChoice> choices = {at_};
+        for (const std::size_t axis : block) {
+            std::vector<AxisChoice> more;
+            for (const AxisChoice& c : choices)
+                for (std::size_t v = 0; v < axes_[axis].values.size(); ++v) {
+                    more.push_back(c);
+                    more.back()[axis] = v;
+                }
+            choices = std::move(more);
+        }
+        std::vector<AutopilotCase*> cases;
+        for (std::size_t i = 0; i < choices.size(); ++i)
+            if (AutopilotCase* found = classified(choices[i * stride_over(choices.size()) % choices.size()]))
+                cases.push_back(found);
+            else
+                unjudged_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
+        const AutopilotCase* best = best_of(cases);
+        if (!best && !cases.empty()) best = nearest(cases);
+        if (best) at_ = best->at;
+        return best && best->holds;
+    }
+
+    /// What comes nearest to the bounds, where nothing holds them.
+    const AutopilotCase* nearest(const std::vector<AutopilotCase*>& cases) const {
+        const auto missed = [&](const AutopilotCase* c) {
+            const double error = goals_.most_error ? std::max(c->classified.error / *goals_.most_error, 1.0) : 1;
+            const double ms = goals_.most_ms && c->ms ? std::max(*c->ms / *goals_.most_ms, 1.0) : 1;
+            // One that was not timed, as it is too far off, is nearer than none.
+            return std::pair(goals_.most_ms && !c->ms ? 1 : 0, error * ms);
+        };
+        return *std::min_element(cases.begin(), cases.end(),
+                                 [&](const auto* a, const auto* b) { return missed(a) < missed(b); });
+    }
+
+    /// Two axes at a time, kernel and resolution first: one may be worth changing only with another, as cascades for
+    /// texels.
+    void search_by_parts() {
+        std::vector<std::size_t> axes = all_axes();
+        const auto rank = [&](std::size_t i) {
+            return axes_[i].key == "map.resolution" ? 0 : axes_[i].key == "filter.kernel" ? 1 : 2;
+        };
+        std::stable_sort(axes.begin(), axes.end(), [&](auto a, auto b) { return rank(a) < rank(b); });
+        for (int pass = 0; pass < 3 && !late_to_search(); ++pass) {
+            const AxisChoice before = at_;
+            for (std::size_t i = 0; i < axes.size(); ++i)
+                for (std::size_t k = i + 1; k < axes.size() && !late_to_search(); ++k) search_block({axes[i], axes[k]});
+            if (at_ == before) break;
+        }
+    }
+
+    void find_dropped(AutopilotResult& out) {
+        std::string unpriced;
+        for (std::size_t i = 0; i < axes_.size(); ++i) {
+            const std::string& key = axes_[i].key;
+            DroppedEffect d{key, value_of(start_, key), value_of(out.best.settings, key)};
+            if (d.before == d.now) continue;
+            if (!price(d, out.best.settings)) {
+                unpriced += (unpriced.empty() ? "" : ", ") + key;
+                continue;
+            }
+            out.dropped.push_back(std::move(d));
+        }
+        if (!unpriced.empty())
+            out.untried.push_back(fmt::format("what {} would have cost was not measured for want of time", unpriced));
+    }
+
+    /// What the effect adds to the best settings. False: it is too late to find out.
+    bool price(DroppedEffect& d, const Settings& best) const {
+        if (late()) return false;
+        tell("what " + d.key + " would have cost");
+        Settings with = best;
+        set_setting(with, d.key, d.before);
+        if (d.key == "filter.kernel") {
+            with.filter = start_.filter;
+            with.bias = start_.bias;
+        }
+        d.error = meter_.judge(with, start_.view.light).error;
+        if (late()) return false;
+        d.ms = meter_.time(best, with);
+        return true;
+    }
+
+    void finish(AutopilotResult& out) {
+        std::vector<AutopilotCase*> cases;
+        for (auto& [at, c] : known_) cases.push_back(&c);
+        const auto best = known_.find(at_);
+        if (best != known_.end() && best->second.holds) {
+            out.best = best->second;
+            out.held = true;
+        } else if (!cases.empty())
+            out.best = *nearest(cases);
+        if (out.held) find_dropped(out);
+        if (!unjudged_.empty())
+            out.untried.push_back(fmt::format("{} combinations were not judged for want of time", unjudged_.size()));
+        if (untimed_ > 0)
+            out.untried.push_back(fmt::format("{} that may hold were not timed for want of time", untimed_));
+        for (const auto* c : cases) out.cases.push_back(*c);
+        out.summary = summary_of(out);
+        out.seconds = spent_s();
+    }
+
+    std::string bounds() const {
+        std::string text;
+        if (goals_.most_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.most_error);
+        if (goals_.most_ms)
+            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.most_ms,
+                                row_of(goals_.cost).when);
+        return text;
+    }
+
+    std::string summary_of(const AutopilotResult& out) const {
+        if (out.cases.empty()) return fmt::format("{} cannot be held: there was no time to try anything", bounds());
+        const std::string ms =
+            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), row_of(goals_.cost).when) : "";
+        const std::string found =
+            fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.classified.error, ms);
+        if (!out.held) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
+        return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
+    }
+};
+
+}  // namespace
+
+std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, int most_resolution) {
+    std::vector<SweepAxis> axes;
+    const auto offer = [&](const std::string& key, const std::vector<std::string>& values) {
+        SweepAxis axis{key, {""}};
+        const std::string now = value_of(s, key);
+        for (const std::string& v : values)
+            if (v != now) axis.values.push_back(v);
+        if (axis.values.size() > 1) axes.push_back(std::move(axis));
+    };
+    const std::string light = fmt::format("light.{}.", f.light);
+    for (std::size_t i = 0; i < f.lights.size(); ++i)
+        if (f.lights[i].shadowed && f.shadowed[i] == 0) offer(fmt::format("light.{}.cast", i), {"false"});
+    if (s.lights[std::size_t(f.light)].contact > 0) offer(light + "contact", {"0"});
+    const FittedLight* fitted = f.fitted();
+    if (!fitted || !fitted->casts) return axes;
+    offer("filter.kernel", {swept_kernels().begin(), swept_kernels().end()});
+    std::vector<std::string> sizes;
+    for (int n = 256; n <= std::min(most_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
+    offer("map.resolution", sizes);
+    if (s.map.paged) offer("map.virtual", {"false"});
+    if (fitted->type == LightType::Directional && !fitted->is_perspective() && !s.map.paged)
+        offer(light + "cascades", {"1", "2", "4"});
+    if (s.lights[std::size_t(f.light)].cascades > 1) offer(light + "cascade_blend", {"0"});
+    if (fitted->views.size() == 1 && (fitted->type == LightType::Directional) != fitted->is_perspective())
+        offer(light + "fit", {"casters", "view"});
+    offer("map.format", {"d16"});
+    if (s.map.blur_texels > 0) offer("map.blur_texels", {"0"});
+    return axes;
+}
+
+AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
+                              const AutopilotMeter& meter,
+                              const std::function<void(double, const std::string&)>& report) {
+    return Flight(settings, axes, goals, meter, report).fly();
+}
+
+AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
+                              const Workers& workers, const std::function<void(double, const std::string&)>& report) {
+    const auto tell = [&](double share, const std::string& what) {
+        if (workers.stop.stop_requested()) throw Cancelled();
+        if (report) report(share, what);
+    };
+    const Settings base = measured_settings(settings);
+    const Workers quiet = workers.part(0, 0);
+    tell(0, "the present settings");
+    if (axes.empty())
+        axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
+                              renderer.driver().max_texture_size);
+    const AdviceOptions options{.error = goals.error, .cost = goals.cost};
+    AutopilotMeter meter{rendered_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
+    Measurer measurer(renderer, width, height, quiet);
+    meter.ms = [&](const Settings& s) {
+        return measurer.time(scene, s, goals.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})
+            .total_ms.median;
+    };
+    meter.now_s = BurstClock::steady().now_s;
+    return run_autopilot(base, axes, goals, meter, tell);
+}
+
+}  // namespace si

@@ -1,0 +1,223 @@
+#include "renderer/advise/bias_needs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/scene/placement.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+/// What one pixel asks for, in texels.
+struct Need {
+    double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
+    double n_dot_l = 1;
+    double per_normal = 0;     ///< bias that one texel of normal offset is worth: 1 / |n . ray|
+    double gap_per_texel = 0;  ///< metres of contact gap that a texel of bias costs
+    double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
+};
+
+double worst(const std::vector<Need>& needs, auto&& amount) {
+    double most = 0;
+    for (const Need& n : needs) most = std::max(most, amount(n));
+    return most;
+}
+
+double share_of(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    const auto at = values.begin() + std::ptrdiff_t(share * double(values.size() - 1));
+    std::nth_element(values.begin(), at, values.end());
+    return *at;
+}
+
+BiasSettings in_texels(double constant, double slope, double normal) {
+    BiasSettings b;
+    b.unit = int(BiasUnit::Texels);
+    b.constant = constant;
+    b.slope = slope;
+    b.normal = normal;
+    b.normal_source = int(NormalSource::Geometric);
+    return b;
+}
+
+/// Of all pairs that clear every pixel, the one that costs the least gap on average. A slope term of 1 - n.l rises too
+/// late for flat light, so a constant carries that part: for each constant, the slope that does the rest.
+BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
+    BiasSettings best = in_texels(largest, 0, 0);
+    double least_cost = std::numeric_limits<double>::infinity();
+    constexpr int kSteps = 40;
+    for (int i = 0; i <= kSteps; ++i) {
+        const double constant = largest * std::pow(1e-3, double(i) / kSteps);
+        const double slope = worst(needs, [&](const Need& n) {
+            return n.total <= constant ? 0 : n.n_dot_l < 1 - 1e-9 ? n.total / (1 - n.n_dot_l) : 1e9;
+        });
+        double cost = 0;
+        const BiasSettings pair = in_texels(constant, slope, 0);
+        for (const Need& n : needs) cost += n.gap(slope_amount(pair, n.n_dot_l));
+        if (cost < least_cost) {
+            least_cost = cost;
+            best = pair;
+        }
+    }
+    return best;
+}
+
+constexpr double kCleared = 0.999;  // of the pixels: a few that are all but edge-on would ask for anything
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Calls `use` with the number and receiver of each pixel that counts, is lit in truth and lies in the map.
+template <class Use>
+void each_lit_receiver(const MeasuredError& measured, Use use) {
+    const Reference& reference = *measured.traced.reference;
+    const FloatImage& hard = reference.hard();
+    for (std::size_t i = 0; i < reference.state.size(); ++i)
+        if (reference.state[i] == PixelState::Counted && hard.data[i] >= 0.5f &&
+            !measured.classified[i].has(ClassifiedPixel::kOutside))
+            use(i, measured.traced.receivers->pixels[i]);
+}
+
+/// The settings by which a row may give more: its own numbers, and bias.constant of those that compare.
+std::vector<SettingRef> amounts_of(const Bias& row) {
+    std::vector<SettingRef> refs;
+    for (const std::string_view key : row.settings) refs.push_back(*find_setting(key));
+    if (row.stage == BiasStage::Compare) refs.push_back(*find_setting("bias.constant"));
+    return refs;
+}
+
+}  // namespace
+
+BiasBreakdown account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
+                         const RasterTraits& driver) {
+    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
+                          {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
+                          driver);
+}
+
+const Bias& row_of(BiasFamily family) {
+    switch (family) {
+        case BiasFamily::Constant:
+            return *std::ranges::find(biases(), "constant", &Bias::key);
+        case BiasFamily::Slope:
+            break;
+        case BiasFamily::Normal:
+            return bias_at(BiasStage::LookUp);
+    }
+    return biases()[std::size_t(default_bias())];
+}
+
+std::string_view family_word(BiasFamily family) {
+    switch (family) {
+        case BiasFamily::Constant:
+            return "constant bias";
+        case BiasFamily::Slope:
+            return "slope bias";
+        case BiasFamily::Normal:
+            return "normal offset";
+    }
+    return "";
+}
+
+BiasSettings scaled(const BiasSettings& bias, double factor) {
+    BiasSettings out = bias;
+    const auto scale = [&](double& value, const char* key) {
+        value = std::clamp(value * factor, 0.0, find_setting(key)->param->max);
+    };
+    scale(out.constant, "bias.constant");
+    scale(out.slope, "bias.slope");
+    scale(out.normal, "bias.normal");
+    return out;
+}
+
+BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
+    BiasNeeds out;
+    const FittedLight& light = measured.lights[std::size_t(measured.light)];
+    if (!light.casts) return out;
+    Settings searched = settings;  // the families' kind, whatever the present one is
+    searched.bias.kind = default_bias();
+    std::vector<Need> needs;
+    std::vector<double> gaps, shifts;
+    each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
+        const BiasBreakdown a = account_of(measured, settings, r, driver);
+        const LeastBias least = a.per_texel ? account_of(measured, searched, r, driver).least : a.least;
+        const double b = least.total();
+        const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
+        const LightView& view = light.views[a.receiver.view];
+        const double offset_m = least_normal_offset(view, r.position_ws, r.normal_ws, b);
+        if (!std::isfinite(total) || !(offset_m > 0)) return;  // edge-on
+        needs.push_back({total, step, std::clamp(a.receiver.n_dot_l, 0.0, 1.0), total * a.receiver.texel_m / offset_m,
+                         contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
+        gaps.push_back(a.contact_gap_m());
+        shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
+        if (!measured.classified[i].has(ClassifiedPixel::kAnyAcne)) return;
+        if (a.clears() >= a.least.total())
+            out.folds += measured.classified[i].visibility >= 0.5f;
+        else
+            out.faint_acne += measured.classified[i].visibility >= 0.5f;
+    });
+    out.pixels = needs.size();
+    if (needs.empty()) return out;
+    out.gap_median_m = share_of(gaps, 0.5);
+    out.gap_p95_m = share_of(std::move(gaps), 0.95);
+    out.shift_p95_m = share_of(std::move(shifts), 0.95);
+    const double largest = worst(needs, [](const Need& n) { return n.total; });
+    const double step = worst(needs, [](const Need& n) { return n.step; });
+    out.least[std::size_t(BiasFamily::Constant)] = in_texels(largest, 0, 0);
+    out.least[std::size_t(BiasFamily::Slope)] = cheapest_slope(needs, largest);
+    out.least[std::size_t(BiasFamily::Normal)] =
+        in_texels(step, 0, worst(needs, [&](const Need& n) { return std::max(n.total - step, 0.0) / n.per_normal; }));
+    return out;
+}
+
+std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& measured, const Settings& settings,
+                                          const RasterTraits& driver) {
+    if (!measured.lights[std::size_t(measured.light)].casts) return std::nullopt;
+    Settings least = settings;
+    least.bias = in_texels(0, 0, 0);
+    if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
+    // Only where it is clamped, all but edge-on, would more be asked for.
+    if (row.brings_need) return least.bias;
+    const std::vector<SettingRef> amounts = amounts_of(row);
+    // Amounts add up. Each takes the share that grows with the slope, and the last one worth anything all that is left.
+    std::vector<double> worth_it(amounts.size());
+    std::vector<Settings> one(amounts.size(), least);
+    for (std::size_t k = 0; k < amounts.size(); ++k) set_value(one[k], amounts[k], 1.0);
+    struct At {
+        double need, kernel;
+        std::vector<double> worth;
+    };
+    std::vector<At> pixels;
+    each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
+        const BiasBreakdown none = account_of(measured, least, r, driver);
+        At at{none.least.total() - none.clears(), none.least.kernel, {}};
+        if (!std::isfinite(at.need) || none.plane.edge_on()) return;
+        for (std::size_t k = 0; k < amounts.size(); ++k) {
+            at.worth.push_back(account_of(measured, one[k], r, driver).clears() - none.clears());
+            worth_it[k] = std::max(worth_it[k], at.worth.back());
+        }
+        pixels.push_back(std::move(at));
+    });
+    const auto last = std::ranges::find_if(worth_it.rbegin(), worth_it.rend(), [](double w) { return w > 0; });
+    const bool needed = std::ranges::any_of(pixels, [](const At& at) { return at.need > 0; });
+    if (needed && last == worth_it.rend()) return std::nullopt;
+    for (std::size_t k = 0; k < amounts.size(); ++k) {
+        if (!(worth_it[k] > 0)) continue;
+        const bool is_last = &worth_it[k] == &*last;
+        std::vector<double> values;
+        for (const At& at : pixels) {
+            const double share = is_last ? at.need : std::min(at.kernel, at.need);
+            values.push_back(!(share > 0) ? 0 : at.worth[k] > 0 ? share / at.worth[k] : kNever);
+        }
+        double value = share_of(std::move(values), kCleared);
+        value = rounded_up(value * 1.001);
+        if (value > amounts[k].param->max) return std::nullopt;
+        set_value(least, amounts[k], value);
+        for (At& at : pixels) at.need -= value * at.worth[k];
+    }
+    return least.bias;
+}
+
+}  // namespace si

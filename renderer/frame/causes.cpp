@@ -1,0 +1,89 @@
+#include "renderer/frame/causes.h"
+
+#include <cmath>
+
+namespace si {
+namespace {
+
+constexpr std::uint32_t bit(Artefact a) {
+    return 1u << int(a);
+}
+
+bool dark(float v) {
+    return v < 0.5f;
+}
+
+Cause false_light(const CauseEvidence& e, const CauseContext& c) {
+    if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
+    // Where no tap lies beyond, both answers are the same.
+    if (e.place == CauseEvidence::kInside && dark(e.beyond_dark) && !dark(e.beyond_lit))
+        return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (e.gap_all >= e.least && e.least > e.gap_drawn)
+        return {Artefact::LostCaster, e.gap_all < e.applied ? bit(Artefact::PeterPanning) : 0};
+    // A surface nearer than the bias was passed by; else the receiver shadowing itself would pass for the caster.
+    const bool near = e.gap_drawn < e.applied + e.slack, stands = dark(e.far_bare) || e.gap_drawn < e.far;
+    const bool by_bias = dark(e.least_kept) && near, by_offset = dark(e.own_bare) && stands;
+    const bool by_both = dark(e.least_bare) && (near || stands);
+    // What casts in truth, nearer to the light, would have withstood more.
+    const std::uint32_t lost = e.gap_all > e.gap_drawn ? bit(Artefact::LostCaster) : 0;
+    if (by_bias && c.raster_bias && dark(e.unfiltered))
+        return {Artefact::PeterPanningRaster, lost | (e.own > e.least ? bit(Artefact::PeterPanning) : 0)};
+    if (by_bias && !by_offset) return {Artefact::PeterPanning, lost};
+    if (by_offset && !by_bias) return {Artefact::PeterPanningOffset, lost};
+    if (by_both || by_bias) {
+        if (e.strip_offset_m > e.strip_bias_m)
+            return {Artefact::PeterPanningOffset, bit(Artefact::PeterPanning) | lost};
+        return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | lost};
+    }
+    if (c.unfiltered_differs() && dark(e.unfiltered)) {
+        if (c.raster_bias) return {Artefact::PeterPanningRaster, c.mask_levels ? bit(Artefact::LostCaster) : 0};
+        if (c.mask_levels) return {Artefact::LostCaster, c.depth_blur ? bit(Artefact::Leak) : 0};
+        return {Artefact::Leak};
+    }
+    if (dark(e.nearest_kept)) return {Artefact::Leak};
+    if (dark(e.nearest_bare)) {
+        if (dark(e.nearest_own_bare)) return {Artefact::PeterPanningOffset, bit(Artefact::Leak)};
+        return {Artefact::PeterPanning, bit(Artefact::PeterPanningOffset) | bit(Artefact::Leak)};
+    }
+    if (e.place != CauseEvidence::kInside) return {Artefact::OutsideMap};
+    const bool closed = e.gap_all < e.least_nearest;
+    return {e.run_m < e.texel_m || closed ? Artefact::Undersampled : Artefact::EdgeAliasing};
+}
+
+bool is_acne(const CauseEvidence& e, const CauseContext& c, float enough) {
+    if (e.worth < e.least && e.raised >= enough) return true;
+    return e.worth < e.bent && e.bent_raised >= enough && e.edge_m > (float(c.edge_reach_texels) + 1.f) * e.texel_m;
+}
+
+Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
+    if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
+    if (e.place == CauseEvidence::kInside && !dark(e.beyond_lit) && dark(e.beyond_dark))
+        return {.artefact = Artefact::OutsideMap, .seam = true};
+    if (is_acne(e, c, 0.5f)) return {Artefact::Acne};
+    if (!dark(e.least_bare)) return {Artefact::OffsetShadow, e.worth < e.least ? bit(Artefact::Acne) : 0};
+    if (!dark(e.unfiltered) || !dark(e.nearest_kept)) return {Artefact::Filter};
+    if (!dark(e.nearest_bare)) return {Artefact::OffsetShadow, bit(Artefact::Filter)};
+    if (e.place != CauseEvidence::kInside) return {Artefact::OutsideMap};
+    return {e.run_m < e.texel_m ? Artefact::Undersampled : Artefact::EdgeAliasing};
+}
+
+}  // namespace
+
+bool is_wrong(double visibility, const TruePixel& reference) {
+    return (visibility < 0.5) != (reference.visibility < 0.5) &&
+           std::abs(visibility - reference.visibility) > 3 * reference.noise;
+}
+
+Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseContext& context) {
+    const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // no light is drawn from it
+    if (is_wrong(v, reference)) {
+        if (reference.hard_lit != dark(v)) return {Artefact::Penumbra};
+        if (!context.has_map) return {Artefact::NoMap};
+        return dark(v) ? false_shadow(e, context) : false_light(e, context);
+    }
+    if (!context.has_map) return {};
+    const bool darkened = reference.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
+    return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
+}
+
+}  // namespace si

@@ -1,0 +1,352 @@
+#include "renderer/inspect/effects.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "renderer/inspect/lookup_effects.h"
+#include "renderer/passes/casters.h"
+#include "renderer/scene/animation.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/overlays.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+/// A kind of effect: what passes it is, what calls for it, what else those passes do.
+struct EffectRow {
+    std::string_view pass;  ///< how the names of its passes begin
+    std::string_view name;  ///< of the effect; empty: as the pass is called
+    /// What calls for it where it is simulated, a clause.
+    std::string (*why)(const EffectFacts&, const PassInfo&);
+    /// What it consists of besides the parts that the pass reports.
+    void (*parts)(const EffectFacts&, const PassInfo&, Effects&) = nullptr;
+    /// Why no frame has such a pass; empty: one without it says nothing.
+    std::string (*absent)(const EffectFacts&) = nullptr;
+    /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
+    std::string (*unasked)(const EffectFacts&) = nullptr;
+};
+
+// Maps ----------------------------------------------------------------------------------------------------------------
+
+std::string why_map(const EffectFacts& f, const PassInfo& pass) {
+    return fmt::format("light {} has its shadows from a map, and {} object{} cast{}", pass.light, f.casters,
+                       f.casters == 1 ? "" : "s", f.casters == 1 ? "s" : "");
+}
+
+std::string masks_text(const EffectFacts& f) {
+    if (f.masked_casters == 0) return "no caster is masked: what is drawn into maps is drawn without its alpha";
+    return fmt::format("{} of {} casters {} masked: each of their fragments looks up the mask", f.masked_casters,
+                       f.casters, f.masked_casters == 1 ? "is" : "are");
+}
+
+void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
+    const auto number = std::size_t(pass.light);
+    if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
+    const FittedLight& light = f.frame.lights[number];
+    for (std::size_t v = 0; pass.parts.empty() && light.views.size() > 1 && v < light.views.size(); ++v)
+        out.push_back(part_of(
+            pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number), true,
+            fmt::format("it is one of {} maps of the light, which are drawn together", light.views.size())));
+    out.push_back(
+        part_of(pass, fmt::format("alpha test in maps of light {}", number), f.masked_casters > 0, masks_text(f)));
+}
+
+std::string why_pages(const EffectFacts& f, const PassInfo&) {
+    return fmt::format("map.virtual is on: {}x{} texels a map are drawn by pages, where look-ups read them",
+                       f.frame.map_resolution, f.frame.map_resolution);
+}
+
+void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
+    if (!f.frame.pages) return;
+    const PageFacts& p = *f.frame.pages;
+    const long side = p.page_texels > 0 ? f.frame.map_resolution / p.page_texels : 0;
+    long maps = 0;
+    for (const FittedLight& light : f.frame.lights) maps += light.casts ? long(light.views.size()) : 0;
+    const long unread = std::max(maps * side * side - p.wanted, 0L);
+    const auto add = [&](const char* name, EffectState state, std::string reason) {
+        out.push_back({.name = name, .state = state, .reason = std::move(reason), .pass = pass.name, .part = true});
+    };
+    if (p.drawn > 0)
+        add("pages drawn", EffectState::Drawn,
+            fmt::format("{} of {} pages that look-ups may read are drawn for this frame.", p.drawn, p.wanted));
+    if (p.kept > 0)
+        add("pages kept", EffectState::Cached,
+            fmt::format("{} of {} pages that look-ups may read were drawn before, and nothing in them changed.", p.kept,
+                        p.wanted));
+    if (unread > 0)
+        add("pages that nothing reads", EffectState::NotNeeded,
+            fmt::format("{} of {} pages are within no visible pixel's kernel.", unread, maps * side * side));
+    out.push_back(part_of(pass, "alpha test in pages", f.masked_casters > 0, masks_text(f)));
+}
+
+std::string why_moments(const EffectFacts& f, const PassInfo&) {
+    return fmt::format("kernel {} reads averages of functions of depth", f.kernel());
+}
+
+void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
+    const FilterSettings& s = f.settings.filter;
+    if (f.filter().samples != Samples::Moments) return;
+    const bool summed = f.filter().moments.summed;
+    out.push_back(part_of(pass, "blur of the moments", !summed && s.blur > 0,
+                          summed        ? "the kernel averages by sums, at the look-up"
+                          : s.blur == 0 ? std::string("filter.blur is 0")
+                                        : fmt::format("filter.blur is {}: each texel is a mean of {} x {}", s.blur,
+                                                      2 * s.blur + 1, 2 * s.blur + 1)));
+    out.push_back(part_of(pass, "mip levels of the moments", keeps_mips(f.settings),
+                          keeps_mips(f.settings) ? "filter.mips is on" : "filter.mips is off, or the kernel has none"));
+    const int samples = f.settings.map.samples;
+    out.push_back(part_of(pass, "several samples a texel", samples > 1 && f.settings.map.blur_texels == 0,
+                          samples > 1 && f.settings.map.blur_texels > 0
+                              ? "map.blur_texels blurs depths, which have one sample a texel"
+                              : fmt::format("map.samples is {}", samples)));
+}
+
+// What is unasked for -------------------------------------------------------------------------------------------------
+
+bool skips(const EffectFacts& f, std::string_view name) {
+    const PassInfo* pass = f.frame.pass(name);
+    return !pass || pass->state == PassState::Skipped;
+}
+
+std::string reference_unrequested(const EffectFacts& f) {
+    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+}
+
+std::string viewer_unasked(const EffectFacts& f) {
+    const PassInfo* viewer = f.frame.pass("map viewer");
+    return viewer && viewer->state == PassState::Skipped ? viewer->reason : "";
+}
+
+std::string causes_unasked(const EffectFacts& f) {
+    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "not needed: causes are not shown" : "";
+}
+
+// The table -----------------------------------------------------------------------------------------------------------
+
+#define SI_WHY(text) [](const EffectFacts&, const PassInfo&) { return std::string(text); }
+#define SI_ABSENT(text) [](const EffectFacts&) { return std::string(text); }
+
+/// The first row that a pass's name begins like counts.
+const EffectRow kRows[] = {
+    {.pass = "depths seen",
+     .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
+     .absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
+    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
+    {.pass = "pages of shadow maps",
+     .why = why_pages,
+     .parts = page_parts,
+     .absent =
+         [](const EffectFacts& f) {
+             return std::string(f.settings.map.paged ? "no light has a map that is drawn by pages"
+                                                     : "map.virtual is off");
+         }},
+    {.pass = "shadow maps", .why = why_map},
+    {.pass = "shadow map ", .why = why_map, .parts = map_parts},
+    {.pass = "depth blur",
+     .why = [](const EffectFacts& f,
+               const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
+    {.pass = "moments", .why = why_moments, .parts = moment_parts},
+    {.pass = "camera depth", .why = SI_WHY("something reads the depth that the camera sees")},
+    {.pass = "surface ids", .why = SI_WHY("somebody asks which triangle each pixel shows")},
+    {.pass = "shadow volumes",
+     .why =
+         [](const EffectFacts& f, const PassInfo& pass) {
+             const auto light = std::size_t(pass.light);
+             return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
+         },
+     .absent = SI_ABSENT("no light's source is shadow volumes")},
+    {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
+    {.pass = "blobs",
+     .why = SI_WHY("light.source of a light is blob"),
+     .absent = SI_ABSENT("no light's source is blob")},
+    {.pass = "light map",
+     .why = SI_WHY("light.source of a light is light-map"),
+     .absent = SI_ABSENT("no light's source is a light map that is baked")},
+    {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
+    {.pass = "unfiltered map",
+     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
+     .unasked = causes_unasked},
+    {.pass = "truth uploaded",
+     .name = "truth on the GPU",
+     .why = SI_WHY("something shown needs the traced truth"),
+     .unasked = reference_unrequested},
+    {.pass = "pixels compared",
+     .why = SI_WHY("somebody asks which pixels are wrong"),
+     .unasked = reference_unrequested},
+    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = reference_unrequested},
+    {.pass = "errors summed up",
+     .name = "metrics",
+     .why = SI_WHY("somebody asks for the picture's errors"),
+     .unasked = reference_unrequested},
+    {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
+    {.pass = "shading by the truth",
+     .why = SI_WHY("the picture is compared with the one lit by the truth"),
+     .unasked = reference_unrequested},
+    {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
+    {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
+    {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
+    {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
+    {.pass = "texel slabs",
+     .name = "stored-depth quads",
+     .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
+    {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
+    {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
+    {.pass = "map channel",
+     .why = SI_WHY("view.map_channel shows a moment in place of depth"),
+     .unasked = viewer_unasked},
+    {.pass = "drawn depth range",
+     .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
+     .unasked = viewer_unasked},
+    {.pass = "numeric health", .why = SI_WHY("somebody asks whether all numbers are sound")},
+    {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
+};
+
+#undef SI_WHY
+#undef SI_ABSENT
+
+const EffectRow* effect_row(const PassInfo& pass) {
+    for (const EffectRow& row : kRows)
+        if (pass.name.starts_with(row.pass)) return &row;
+    return nullptr;
+}
+
+std::string part_reason(const PartInfo& part) {
+    const std::string reason = sentence(part.reason);
+    if (part.left_out == 0) return reason;
+    std::string_view unit = part.unit;
+    if (part.left_out == 1 && unit.ends_with('s')) unit.remove_suffix(1);
+    return fmt::format("{}{}{} {} {} left out.", reason, reason.empty() ? "" : " ", part.left_out, unit,
+                       part.left_out == 1 ? "is" : "are");
+}
+
+/// With the pane that the pass is of, where its name ends with one: "stored-depth quads (n-dot-l)".
+std::string effect_name(const EffectRow* row, const PassInfo& pass) {
+    if (!row || row->name.empty()) return pass.name;
+    const std::string end = pass.name.substr(row->pass.size());
+    return std::string(row->name) + (end.starts_with(" (") ? end : "");
+}
+
+void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
+    const EffectRow* row = effect_row(pass);
+    Effect effect{.name = effect_name(row, pass), .state = state_of(pass.state), .pass = pass.name};
+    const bool skipped = pass.state == PassState::Skipped;
+    if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
+    const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
+    effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
+    const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
+    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
+        std::ranges::any_of(f.frame.lights, looked_up))
+        effect.saving = Optimisation::Fused;
+    const bool waits_for_maps = pass.reason.starts_with("the maps are drawn anew");
+    if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
+        effect.saving = Optimisation::EarlyOut;
+    out.push_back(std::move(effect));
+    for (const PartInfo& part : pass.parts)
+        out.push_back({.name = part.name,
+                       .state = state_of(part.state),
+                       .reason = part_reason(part),
+                       .saving = part.by,
+                       .pass = pass.name,
+                       .part = true});
+    if (row && row->parts) row->parts(f, pass, out);
+}
+
+/// Keeping what rests apart is told of by the maps' passes once something has moved.
+void add_static(const EffectFacts& f, int animation, Effects& out) {
+    for (const PassInfo& pass : f.frame.passes)
+        for (const PartInfo& part : pass.parts)
+            if (part.by == Optimisation::Static) return;
+    const auto has_map = [](const FittedLight& light) { return light.casts; };
+    std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
+    if (std::ranges::none_of(f.frame.lights, has_map))
+        why = "no light has its shadows from a map";
+    else if (!moves(f.scene, animation))
+        why = "nothing moves here: maps are kept as they are, or drawn whole";
+    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::Static});
+}
+
+void count_casters(EffectFacts& f) {
+    for (const Object& object : f.scene.objects) {
+        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        const int material = f.scene.meshes[std::size_t(object.mesh)].material;
+        ++f.casters;
+        f.masked_casters += material >= 0 && f.scene.materials[std::size_t(material)].alpha != AlphaMode::Opaque;
+    }
+}
+
+}  // namespace
+
+Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_view reason,
+               std::optional<Optimisation> saving) {
+    const bool lives = pass.state != PassState::Skipped;
+    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
+    effect.state = needed ? state_of(pass.state) : EffectState::NotNeeded;
+    effect.reason = sentence(lives || !needed ? reason : std::string_view(pass.reason));
+    return effect;
+}
+
+std::string light_key(std::size_t light, std::string_view setting) {
+    SettingRef ref = *find_setting(fmt::format("light.{}", setting));
+    ref.light = int(light);
+    return setting_key(ref);
+}
+
+std::string_view state_name(EffectState state) {
+    return state == EffectState::Drawn ? "simulated" : state == EffectState::Cached ? "reused" : "not called for";
+}
+
+Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again) {
+    Effect effect{.name = "posing"};
+    if (!scene.rig || scene.rig->animations.empty()) {
+        effect.reason = "Nothing moves: the scene has no animation.";
+    } else if (settings.animation < 0) {
+        effect.reason = "scene.animation is -1: the scene stands as it rests.";
+    } else {
+        const auto skins =
+            std::count_if(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.deformer; });
+        effect.state = again ? EffectState::Drawn : EffectState::Cached;
+        effect.reason =
+            fmt::format("The scene is posed at {:.4g} s, with {} skinned or morphed mesh{}, {}.", settings.time, skins,
+                        skins == 1 ? "" : "es", again ? "once for all passes and rays" : "as before");
+    }
+    return effect;
+}
+
+std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
+    if (!effect.saving) return 1;
+    return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
+}
+
+std::string sentence(std::string_view text) {
+    if (text.empty()) return {};
+    std::string out(text);
+    const std::string_view first = text.substr(0, text.find_first_of(" :,;"));
+    if (first.find('.') == std::string_view::npos) out[0] = char(std::toupper(static_cast<unsigned char>(out[0])));
+    if (out.back() != '.' && out.back() != '!' && out.back() != '?') out += '.';
+    return out;
+}
+
+std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                                  OptimisationSet forced) {
+    EffectFacts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
+    sanitise(facts.settings);
+    count_casters(facts);
+    Effects out;
+    for (const PassInfo& pass : frame.passes) add_pass(facts, pass, out);
+    add_static(facts, settings.scene.animation, out);
+    for (const EffectRow& row : kRows) {
+        const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
+        if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
+        out.push_back({.name = std::string(row.name.empty() ? row.pass : row.name),
+                       .state = EffectState::NotNeeded,
+                       .reason = sentence(row.absent(facts))});
+    }
+    return out;
+}
+
+}  // namespace si

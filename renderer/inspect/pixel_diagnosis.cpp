@@ -1,0 +1,473 @@
+#include "renderer/inspect/pixel_diagnosis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/lengths_text.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/param.h"
+#include "renderer/view/fits/map_limits.h"
+
+namespace si {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+std::string texels(const DepthShift& a) {
+    return texels_text(a.texels);
+}
+
+class Explainer {
+public:
+    Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
+              const Settings& settings, const DriverInfo& driver)
+        : probe_(probe), p_(p), reference_(reference), settings_(settings), driver_(driver) {}
+
+    PixelDiagnosis explain() {
+        d_.light = p_.light;
+        d_.reference = reference_;
+        d_.right = (p_.visibility >= 0.5) == reference_.lit;
+        if (p_.casts) weigh();
+        d_.verdict = sentence();
+        if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
+            d_.verdict += "; by " + p_.view;
+        if (reference_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.fix = fix();
+        return d_;
+    }
+
+private:
+    const Probe& probe_;
+    const Probe::PerLight& p_;
+    const FragmentReference& reference_;
+    const Settings& settings_;
+    const DriverInfo& driver_;
+    PixelDiagnosis d_;
+
+    const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
+    bool sees_surface() const { return p_.casts && p_.where != "behind"; }
+    bool dark() const { return p_.visibility < 0.5; }
+    bool faint_acne() const { return reference_.cause.faint; }
+
+    /// The gap to the surface nearest the light, as a difference of depth.
+    double occluder_depth() const {
+        if (!std::isfinite(reference_.gap_m)) return kInfinite;
+        return p_.account.curve.depth_nearer(p_.own_m, reference_.gap_m * p_.account.receiver.axis_per_ray);
+    }
+
+    void weigh() {
+        const BiasBreakdown& a = p_.account;
+        d_.least = a.amount(a.least.total());
+        d_.has = a.amount(a.clears());
+        d_.lifted = a.amount(a.depth_shift);
+        d_.occluder = a.amount(occluder_depth());
+        if (d_.window_open()) return;
+        const double fixed = a.least.quantum + a.least.rounding, room = d_.occluder.depth - fixed;
+        if (!(room > 0)) {
+            d_.opening_resolution = kInfinite;
+            return;
+        }
+        const double needed = probe_.map_resolution * (a.least.kernel + a.least.snapping) / room;
+        d_.opening_resolution = std::exp2(std::ceil(std::log2(needed * (1 + 1e-9))));
+    }
+
+    std::string opening() const {
+        if (d_.opening_resolution == kInfinite)
+            return "no resolution opens the window, as steps of the depth format alone are larger than the gap";
+        if (d_.opening_resolution > driver_.max_texture_size)
+            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", d_.opening_resolution,
+                               driver_.max_texture_size);
+        return fmt::format("{:.0f}² would open the window", d_.opening_resolution);
+    }
+    std::string no_bias_is_right() const {
+        return fmt::format(
+            "no depth bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
+            texels(d_.least), texels(d_.occluder), opening());
+    }
+
+    std::string sentence() const {
+        switch (reference_.state) {
+            case PixelState::Background:
+                return "nothing there";
+            case PixelState::NotReceiving:
+                return "not compared: this object receives no shadows";
+            case PixelState::FacesAway:
+                return "not compared: the surface faces away from the light, or edge-on to it, and is dark without a "
+                       "map";
+            case PixelState::OutsideCone:
+                return "not compared: outside of the light's cone";
+            case PixelState::BeyondRange:
+                return "not compared: beyond the light's range";
+            case PixelState::Counted:
+                break;
+        }
+        if (!p_.casts) {
+            const char* const is = dark() ? "in shadow" : "lit";
+            return d_.right ? fmt::format("right: {}, as in truth; {}", is, p_.fitted.reason)
+                            : fmt::format("wrong: {}, should be {}; {}", is, reference_.lit ? "lit" : "in shadow",
+                                          p_.fitted.reason);
+        }
+        if (p_.where == "beyond shadows")
+            return d_.right
+                       ? "right: lit, as light.fit has found that nothing can cast a shadow there"
+                       : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
+        if (reference_.evidence.place == CauseEvidence::kOutside)
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
+                               dark() ? "in shadow" : "lit",
+                               d_.right ? "and so it is in truth"
+                               : dark() ? "should be lit"
+                                        : "should be in shadow");
+        if (d_.right) return right();
+        std::string text = limits() + wrong();
+        for (std::size_t a = 1; a < kArtefacts; ++a)
+            if (reference_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
+        return text;
+    }
+
+    /// What no bias or kernel can mend: the map cannot tell the scene's depths or places apart.
+    std::string limits() const {
+        const MapLimits& l = p_.fitted.limits;
+        if (l.one_depth_step)
+            return fmt::format("all depth lies in one step of the map's format ({} of {}), which comes first; ",
+                               metres_text(l.depth_m), metres_text(l.step_m));
+        if (l.one_texel)
+            return fmt::format("a texel ({}) is larger than the scene ({}), which comes first; ",
+                               metres_text(l.texel_m), metres_text(l.across_m));
+        return {};
+    }
+
+    std::string right() const {
+        const std::string bias = d_.has.depth >= d_.least.depth
+                                     ? fmt::format("needs {} of bias, has {}", texels(d_.least), texels(d_.has))
+                                     : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
+                                                   texels(d_.least), texels(d_.has));
+        if (faint_acne())
+            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is self-shadowed{}; {}",
+                               100 * (1 - p_.visibility),
+                               d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
+        if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
+        return fmt::format("right: in shadow, as in truth, by a surface {} nearer to the light; {}",
+                           texels(d_.occluder), bias);
+    }
+
+    std::string wrong() const {
+        switch (reference_.cause.artefact) {
+            case Artefact::None:
+                break;
+            case Artefact::Acne:
+                return acne();
+            case Artefact::PeterPanning:
+                return fmt::format(
+                    "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
+                    "away; {} it is in shadow, as in truth",
+                    texels(d_.lifted), texels(d_.occluder), less_bias());
+            case Artefact::PeterPanningRaster:
+                return fmt::format(
+                    "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
+                    "stands before it by {}; without them it is in shadow, as in truth",
+                    texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
+            case Artefact::PeterPanningOffset:
+                return fmt::format(
+                    "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} "
+                    "it is in shadow, as in truth",
+                    metres_text(p_.normal_offset_m),
+                    reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
+            case Artefact::OffsetShadow:
+                return fmt::format(
+                    "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset "
+                    "and with {} it is lit, as in truth",
+                    metres_text(p_.normal_offset_m),
+                    reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
+            case Artefact::LostCaster:
+                return fmt::format(
+                    "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of "
+                    "the map",
+                    metres_text(reference_.blocker_m), leaves_out());
+            case Artefact::Leak:
+                if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
+                    return fmt::format(
+                        "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
+                        "blur (map.blur_texels) find shadow, as in truth",
+                        100 * p_.visibility);
+                return fmt::format(
+                    "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
+                    "needs, is in shadow, as in truth{}",
+                    100 * p_.visibility, nearest_need(),
+                    d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
+            case Artefact::Filter:
+                if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
+                    return fmt::format(
+                        "filter: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
+                        "are lit, as in truth",
+                        100 * (1 - p_.visibility), filtered_by());
+                return fmt::format(
+                    "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that "
+                    "it needs, is lit, as in truth",
+                    100 * (1 - p_.visibility), nearest_need());
+            case Artefact::OutsideMap:
+                if (reference_.evidence.place == CauseEvidence::kLedOutside)
+                    return "outside the map: the normal offset leads the look-up beyond its sides";
+                return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the "
+                       "truth's answer there it is right";
+            case Artefact::Undersampled:
+                return undersampled();
+            case Artefact::EdgeAliasing:
+                if (p_.fitted.type == LightType::Directional && view().curve.perspective)
+                    return fmt::format(
+                        "{}, should be {}: this sun is drawn in perspective (light.projection), as if its rays came "
+                        "from one place, which moves its shadows",
+                        dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow");
+                return fmt::format(
+                    "edge aliasing: {}, should be {}; {} and the nearest texel alone were tried and leave it so: a "
+                    "true edge runs between this pixel and the texels that stand for it",
+                    dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow",
+                    dark() ? "more bias" : "the least bias");
+            case Artefact::Penumbra:
+                return "penumbra: right for a light without size";
+            case Artefact::Contact:
+                return "contact shadow: the ray through the picture's depths meets what does not shadow it; without "
+                       "contact shadows it is lit, as in truth";
+            case Artefact::NoMap:
+                break;  // said before
+        }
+        return d_.right ? "right" : "wrong";
+    }
+
+    std::string also(Artefact a) const {
+        switch (a) {
+            case Artefact::PeterPanning:
+                return "so much bias would lose it";
+            case Artefact::PeterPanningOffset:
+                return "the normal offset would lose it";
+            case Artefact::Leak:
+            case Artefact::Filter:
+                return "the kernel takes part in it";
+            case Artefact::LostCaster:
+                if (reference_.evidence.gap_all > reference_.evidence.gap_drawn)
+                    return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it",
+                                       leaves_out());
+                return "the masks' mip levels take part in it";
+            case Artefact::Acne:
+                return "its bias is less than it needs,";
+            default:
+                return "another cause takes part in it";
+        }
+    }
+
+    std::string acne() const {
+        if (d_.has.depth < d_.least.depth)
+            return fmt::format("acne: needs {} of bias here, has {}", texels(d_.least), texels(d_.has));
+        return fmt::format(
+            "acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
+            "the kernel's reach rises above it; {} would light it",
+            texels(d_.least), texels(d_.has), texels(p_.account.amount(reference_.evidence.curing)));
+    }
+
+    /// The trial that made a lit pixel dark, of those with less bias.
+    std::string less_bias() const {
+        const CauseEvidence& e = reference_.evidence;
+        if (e.least_kept < 0.5f) return "with " + texels(d_.least);
+        if (e.least_bare < 0.5f) return fmt::format("with {} and without the normal offset", texels(d_.least));
+        if (p_.causes.raster_bias && e.unfiltered < 0.5f) return "without polygon offset";
+        return "with the least bias of one nearest texel and without the normal offset";
+    }
+    std::string leaves_out() const {
+        const std::string culling =
+            settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
+        return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
+                                     : culling + " or the near plane";
+    }
+    /// What the unfiltered map goes without.
+    std::string filtered_by() const {
+        std::vector<std::string> out;
+        if (p_.causes.depth_blur) out.push_back("depth blur (map.blur_texels)");
+        if (p_.causes.raster_bias) out.push_back("polygon offset");
+        if (p_.causes.mask_levels) out.push_back("coarser levels of masks");
+        return fmt::format("{}", fmt::join(out, ", "));
+    }
+    std::string nearest_need() const { return texels(p_.account.amount(reference_.evidence.least_nearest)); }
+
+    std::string undersampled() const {
+        const CauseEvidence& e = reference_.evidence;
+        if (e.gap_all < e.least_nearest && !dark())
+            return fmt::format(
+                "undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
+                "it lies {} away; a finer map opens the window",
+                nearest_need(), texels(p_.account.amount(e.gap_all)));
+        return fmt::format("undersampled: the true shadow or light here is {} wide, a texel {}; {}",
+                           metres_text(e.run_m), metres_text(p_.texel_m), sampling_text());
+    }
+    /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
+    double sampling_resolution() const {
+        const double needed = probe_.map_resolution * p_.texel_m / std::max(double(reference_.evidence.run_m), 1e-300);
+        return std::exp2(std::ceil(std::log2(needed * (1 - 1e-6))));
+    }
+    std::string sampling_text() const {
+        const double n = sampling_resolution();
+        if (!(n < 1e7)) return "no map has texels as narrow";
+        if (n > driver_.max_texture_size)
+            return fmt::format("it would take a map of {:.0f}², more than this driver's {}²", n,
+                               driver_.max_texture_size);
+        return fmt::format("a map of {:.0f}² has texels as narrow", n);
+    }
+
+    /// What the pixel gets under other settings, the map's place unchanged.
+    BiasBreakdown under(const Settings& s) const {
+        return bias_breakdown(p_.fitted, s, s.map.resolution, p_.point, driver_);
+    }
+    bool fixes(const Settings& s) const {
+        const BiasBreakdown a = under(s);
+        return a.clears() >= a.least.total() && (reference_.lit || a.depth_shift < d_.occluder.depth);
+    }
+
+    /// The settings of the bias, the one that acts first.
+    std::vector<std::string_view> bias_keys() const {
+        std::vector<std::string_view> keys;
+        if (settings_.bias.normal > 0) keys.push_back("bias.normal");
+        if (p_.account.slope > 0) keys.push_back("bias.slope");
+        if (p_.account.constant > 0) keys.push_back("bias.constant");
+        for (const std::string_view key : {"bias.normal", "bias.slope", "bias.constant"})
+            if (std::find(keys.begin(), keys.end(), key) == keys.end() && acts(key)) keys.push_back(key);
+        return keys;
+    }
+    /// Whether bias.kind lets the setting act.
+    bool acts(std::string_view key) const { return reads_setting(bias_of(settings_), key); }
+    static double& value_of(Settings& s, std::string_view key) {
+        return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
+    }
+    std::string unit_of(std::string_view key) const {
+        if (key == "bias.normal" || settings_.bias.unit == int(BiasUnit::Texels)) return "texels";
+        return settings_.bias.unit == int(BiasUnit::Metres) ? "m" : "of depth";
+    }
+
+    /// The least value of one setting under which the surface does not shadow itself, if that puts the pixel right.
+    std::optional<double> least_value(Settings s, std::string_view key) const {
+        s.map.resolution = probe_.map_resolution;
+        double& value = value_of(s, key);
+        const double most = find_setting(key)->param->max;
+        const auto enough = [&](double v) {
+            value = v;
+            const BiasBreakdown a = under(s);
+            return a.clears() >= a.least.total();
+        };
+        if (!enough(most)) return {};
+        double lo = 0, hi = enough(0) ? 0 : most;
+        for (int i = 0; i < 60 && hi - lo > 1e-4 * hi; ++i) (enough(0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
+        value = rounded_up(hi * (1 + 1e-3));
+        if (value > most || !fixes(s)) return {};
+        return value;
+    }
+
+    SuggestedFix set(std::string_view key, double value) const {
+        const std::string text = fmt::format("{:g}", value);
+        return {{{std::string(key), text}}, fmt::format("set {} to {} {}", key, text, unit_of(key))};
+    }
+    /// The same, and what the pixel's bias is worth with it.
+    SuggestedFix set_to_be_worth(Settings s, std::string_view key, double value) const {
+        SuggestedFix r = set(key, value);
+        s.map.resolution = probe_.map_resolution;
+        value_of(s, key) = value;
+        const BiasBreakdown a = under(s);
+        r.worth_texels = a.amount(a.clears()).texels;
+        return r;
+    }
+
+    std::optional<SuggestedFix> fix() const {
+        switch (reference_.cause.artefact) {
+            case Artefact::LostCaster:
+                if (settings_.caster.cull != int(Cull::None))
+                    return SuggestedFix{{{"caster.cull", "none"}}, "set caster.cull to none"};
+                return {};
+            case Artefact::PeterPanningOffset:
+            case Artefact::OffsetShadow: {
+                Settings bare = settings_;
+                bare.bias.normal = 0;
+                for (const std::string_view key : {"bias.slope", "bias.constant"}) {
+                    if (!acts(key) || (value_of(bare, key) <= 0 && key == "bias.slope")) continue;
+                    const auto value = least_value(bare, key);
+                    if (!value) continue;
+                    SuggestedFix r = set_to_be_worth(bare, key, *value);
+                    r.settings.insert(r.settings.begin(), {"bias.normal", "0"});
+                    r.text = "set bias.normal to 0 and " + r.text.substr(4);
+                    return r;
+                }
+                return {};
+            }
+            case Artefact::PeterPanningRaster:
+                return SuggestedFix{{{"bias.raster_slope", "0"}, {"bias.raster_units", "0"}},
+                                    "set bias.raster_slope and bias.raster_units to 0"};
+            case Artefact::Undersampled: {
+                const double n = reference_.evidence.run_m < reference_.evidence.texel_m ? sampling_resolution()
+                                                                                         : d_.opening_resolution;
+                if (!(n > probe_.map_resolution) || n > driver_.max_texture_size) return {};
+                return SuggestedFix{{{"map.resolution", fmt::format("{:.0f}", n)}},
+                                    fmt::format("set map.resolution to {:.0f}", n)};
+            }
+            case Artefact::None:
+                if (!faint_acne()) return {};
+                break;
+            case Artefact::Acne:
+            case Artefact::PeterPanning:
+                break;
+            default:
+                return {};
+        }
+        if (d_.has.depth >= d_.least.depth && reference_.lit) return dark() ? bent_fix() : std::nullopt;
+        for (const std::string_view key : bias_keys()) {
+            if (!d_.window_open()) break;
+            if (const auto value = least_value(settings_, key)) return set_to_be_worth(settings_, key, *value);
+        }
+        if (d_.window_open() || d_.opening_resolution > driver_.max_texture_size) return {};
+        Settings s = settings_;
+        s.map.resolution = int(d_.opening_resolution);
+        if (!fixes(s)) return {};
+        return SuggestedFix{{{"map.resolution", fmt::format("{}", s.map.resolution)}},
+                            fmt::format("set map.resolution to {}", s.map.resolution)};
+    }
+
+    /// More constant bias: by what is missing of what the trial found.
+    std::optional<SuggestedFix> bent_fix() const {
+        const double missing = reference_.evidence.curing - d_.has.depth;
+        const BiasBreakdown& a = p_.account;
+        const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);
+        const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
+                                         : settings_.bias.unit == int(BiasUnit::Metres) ? wanted.metres
+                                                                                        : wanted.depth) *
+                                        (1 + 1e-3));
+        if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
+        return set("bias.constant", value);
+    }
+};
+
+}  // namespace
+
+double rounded_up(double v) {
+    if (!(v > 0)) return 0;
+    // Powers of ten below one are no floating-point numbers: dividing by their inverse gives the nearest decimal.
+    const double digits = 2 - std::floor(std::log10(v));
+    const double unit = std::pow(10.0, std::abs(digits));
+    return digits >= 0 ? std::ceil(v * unit * (1 - 1e-12)) / unit : std::ceil(v / unit * (1 - 1e-12)) * unit;
+}
+
+std::string fix_text(const SuggestedFix& fix, const Settings& settings) {
+    std::string text;
+    for (const auto& [key, value] : fix.settings) {
+        const SettingRef ref = *find_setting(key);
+        text += fmt::format("{}{} {}", text.empty() ? "" : ", ", ref.param->label,
+                            shown_value(settings, ref, parse_value(ref, value)));
+    }
+    return text;
+}
+
+std::string fix_worth_text(const SuggestedFix& fix) {
+    if (!(fix.worth_texels > 0) || !std::isfinite(fix.worth_texels)) return {};
+    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.worth_texels));
+}
+
+PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                       const Settings& settings, const DriverInfo& driver) {
+    return Explainer(probe, light, reference, settings, driver).explain();
+}
+
+}  // namespace si

@@ -1,0 +1,265 @@
+// The surface of one pixel from the GPU, and the depths that its kernels compare.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+#include "renderer/base/error.h"
+#include "renderer/inspect/comparison.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/render/renderer_impl.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+constexpr int kMostTaps = 1024;
+
+struct PixelFacts {
+    std::array<glm::vec4, 4> values{};  // the outputs of probe.frag.glsl
+    bool hit() const { return values[0].w > 0.5f; }
+    glm::uvec2 id() const {
+        return {std::uint32_t(values[0].w + 0.5f), std::uint32_t(values[2].w) << 16 | std::uint32_t(values[1].w) >> 1};
+    }
+    bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
+};
+
+/// A pixel, and by how much what is drawn of it is shifted: see settle().
+struct BlockPlace {
+    int x = 0, y_bottom = 0;
+    glm::vec2 shift{0};  ///< pixels
+};
+
+/// The 2x2 block that holds a pixel, so that derivatives are those of the whole picture.
+template <std::size_t Count>
+class Block {
+public:
+    Block(FrameState& f, const BlockPlace& at) : f_(f), x_(at.x), y_(at.y_bottom) {
+        for (gl::Target& t : targets_) t.ensure("probe", GL_RGBA32F, 2, 2);
+        depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
+        framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
+        f.begin_camera_pass(framebuffer_.id());
+        f.bind(lookup_reads(f));
+        const float far_depth = float(f.camera.curve.convention.far_depth());
+        glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
+        glViewportIndexedf(0, float(-(x_ & ~1)) + at.shift.x, float(-(y_ & ~1)) + at.shift.y, float(f.request.width),
+                           float(f.request.height));
+        const glm::vec4 nothing(0);
+        for (GLint i = 0; i < GLint(Count); ++i) glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, i, &nothing.x);
+    }
+    const std::array<gl::Target, Count>& targets() const { return targets_; }
+    glm::vec4 value(std::size_t i) const {
+        std::array<glm::vec4, 4> block;
+        gl::prepare_read_back();
+        glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
+        return block[std::size_t((y_ & 1) * 2 + (x_ & 1))];
+    }
+
+private:
+    FrameState& f_;
+    int x_, y_;
+    std::array<gl::Target, Count> targets_;
+    gl::Target depth_;
+    gl::Framebuffer framebuffer_;
+};
+
+PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
+    const Block<4> block(f, at);
+    PassInfo info;
+    f.surface_flags = true;  // the object's number is asked for
+    f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
+    PixelFacts facts;
+    for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
+    return facts;
+}
+
+/// The surface of a pixel, whichever light.
+struct SeenPixel {
+    Block<kSeenImages> block;
+    glm::ivec2 at;  ///< in the block
+
+    SeenPixel(FrameState& f, const BlockPlace& place) : block(f, place), at(place.x & 1, place.y_bottom & 1) {
+        PassInfo info;
+        f.draw_from_camera("passes/seen_surfaces.frag.glsl", {}, info);
+    }
+};
+
+/// Runs the kernel of a pixel once for each of `width` fragments.
+std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int light, int width,
+                                  std::vector<gl::Define> defines) {
+    PassInfo info;
+    gl::Target taps;
+    taps.ensure("taps", GL_RGBA32F, width, 1);
+    const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
+    f.begin_fullscreen_pass(framebuffer.id(), width, 1);
+    f.bind(lookup_reads(f));
+    bind_seen_surfaces(seen.block.targets());
+    defines.push_back({"LIGHT_INDEX", std::to_string(light)});
+    const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
+    glUseProgram(program);
+    glUniform2i(glGetUniformLocation(program, "pixel"), seen.at.x, seen.at.y);
+    FrameState::draw_fullscreen(info);
+    std::vector<glm::vec4> values(std::size_t(width), glm::vec4(0));
+    gl::prepare_read_back();
+    glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
+                      values.data());
+    return values;
+}
+
+/// Each texel that the kernel reads with that one lit and all others dark: exact for every kernel that is linear in its
+/// comparisons.
+std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int light) {
+    std::vector<RecordedTap> out;
+    if (!filter_of(f.settings).linear) return out;
+    for (const glm::vec4& v : run_kernel(f, seen, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
+        if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
+    return out;
+}
+
+/// What a kernel that reads moments went by; empty of others.
+std::vector<std::string> moment_lines(const StoredMoments& stored, const FilterSettings& s, const KernelFacts& k) {
+    if (std::isnan(k.bound)) return {};
+    std::string moments;
+    for (std::size_t i = 0; i < stored.names.size(); ++i)
+        moments += fmt::format("{}{} {:.7g}", i ? "   " : "", stored.names[i], k.moments[i]);
+    std::string depths = fmt::format("depths about {:.6f} of the range, compared {:.6f}", k.mean, k.own);
+    if (!std::isnan(k.variance)) depths += fmt::format("   variance {:.4g}", k.variance);
+    if (k.margin < 0) depths += fmt::format("   of no distribution, by {:.2g}", -k.margin);
+    std::vector<std::string> lines = {moments, depths, fmt::format("lit at most {:.6g} = {}", k.bound, stored.bound)};
+    if (k.bound < 1 && stored.reduces_bleeding && s.bleed > 0)
+        lines.push_back(fmt::format("({0:.6g} - {1:g}) / (1 - {1:g}) after light-bleed reduction", k.bound, s.bleed));
+    return lines;
+}
+
+KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
+    const std::vector<glm::vec4> v = run_kernel(f, seen, light, 3, {});
+    KernelFacts facts{.blocker_m = v[0].x,
+                      .penumbra_texels = v[0].y,
+                      .texels = v[0].z,
+                      .variance = v[0].w,
+                      .moments = {v[1].x, v[1].y, v[1].z, v[1].w},
+                      .mean = v[2].x,
+                      .own = v[2].y,
+                      .margin = v[2].z,
+                      .bound = v[2].w,
+                      .lines = {}};
+    facts.lines = moment_lines(filter_of(f.settings).moments, f.settings.filter, facts);
+    return facts;
+}
+
+CauseEvidence draw_trials(FrameState& f, const BlockPlace& at, int light) {
+    const Block<kEvidenceImages> block(f, at);
+    f.bind({Result::UnfilteredMap});
+    PassInfo info;
+    draw_evidence(f, light, false, info);
+    std::array<glm::vec4, kEvidenceImages> values;
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = block.value(i);
+    return std::bit_cast<CauseEvidence>(values);
+}
+
+/// A pixel's surface as the picture shows it, for light 0; and where to draw its block so that it shows that. A
+/// triangle seen edge-on covers a pixel only by how its corners are rounded, to 1/256 pixel, and in a block they are
+/// rounded otherwise: then parts of that are tried. Where none helps, the block shows what lies behind.
+PixelFacts settle(FrameState& f, const glm::uvec2& shown, BlockPlace& at) {
+    constexpr int kTries = 64;
+    const PixelFacts unshifted = draw_pixel(f, at, 0);
+    if (unshifted.id() == shown) return unshifted;
+    for (int i = 1; i <= kTries; ++i) {
+        BlockPlace tried = at;
+        // Spread evenly (Roberts' R2 sequence).
+        tried.shift = (glm::fract(glm::vec2(0.7548777f, 0.5698403f) * float(i)) - 0.5f) / 128.f;
+        if (const PixelFacts facts = draw_pixel(f, tried, 0); facts.id() == shown) return at = tried, facts;
+    }
+    return unshifted;
+}
+
+/// @param[out] at where its top left pixel is
+SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
+    at = glm::max(pixel - kRunReach, glm::ivec2(0));
+    const glm::ivec2 end = glm::min(pixel + kRunReach + 1, glm::ivec2(all.width, all.height));
+    SurfaceIds out{end.x - at.x, end.y - at.y, {}};
+    for (int y = at.y; y < end.y; ++y) {
+        const auto row = all.data.begin() + std::ptrdiff_t(y) * all.width;
+        out.data.insert(out.data.end(), row + at.x, row + end.x);
+    }
+    return out;
+}
+
+}  // namespace
+
+Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y) {
+    if (x < 0 || y < 0 || x >= request.width || y >= request.height)
+        throw UsageError(
+            fmt::format("pixel {},{} lies outside the picture of {} x {} pixels", x, y, request.width, request.height));
+    FrameRequest maps = request;
+    maps.outputs = {.colour = false, .shadow_map = true, .surface_ids = true, .unfiltered_map = true};
+    for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
+        maps.outputs.visibility |= !source_of(settings, i).fused;
+    maps.force = maps.timing = false;
+    const FrameResult frame = render(scene, settings, maps);
+    const SurfaceIds ids = read_surface_ids(frame.surface_ids);
+    FrameState f = impl_->prepare(scene, settings, maps);
+    f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
+    plan_frame(f);
+    impl_->upload_blocks(f);
+    Probe out;
+    out.x = x;
+    out.y = y;
+    out.width = request.width;
+    out.height = request.height;
+    out.camera = f.camera;
+    out.map_resolution = f.map_resolution;
+    out.around = part_of(ids, {x, y}, out.around_at);
+    const int y_bottom = request.height - 1 - y;
+    const glm::uvec2 shown = ids.data[std::size_t(y) * std::size_t(ids.width) + std::size_t(x)];
+    if (shown.x == 0) return out;
+    BlockPlace place{x, y_bottom};
+    const PixelFacts first = settle(f, shown, place);
+    std::optional<SeenPixel> seen;
+    for (std::size_t i = 0; i < std::max<std::size_t>(f.gl.fitted.size(), 1); ++i) {
+        const PixelFacts facts = i == 0 ? first : draw_pixel(f, place, int(i));
+        out.hit = facts.hit();
+        if (!out.hit) return out;
+        out.position_ws = glm::dvec3(facts.values[0]) + f.origin;
+        out.normal_ws = glm::dvec3(facts.values[1]);
+        out.id = facts.id();
+        const auto object = std::size_t(out.id.x - 1);
+        if (object < scene.objects.size()) out.object = scene.nodes[std::size_t(scene.objects[object].node)].path;
+        if (i >= f.gl.fitted.size()) break;
+        FloatImage map;
+        if (const FittedLight& light = f.gl.fitted[i]; light.casts)
+            map = read_shadow_map(frame, int(i), int(light.chooser.choose(light.views, out.position_ws).view));
+        TestedPixel pixel{.light = int(i),
+                          .point = {.position_ws = out.position_ws, .geometric = out.normal_ws},
+                          .receives = facts.receives(),
+                          .visibility = facts.values[3].x};
+        if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
+            float drawn = 1;
+            gl::prepare_read_back();
+            glGetTextureSubImage(f.result(Result::Visibility).texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED,
+                                 GL_FLOAT, sizeof drawn, &drawn);
+            pixel.visibility = drawn;
+        }
+        const int source = f.settings.bias.normal_source;
+        const glm::dvec3 mapped(facts.values[2]), vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
+        pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
+                                  : source == int(NormalSource::Shading) ? vertex
+                                                                         : out.normal_ws;
+        pixel.point.origin_ws = f.origin;
+        if (f.gl.fitted[i].casts) {
+            if (!seen) seen.emplace(f, place);
+            pixel.taps = draw_taps(f, *seen, int(i));
+            pixel.kernel = draw_kernel_facts(f, *seen, int(i));
+        }
+        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
+        out.lights.back().evidence = draw_trials(f, place, int(i));
+        out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
+    }
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,319 @@
+// The traced truth on the GPU: uploaded, each pixel judged by it, the judgements summed up.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <utility>
+
+#include "renderer/measure/measured_error.h"
+#include "renderer/passes/camera_pass.h"
+#include "renderer/reference/artefact_picture.h"
+#include "renderer/reference/live_error.h"
+#include "renderer/reference/reference_picture.h"
+#include "renderer/settings/sources.h"
+
+namespace si {
+namespace {
+
+constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
+// The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
+static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 3,
+              "the sums of tiles have a number for each artefact");
+
+constexpr const char* kUntraced = "the truth about this frame is not traced";
+
+struct ReferenceTargets {
+    gl::Target reference, more_reference;  ///< of the truth picture
+    gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
+    gl::Target marks;                      ///< depths MARK_* of shared/judged.h
+    std::uint64_t causes_key = 0;          ///< of `judged` with the causes in it
+    gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
+    std::array<gl::Target, kEvidenceImages> evidence;
+    std::shared_ptr<const LiveError> error;  ///< of the error tiles
+};
+
+ReferenceTargets& targets(const FrameState& f) {
+    return f.gl.owned.get<ReferenceTargets>();
+}
+
+/// What PixelState is for the shader; rows stay from the top.
+void upload(const TracedReference& traced, ReferenceTargets& to) {
+    const Reference& reference = *traced.reference;
+    const std::size_t n = reference.state.size();
+    std::vector<glm::vec4> pixels(n), more(n);
+    // Not all drivers keep NaN and infinity.
+    const auto metres = [](const FloatImage& image, std::size_t i) {
+        return image.data.empty() || std::isnan(image.data[i]) ? -1.f : std::max(image.data[i], 0.f);
+    };
+    const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
+    for (std::size_t i = 0; i < n; ++i) {
+        const TruePixel t = true_pixel(reference, i);
+        pixels[i] = {reference.visibility.data[i], metres(reference.nearest_m, i), float(reference.state[i]),
+                     float(t.noise)};
+        more[i] = {metres(reference.blocker_m, i), reference.hard().data[i], finite(traced.runs->edge_m.data[i]),
+                   finite(traced.runs->run_m.data[i])};
+    }
+    const auto put = [&](gl::Target& t, const char* label, const std::vector<glm::vec4>& data) {
+        t.ensure(label, GL_RGBA32F, reference.width, reference.height);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+        glTextureSubImage2D(t.texture.id(), 0, 0, 0, reference.width, reference.height, GL_RGBA, GL_FLOAT, data.data());
+    };
+    put(to.reference, "truth", pixels);
+    put(to.more_reference, "more of the truth", more);
+}
+
+Pass upload_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "truth uploaded";
+    pass.category = PassCategory::Tool;
+    pass.writes = {Result::Reference};
+    pass.idle_reason = "nothing asks for the truth";
+    pass.key = f.reference_content;
+    pass.cached = &targets(f).reference.key;
+    pass.run = [&f](PassInfo&) { upload(f.request.reference->traced, targets(f)); };
+    return pass;
+}
+
+/// Whether nothing of the scene lies beyond the map of the light, or nothing that could be in shadow, or there is
+/// no map.
+bool map_holds_all(const FrameState& f, int number) {
+    const auto light = std::size_t(number);
+    if (light >= f.gl.fitted.size()) return false;
+    const FittedLight& fitted = f.gl.fitted[light];
+    if (!fitted.casts) return true;
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit != int(LightFit::Manual) &&
+           fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
+}
+
+/// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
+bool seams_matter(const FrameState& f, int light) {
+    const MapSettings& m = f.settings.map;
+    const bool lit =
+        m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
+    return !map_holds_all(f, light) || !lit;
+}
+
+/// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
+/// @param light that is asked, whichever is shown
+std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
+    const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
+    std::vector<gl::Define> out = reference_defines(f);
+    out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(light)},
+                           {"HAS_MAP", std::to_string(int(c.has_map))},
+                           {"HAS_CONTACTS", f.settings.lights[std::size_t(light)].contact > 0 ? "1" : "0"},
+                           {"MAP_TRIALS", "1"},
+                           {"SEAM_TRIALS", std::to_string(int(seams_matter(f, light)))},
+                           {"FILTER_SAMPLER", "0"},
+                           {"COMPARE_BY_HAND", "1"},
+                           {"RASTER_BIAS", std::to_string(int(c.raster_bias))},
+                           {"MASK_LEVELS", std::to_string(int(c.mask_levels))},
+                           {"DEPTH_BLUR", std::to_string(int(c.depth_blur))},
+                           {"UNFILTERED_DIFFERS", std::to_string(int(c.unfiltered_differs()))}});
+    return out;
+}
+
+Pass compare_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "pixels compared";
+    pass.category = PassCategory::Tool;
+    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
+    pass.writes = {Result::Compared};
+    pass.idle_reason = "nothing asks what is wrong";
+    ReferenceTargets& t = targets(f);
+    pass.key = f.shown_light_key().value();
+    pass.cached = &t.classified.key;
+    pass.run = [&f, &t](PassInfo& info) {
+        t.causes_key = 0;
+        t.classified.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        t.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+        glEnable(GL_DEPTH_TEST);  // without the test nothing is written
+        glDepthFunc(GL_ALWAYS);
+        glDepthMask(GL_TRUE);
+        std::vector<gl::Define> extra = reference_defines(f);
+        extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
+        extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f, f.settings.view.light) ? "1" : "0"});
+        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
+        FrameState::draw_fullscreen(info);
+    };
+    return pass;
+}
+
+/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
+/// branch.
+Pass causes_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "causes found";
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
+                                         Result::UnfilteredMap, Result::Reference});
+    pass.writes = {Result::Judged};
+    pass.idle_reason = "nothing asks why it is wrong";
+    ReferenceTargets& t = targets(f);
+    pass.key = f.shown_light_key().value();
+    pass.cached = &t.causes_key;
+    pass.run = [&f, &t](PassInfo& info) {
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+        glEnable(GL_DEPTH_TEST);
+        glDepthFunc(GL_EQUAL);
+        glDepthMask(GL_FALSE);
+        const auto draw = [&](float mark, const char* fragment, std::vector<gl::Define> kind) {
+            glDepthRangef(mark, mark);
+            const std::vector<gl::Define> trials = trial_defines(f, f.settings.view.light);
+            kind.insert(kind.end(), trials.begin(), trials.end());
+            glUseProgram(f.program("passes/fullscreen.vert.glsl", fragment, std::move(kind)));
+            FrameState::draw_fullscreen(info);
+        };
+        draw(shared::MARK_FALSE_LIGHT, "passes/causes.frag.glsl",
+             {{"FOR_FALSE_LIGHT", "1"}, {"FOR_FALSE_SHADOW", "0"}});
+        draw(shared::MARK_FALSE_SHADOW, "passes/causes.frag.glsl",
+             {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        const bool has_map = source_of(f.settings, f.settings.view.light).needs.map;
+        if (has_map)
+            draw(shared::MARK_FAINT, "passes/faint_acne.frag.glsl",
+                 {{"FOR_FALSE_LIGHT", "0"}, {"FOR_FALSE_SHADOW", "1"}});
+        glDepthRangef(0, 1);
+        glDepthMask(GL_TRUE);
+    };
+    return pass;
+}
+
+Pass evidence_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "trials of every pixel";
+    pass.category = PassCategory::Tool;
+    pass.reads = lookup_reads(f);
+    pass.reads.push_back(Result::UnfilteredMap);
+    if (f.reference.met) pass.reads.push_back(Result::Reference);
+    pass.writes = {Result::Evidence};
+    pass.idle_reason = "nothing asks for trials";
+    pass.key = f.shown_light_key().add(f.reference.met).value();
+    pass.cached = &targets(f).evidence[0].key;
+    pass.run = [&f](PassInfo& info) {
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
+        pass_into.clear(glm::vec4(0));
+        draw_evidence(f, f.settings.view.light, f.reference.met, info);
+    };
+    return pass;
+}
+
+/// The sums of all tiles, in double.
+/// @param has_map whether the light that is judged has its shadows from a map
+PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
+    const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
+    std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));
+    gl::prepare_read_back();
+    glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
+                      values.data());
+    glm::dvec4 layers[shared::TILE_LAYERS] = {};
+    for (std::size_t i = 0; i < values.size(); ++i) layers[i / per_layer] += glm::dvec4(values[i]);
+    PixelSums sums;
+    for (std::size_t a = 0; a + 3 < kArtefacts; ++a) {
+        const int layer = int(a) / 4, number = int(a) % 4;
+        sums.dark[a] = layers[shared::TILE_DARK + layer][number];
+        sums.bright[a] = layers[shared::TILE_BRIGHT + layer][number];
+    }
+    if (!has_map)
+        for (auto* of : {&sums.dark, &sums.bright})
+            (*of)[std::size_t(Artefact::NoMap)] = std::exchange((*of)[std::size_t(Artefact::None)], 0);
+    const auto moves = [](auto& of, Artefact from, Artefact to) {
+        of[std::size_t(to)] = std::exchange(of[std::size_t(from)], 0);
+    };
+    moves(sums.bright, Artefact::Acne, Artefact::PeterPanningRaster);
+    moves(sums.dark, Artefact::Leak, Artefact::Contact);
+    const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];
+    sums.outside = noted[0];
+    sums.any_acne = noted[1];
+    sums.within_noise = noted[2];
+    sums.either = noted[3];
+    sums.absolute = means[0];
+    sums.squares = means[1];
+    sums.sum = means[2];
+    sums.both = means[3];
+    return sums;
+}
+
+Pass sums_pass(FrameState& f) {
+    Pass pass;
+    pass.name = "errors summed up";
+    pass.category = PassCategory::Tool;
+    pass.reads = {Result::Judged, Result::Reference};
+    pass.writes = {Result::Error};
+    pass.idle_reason = "not needed: no number of the error is shown";
+    pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
+    pass.cached = &targets(f).error_tiles.key;
+    pass.run = [&f](PassInfo& info) {
+        const Reference& reference = *f.request.reference->traced.reference;
+        const int across = (reference.width + kTile - 1) / kTile, down = (reference.height + kTile - 1) / kTile;
+        gl::Target& tiles = targets(f).error_tiles;
+        tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
+        const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
+        f.begin_fullscreen_pass(framebuffer.id(), across, down);
+        std::vector<gl::Define> extra = reference_defines(f);
+        extra.push_back({"TILE", std::to_string(kTile)});
+        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
+        FrameState::draw_fullscreen(info);
+        targets(f).error = std::make_shared<const LiveError>(
+            metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), reference));
+    };
+    return pass;
+}
+
+std::string upper(std::string_view key) {
+    std::string out;
+    for (const char c : key) out += char(std::toupper(static_cast<unsigned char>(c)));
+    return out;
+}
+
+}  // namespace
+
+std::vector<gl::Define> reference_defines(const FrameState& f) {
+    const int step = f.request.reference ? f.request.reference->step : 1;
+    std::vector<gl::Define> out{{"REFERENCE_STEP", std::to_string(step)},
+                                {"REFERENCE_ROWS", std::to_string(f.request.height)}};
+    out.push_back({"ARTEFACT_NONE", "0"});
+    std::string colours;
+    for (const ArtefactStyle& style : artefact_styles()) {
+        out.push_back({"ARTEFACT_" + upper(style.key), std::to_string(int(style.artefact))});
+        colours += fmt::format("{}vec3({:.6f}, {:.6f}, {:.6f})", colours.empty() ? "" : ", ", style.rgb[0] / 255.0,
+                               style.rgb[1] / 255.0, style.rgb[2] / 255.0);
+    }
+    out.push_back({"ARTEFACT_COLOURS", "vec3[](" + colours + ")"});
+    return out;
+}
+
+std::shared_ptr<const LiveError> live_error(const FrameState& f) {
+    return targets(f).error;
+}
+
+void add_reference_passes(FrameState& f) {
+    ReferenceTargets& t = targets(f);
+    f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
+    f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
+    f.plan.place(Result::Compared, {&t.classified});
+    f.plan.place(Result::Judged, {&t.classified, shared::UNIT_CLASSIFIED});
+    f.plan.place(Result::Error, {&t.error_tiles});
+    for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
+    std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
+    for (Pass& pass : passes) {
+        if (!f.reference.met) {
+            pass.unneeded = kUntraced;
+            pass.run = nullptr;
+            pass.cached = nullptr;
+        }
+        f.plan.add(std::move(pass));
+    }
+    f.plan.add(evidence_pass(f));
+}
+
+void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info) {
+    std::vector<gl::Define> extra = trial_defines(f, light);
+    extra.push_back({"REFERENCE_KNOWN", reference_known ? "1" : "0"});
+    f.draw_from_camera("passes/evidence.frag.glsl", extra, info);
+}
+
+}  // namespace si

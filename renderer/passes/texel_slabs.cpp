@@ -1,0 +1,57 @@
+#include "renderer/passes/texel_slabs.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+
+TexelRegion slab_region(const ViewSettings& view, int resolution) {
+    const glm::dvec2 centre = glm::dvec2(view.slabs_u, view.slabs_v) * double(resolution);
+    const glm::ivec2 first(glm::floor(centre - 0.5 * view.slabs_texels + 0.5));
+    TexelRegion region;
+    region.first = glm::clamp(first, glm::ivec2(0), glm::ivec2(resolution));
+    region.size = glm::clamp(first + view.slabs_texels, glm::ivec2(0), glm::ivec2(resolution)) - region.first;
+    return region;
+}
+
+std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
+                                        const glm::dvec2& uv) {
+    const DepthCurve curve = view.curve.at_row(uv.y);
+    const double c = bias.constant;
+    if (bias.unit == int(BiasUnit::Depth)) {
+        const double shifted = curve.convention.reversed ? stored - c : stored + c;
+        const double z = curve.distance(shifted);
+        // A perspective curve reaches infinity at a depth beyond its far plane's.
+        if (curve.perspective && !(z > 0 && std::isfinite(z))) return std::nullopt;
+        return z;
+    }
+    const double z = curve.distance(stored);
+    if (bias.unit == int(BiasUnit::Texels))
+        return z + c * view.texel_size_at(view.position_ws(uv, z), resolution).longest;
+    return curve.perspective ? 0.5 * z * (1 + std::sqrt(1 + 4 * c / z)) : z + c;
+}
+
+std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
+                                   const TexelRegion& region, const std::vector<float>& depths, Slabs which) {
+    std::vector<TexelSlab> slabs;
+    const auto add = [&](glm::ivec2 texel, double z, bool biased) {
+        TexelSlab slab{texel, biased, {}};
+        for (int i = 0; i < 4; ++i)
+            slab.corners[std::size_t(i)] =
+                view.position_ws((glm::dvec2(texel) + glm::dvec2(i & 1, i >> 1)) / double(resolution), z);
+        slabs.push_back(slab);
+    };
+    for (int y = 0; y < region.size.y; ++y)
+        for (int x = 0; x < region.size.x; ++x) {
+            const double stored = depths[std::size_t(y) * std::size_t(region.size.x) + std::size_t(x)];
+            if (!std::isfinite(stored) || stored == view.curve.convention.far_depth()) continue;
+            const glm::ivec2 texel = region.first + glm::ivec2(x, y);
+            const glm::dvec2 uv = (glm::dvec2(texel) + 0.5) / double(resolution);
+            if (which != Slabs::Biased) add(texel, view.curve.at_row(uv.y).distance(stored), false);
+            if (which == Slabs::Stored) continue;
+            if (const auto z = compared_distance(view, bias, resolution, stored, uv)) add(texel, *z, true);
+        }
+    return slabs;
+}
+
+}  // namespace si

@@ -1,0 +1,479 @@
+// From settings to the facts of a frame: repaired settings, camera, fitted lights, map layout.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "renderer/base/poisson_disk.h"
+#include "renderer/frame/driver.h"
+#include "renderer/frame/settings_block.h"
+#include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/projection/projection.h"
+#include "renderer/reference/light_map.h"
+#include "renderer/reference/reference_picture.h"
+#include "renderer/render/renderer_impl.h"
+#include "renderer/scene/placement.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/map_storage.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
+#include "renderer/view/fits/near_far.h"
+#include "renderer/view/lights/kernel_reach.h"
+
+namespace si {
+namespace {
+
+/// Everything that place_lights() and fit_maps() read but the camera.
+Key lights_as_placed_key(const FrameState& f) {
+    Key key;
+    key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
+    key.add(f.settings.map.format).add(face_margin_texels(f.settings)).add(f.settings.map.origin);
+    for (const Param& p : params())
+        if (p.scope == Scope::Light && !is_text(p))
+            for (int i = 0; i < std::min(f.settings.light_count, kMaxLights); ++i)
+                std::visit([&](const auto& v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
+    const BiasSettings& b = f.settings.bias;
+    for (int i = 0; i < f.settings.light_count; ++i)
+        if (f.settings.lights[std::size_t(i)].near_far == int(NearFar::Pancaking))
+            key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
+    key.add(draws_pages(f.settings)).add(page_texels(f.settings));
+    key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
+    for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
+    for (int i = 0; i < f.settings.light_count; ++i)
+        if (fit_row(f.settings.lights[std::size_t(i)].fit).narrows)
+            key.add(fit_margin_texels(f.settings, f.settings.map.resolution));
+    return key;
+}
+
+bool any_fit_reads_camera(const Settings& settings) {
+    for (int i = 0; i < settings.light_count; ++i)
+        if (fit_reads_camera(settings, i)) return true;
+    return false;
+}
+
+bool any_fit_reads_depths(const Settings& settings) {
+    for (int i = 0; i < settings.light_count; ++i)
+        if (fit_reads_depths(settings, i)) return true;
+    return false;
+}
+
+/// Everything that the camera's place, direction, projection and planes are made of.
+void add_camera(Key& key, const Camera& c) {
+    key.add(c.eye).add(c.axes[0]).add(c.axes[1]).add(c.axes[2]).add(c.orthographic).add(c.fov_y_rad).add(c.height);
+    key.add(c.aspect).add(c.curve.near).add(c.curve.far);
+}
+
+/// Places the lights, makes the camera, which may look through one of them, and fits the maps, which may be for what
+/// the camera sees. Lights are fitted anew when the camera moves only where a fit reads it.
+void fit(FrameState& f) {
+    Resources& r = f.gl;
+    Key key = lights_as_placed_key(f);
+    if (key.value() != r.as_placed_key) {
+        r.placed = place_lights(f.scene, f.settings);
+        r.as_placed = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
+        r.as_placed_key = key.value();
+    }
+    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
+    const bool camera = any_fit_reads_camera(f.settings);
+    const MapCamera own{f.camera, any_fit_reads_depths(f.settings) ? r.seen.span : std::nullopt};
+    const MapCamera& maps = f.request.map_camera ? *f.request.map_camera : own;
+    if (camera) {
+        add_camera(key, maps.camera);
+        key.add(reach_of_lookups(f.settings));
+        if (draws_pages(f.settings)) key.add(f.request.height);
+        if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
+    }
+    if (key.value() != r.fit_key) {
+        r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
+                                     maps.seen_m, f.request.height)
+                          : r.as_placed;
+        r.fit_key = key.value();
+    }
+    f.view_count = 0;
+    f.first_view.clear();
+    for (const FittedLight& light : f.gl.fitted) {
+        f.first_view.push_back(f.view_count);
+        if (light.casts) f.view_count += int(light.views.size());
+    }
+}
+
+/// A number of a map past those of the light shown means the last; of a light with one map it means nothing.
+void note_shown_view(FrameState& f) {
+    const auto shown = std::size_t(std::max(f.settings.view.light, 0));
+    if (shown >= f.gl.fitted.size()) return;
+    const FittedLight& light = f.gl.fitted[shown];
+    const std::size_t count = light.views.size();
+    if (count > 1 && f.settings.view.face >= int(count))
+        f.notes.push_back(fmt::format("view.face {}: light {} has maps 0 to {}; the last is shown, {}",
+                                      f.settings.view.face, shown, count - 1,
+                                      view_name(light.chooser.choice, count - 1, count)));
+}
+
+/// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
+/// @param limit that the driver's memory has set; null: none
+void fit_within_limits(FrameState& f, const Renderer::Impl::MapLimit* limit) {
+    int& n = f.settings.map.resolution;
+    const int asked = n;
+    n = std::clamp(n, 1, f.driver.max_texture_size);
+    if (n != asked)
+        f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
+    if (limit && limit->most < n) {
+        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->most, n, limit->why));
+        n = limit->most;
+    }
+    fit(f);
+    const int before = n;
+    const double bytes = kept_texel_bytes(f.settings);
+    while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
+    if (n != before) {
+        f.notes.push_back(
+            fmt::format("{} shadow map images of {}² need more than 2 GiB; {}² is used", f.view_count, before, n));
+        fit(f);
+    }
+    f.map_resolution = n;
+    for (const FittedLight& light : f.gl.fitted) f.notes.insert(f.notes.end(), light.notes.begin(), light.notes.end());
+    note_shown_view(f);
+}
+
+/// What of a kernel's preparation the driver and the stored format allow; the rest is said.
+void limit_moments(FrameState& f) {
+    const Filter& filter = filter_of(f.settings);
+    if (filter.samples != Samples::Moments) return;
+    FilterSettings& s = f.settings.filter;
+    const double most = safe_exponent(f.settings);
+    for (const auto& [key, value] :
+         {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
+        if (!owns(filter, key) || *value <= most) continue;
+        f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
+                                      s.moment_format == int(MomentFormat::Bits32) ? "32-bit" : "16-bit", most));
+        *value = most;
+    }
+    if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
+        f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
+                                      f.driver.max_anisotropy));
+        s.anisotropy = int(f.driver.max_anisotropy);
+    }
+    int& samples = f.settings.map.samples;
+    if (samples < 2 || f.settings.map.blur_texels > 0) return;
+    int used = f.driver.map_samples.empty() ? 1 : f.driver.map_samples.front();
+    for (const int count : f.driver.map_samples)
+        if (count >= samples) used = count;
+    if (used != samples)
+        f.notes.push_back(fmt::format("map.samples {} is not what the driver can draw depths with; {} {} used", samples,
+                                      used, used == 1 ? "is" : "are"));
+    samples = used;
+}
+
+/// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
+std::string light_constants(const FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    const auto array = [&](std::string_view name, auto value) {
+        std::string out = fmt::format("const int {}[{}] = int[](", name, std::max<std::size_t>(count, 1));
+        for (std::size_t i = 0; i < std::max<std::size_t>(count, 1); ++i)
+            out += fmt::format("{}{}", i ? ", " : "", i < count ? value(i) : 0);
+        return out + ");\n";
+    };
+    const auto& lights = f.gl.fitted;
+    // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
+    std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
+    for (std::size_t i = 0; i < count; ++i) {
+        each += fmt::format(" DO({})", i);
+        if (f.shades_by(i)) shining += fmt::format(" DO({})", i);
+    }
+    each += shining;
+    return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+           array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
+           array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
+           array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
+           array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
+           array("LIGHT_CLOSED", [&](std::size_t i) { return int(lights[i].casts && lights[i].closed); }) +
+           array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
+           array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.takes_for_lit(i)); }) +
+           array("LIGHT_WARPED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_warped()); }) +
+           array("LIGHT_PERSPECTIVE",
+                 [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
+}
+
+bool needs_surface_flags(const FrameState& f) {
+    for (const auto& [path, object] : f.settings.objects)
+        if (!object.receive) return true;
+    return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
+}
+
+/// k where the exponent is 2^k; 0: it is no such power.
+int squarings(double exponent) {
+    const int k = std::ilogb(exponent);
+    return std::ldexp(1.0, k) == exponent ? k : 0;
+}
+
+/// What of the light model the frame calls for, so that shaders need not read what they would multiply by 0 or 1: a CPU
+/// rasteriser gathers each number of a uniform block anew for every eight pixels.
+void add_shading_defines(FrameState& f) {
+    const ShadingSettings& s = f.settings.shading;
+    const bool grey = std::all_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
+        return light.radiance.r == light.radiance.g && light.radiance.r == light.radiance.b;
+    });
+    f.defines.push_back({"CAMERA_PARALLEL", f.camera.orthographic ? "1" : "0"});
+    f.defines.push_back({"LIGHTS_GREY", grey ? "1" : "0"});
+    f.defines.push_back({"SHADES_HIGHLIGHT", s.specular != 0 ? "1" : "0"});
+    f.defines.push_back({"SHININESS_SQUARINGS", std::to_string(squarings(s.shininess))});
+}
+
+void choose_kernel(FrameState& f) {
+    const Filter& filter = filter_of(f.settings);
+    f.filter_sampler = uses_sampler(f.settings);
+    if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
+        f.notes.push_back(
+            draws_pages(f.settings) ? "filter.method sampler cannot find pages of map.virtual; gather is used"
+            : is_colour(f.settings.map.format)
+                ? "filter.method sampler cannot compare a colour map; gather is used"
+                : fmt::format("filter.method sampler compares 2x2 texels with one depth, and bias.kind {} "
+                              "has one for each; gather is used",
+                              bias_of(f.settings).key));
+    for (const char* key : {"filter.taps", "filter.blocker_taps"}) {
+        const SettingRef ref = *find_setting(key);
+        const int taps = std::get<int>(get_value(f.settings, ref));
+        if (idle_reason(f.settings, ref).empty() && disk_places(filter, f.settings, taps) < taps)
+            f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
+                                          key, taps, kDiskTable));
+    }
+    f.defines = settings_defines(f.settings);
+    f.defines.push_back({"KERNEL_SIZE", std::to_string(taps_across(filter, f.settings))});
+    f.defines.push_back({"SUBPIXEL_BITS", std::to_string(f.driver.subpixel_bits)});
+    f.defines.push_back({"FILTER_SAMPLER", f.filter_sampler ? "1" : "0"});
+    f.defines.push_back({"SAMPLER_BILINEAR", is_bilinear(filter, f.settings) ? "1" : "0"});
+    f.defines.push_back({"COMPARE_BY_HAND", draws_pages(f.settings) ? "1" : "0"});
+    f.defines.push_back({"MOMENTS_SUMMED", filter.moments.summed ? "1" : "0"});
+    const bool integers = f.settings.filter.moment_format == int(MomentFormat::Bits16);
+    f.defines.push_back({"MOMENTS_QUANTISED", filter.moments.quantised && integers ? "1" : "0"});
+    f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
+    f.paged = draws_pages(f.settings) && f.view_count > 0;
+    f.defines.push_back({"MAP_IS_COLOUR", is_colour(f.settings.map.format) ? "1" : "0"});
+    f.defines.push_back({"MAP_HOLDS_DISTANCES", holds_distances(f.settings.map.format) ? "1" : "0"});
+    f.defines.push_back({"MAP_PAGED", f.paged ? "1" : "0"});
+    f.defines.push_back({"PAGE_SIZE", std::to_string(page_texels(f.settings))});
+    const bool blend = std::any_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
+        const auto blends = [](const ViewSpan& s) { return s.blends_from < s.ends; };
+        return light.casts && std::any_of(light.chooser.spans.begin(), light.chooser.spans.end(), blends);
+    });
+    f.defines.push_back({"VIEWS_BLEND", blend ? "1" : "0"});
+    if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
+    const Bias& bias = bias_of(f.settings);
+    f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
+    f.defines.push_back({"BIAS_READS_PLANE", bias.brings_need ? "1" : "0"});
+    f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
+    f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
+    f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
+    add_shading_defines(f);
+    for (gl::Define& d : lookup_optimisation_defines(f)) f.defines.push_back(std::move(d));
+    f.preamble = blocks_text(f.blocks_as_images()) + light_constants(f);
+    f.surface_flags = needs_surface_flags(f);
+    const auto& batches = f.gl.scene->batches();
+    f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
+        const bool masked = b.masked || (b.blend && f.settings.caster.blend == int(BlendCasters::Mask));
+        return b.cast && masked && b.texture != b.finest_texture;
+    });
+}
+
+/// What truth the frame needs, and whether the request brings it.
+void find_reference(FrameState& f) {
+    const Outputs& o = f.request.outputs;
+    bool asked = o.error || o.true_colour || o.classified || o.evidence;
+    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_reference);
+    if (!asked) return;
+    const int light = f.settings.view.light;
+    f.reference.key =
+        reference_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
+                      f.request.reference && f.request.reference->options ? *f.request.reference->options
+                                                                          : reference_options(f.settings));
+    if (f.reference.key == 0) {
+        f.notes.push_back("there is no light to trace the truth of");
+        return;
+    }
+    const ReferencePicture* reference = f.request.reference.get();
+    f.reference.met = reference && reference->key == f.reference.key;
+    if (!f.reference.met) return;
+    f.reference_content = reference->version;
+}
+
+/// What lights need whose source is ray traced, and which of it the request brings.
+void find_traced(FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    f.traced_pictures.assign(count, nullptr);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.reference) continue;
+        f.traced.resize(count);
+        ReferenceNeed& need = f.traced[i];
+        need.key = reference_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, int(i),
+                                 reference_options(f.settings));
+        const auto is_it = [&](const auto& reference) { return reference && reference->key == need.key; };
+        if (i < f.request.traced.size() && is_it(f.request.traced[i]))
+            f.traced_pictures[i] = f.request.traced[i].get();
+        else if (is_it(f.request.reference))
+            f.traced_pictures[i] = f.request.reference.get();
+        need.met = f.traced_pictures[i] != nullptr;
+        if (need.met)
+            f.lights_key.add(i).add(f.traced_pictures[i]->version);
+        else
+            f.notes.push_back(
+                fmt::format("light {} has no shadow yet: its source is {}, and no rays were traced for this view", i,
+                            source_of(f.settings, int(i)).key));
+    }
+}
+
+/// What lights need whose source is a light map, and which of it the request brings.
+void find_light_maps(FrameState& f) {
+    const std::size_t count = f.gl.fitted.size();
+    f.light_map_of_light.assign(count, nullptr);
+    if (!any_source_needs(f.settings, &SourceNeeds::light_map)) return;
+    int& side = f.settings.light_map.resolution;
+    if (side > f.driver.max_texture_size) {
+        f.notes.push_back(fmt::format("light_map.resolution {} is beyond the driver's limit; {} is used", side,
+                                      f.driver.max_texture_size));
+        side = f.driver.max_texture_size;
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.light_map) continue;
+        f.light_maps.resize(count);
+        LightMapNeed& need = f.light_maps[i];
+        need.key = light_map_key(f.scene, f.settings, f.gl.fitted, int(i));
+        need.resolution = side;
+        const LightMap* map = i < f.request.light_maps.size() ? f.request.light_maps[i].get() : nullptr;
+        need.met = map && map->key == need.key;
+        if (!need.met) {
+            f.notes.push_back(
+                fmt::format("light {} has no shadow yet: its source is {}, and none was baked for this scene, pose and "
+                            "light",
+                            i, source_of(f.settings, int(i)).key));
+            continue;
+        }
+        f.light_map_of_light[i] = map;
+        f.lights_key.add(i).add(map->version);
+        need.bytes = map->texels.size();
+        need.rays = map->rays;
+        need.texels_per_metre = map->layout->texels_per_metre;
+        need.charts = map->layout->charts.size();
+        need.bake_ms = map->bake_ms;
+        need.from_disk = map->from_disk;
+        if (!map->remark.empty()) f.notes.push_back(map->remark);
+    }
+}
+
+/// Which panes there are and what they need.
+void arrange_panes(FrameState& f) {
+    const std::vector<int> chosen = pane_overlays(f.settings.view);
+    const Outputs& o = f.request.outputs;
+    find_reference(f);
+    f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
+                            f.request.forced.contains(Optimisation::Fused) ||
+                            (f.reference.met && (o.error || o.classified || o.true_colour));
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
+        f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
+    std::vector<int> shown;
+    for (const int overlay : chosen) {
+        const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_reference && !f.reference.met;
+        shown.push_back(lacks ? 0 : overlay);
+        const int slot = int(std::ranges::find(shown, shown.back()) - shown.begin());
+        f.panes.push_back({shown.back(), slot, lacks});
+        const Overlay* row = f.panes.back().row();
+        f.separate_visibility |= row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour);
+    }
+    f.slabs_shown = f.settings.view.slabs != int(Slabs::None) && f.shown_view();
+}
+
+std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> last{0};
+    return ++last;
+}
+
+}  // namespace
+
+Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
+    resources.empty_vao = gl::VertexArray::create("no vertices");
+    resources.map_nearest = gl::Sampler::create("shadow map, nearest");
+    resources.map_compare = gl::Sampler::create("shadow map, comparison");
+    resources.map_blended = gl::Sampler::create("shadow map, blended");
+}
+
+gl::PassClock& Renderer::Impl::pass_clock() {
+    if (!clock) {
+        clock = std::make_unique<gl::PassClock>();
+        driver.clock = clock->name();
+        driver.query_share = clock->query_share();
+    }
+    return *clock;
+}
+
+void Renderer::Impl::calibrate_offset(int map_format) {
+    PolygonOffset& offset = driver.offset[std::size_t(map_format)];
+    if (!offset.measured) offset = measure_polygon_offset(map_format);
+}
+
+FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f = derive(scene, settings, request);
+    if (!any_fit_reads_depths(f.settings)) return f;
+    if (request.map_camera) {
+        if (!request.map_camera->seen_m)
+            f.notes.push_back(
+                "light.depth_bounds sdsm: nothing was measured for the camera that the maps are made for; "
+                "they go by the boxes");
+        return f;
+    }
+    SeenDepths& seen = resources.seen;
+    const std::uint64_t key = f.surfaces_key().value();
+    if (seen.key == key && !request.force) {
+        seen.info.state = PassState::Cached;
+        seen.info.reason = "nothing that the camera sees has changed";
+        seen.info.cpu_ms = seen.info.gpu_ms = 0;
+        f.seen_m = seen.span;
+        return f;
+    }
+    upload_blocks(f);
+    seen.span = measure_seen_depths(f, seen.info);
+    seen.key = key;
+    FrameState measured = derive(scene, settings, request);
+    measured.camera_depth_renewed = true;  // once a frame, also where it is forced
+    measured.seen_m = seen.span;
+    return measured;
+}
+
+FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    if (!repaired || !(repaired->given == settings)) {
+        repaired = Repaired{settings, settings, {}};
+        repaired->notes = sanitise(repaired->settings);
+    }
+    FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
+    f.notes = repaired->notes;
+    limit_moments(f);
+    if (map_limit && map_limit->asked != settings.map.resolution) map_limit.reset();
+    fit_within_limits(f, map_limit ? &*map_limit : nullptr);
+    if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
+    if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
+        f.notes.push_back(
+            "bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
+
+    if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
+        f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
+    f.origin = counted_from(f.settings, f.camera.origin());
+    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
+        resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
+    resources.scene->arrange(scene, f.settings);
+
+    f.geometry_key = resources.scene->key();
+    f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
+    resources.seen_objects.arrange(f);
+    f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.forced.value());
+    f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
+    add_shader_settings(f.lights_key, f.settings);
+    find_traced(f);
+    find_light_maps(f);
+    arrange_panes(f);
+    choose_kernel(f);
+    return f;
+}
+
+}  // namespace si

@@ -1,0 +1,144 @@
+// Pictures and maps back from the GPU, top row first.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "renderer/base/error.h"
+#include "renderer/frame/read_images.h"
+#include "renderer/passes/map_depths.h"
+#include "renderer/passes/numeric_health.h"
+#include "renderer/render/renderer_impl.h"
+
+namespace si {
+namespace {
+
+/// Whether the drawing is still the one that the frame saw.
+bool is_there(const FrameContents::Part& part, const Resources& resources) {
+    const auto drawing = resources.drawings.find(part.place);
+    return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
+}
+
+/// The first image of a result. @throws Error unless the frame drew it and its images still hold it
+const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
+    const gl::Target* image = nullptr;
+    for (const FrameContents::Part& part : frame.contents.parts) {
+        if (frame.contents.renderer != renderer || part.of != result) continue;
+        image = part.image;
+        if (!is_there(part, resources))
+            throw Error(
+                fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
+                            "before reading them",
+                            result_name(result)));
+    }
+    if (!image)
+        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them",
+                                result_name(result)));
+    return *image;
+}
+
+}  // namespace
+
+ByteImage Renderer::read_colour(const Image& image) {
+    ByteImage out{image.width, image.height, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
+    gl::prepare_read_back();
+    glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.data.size()), out.data.data());
+    flip_rows(out.data, out.width, out.height, 4);
+    return out;
+}
+
+FloatImage read_floats(const Image& image, int channels) {
+    FloatImage out{image.width, image.height, channels, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
+    constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
+    const GLenum format = kFormats[channels - 1];
+    gl::prepare_read_back();
+    glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
+    flip_rows(out.data, out.width, out.height, channels);
+    return out;
+}
+
+SurfaceIds read_ids(const Image& image) {
+    SurfaceIds out{image.width, image.height, {}};
+    out.data.resize(std::size_t(image.width) * std::size_t(image.height));
+    gl::prepare_read_back();
+    glGetTextureImage(image.texture, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(out.data.size() * sizeof(glm::uvec2)),
+                      out.data.data());
+    flip_rows(out.data, out.width, out.height, 1);
+    return out;
+}
+
+FloatImage Renderer::read_float(const Image& image, int channels) {
+    return read_floats(image, channels);
+}
+
+SurfaceIds Renderer::read_surface_ids(const Image& image) {
+    return read_ids(image);
+}
+
+FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int face) {
+    int layer = 0;
+    bool found = false;
+    for (std::size_t i = 0; i < frame.lights.size() && !found; ++i) {
+        if (!frame.lights[i].casts) continue;
+        const int views = int(frame.lights[i].views.size());
+        found = int(i) == light && face >= 0 && face < views;
+        layer += found ? face : views;
+    }
+    if (!found) throw Error(fmt::format("light {} has no shadow map image {}", light, face));
+    const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
+    if (!frame.maps_are_whole)
+        throw Error(
+            "the shadow maps of this frame hold only what its picture reads; ask it for its shadow maps before "
+            "reading them");
+    const int n = frame.map_resolution;
+    const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
+    FloatImage out{n, n, 1,
+                   read_map_depths(impl_->resources, map,
+                                   {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
+    flip_rows(out.data, n, n, 1);
+    return out;
+}
+
+FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
+    const ShownMap& shown = frame.shown_map;
+    if (shown.light < 0) throw Error("the frame drew no map view to read from");
+    if (shown.channel > 0) {
+        const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::MapChannel);
+        return read_float({t.texture.id(), t.width, t.height}, 1);
+    }
+    if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
+    const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
+    FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
+    gl::prepare_read_back();
+    glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
+                      out.data.data());
+    flip_rows(out.data, t.width, t.height, 1);
+    return out;
+}
+
+std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
+    require(frame, impl_->number, impl_->resources, Result::Health);
+    return read_numeric_health(impl_->resources, wait);
+}
+
+bool Renderer::holds(const FrameResult& frame) const {
+    const auto there = [&](const FrameContents::Part& p) { return is_there(p, impl_->resources); };
+    const auto& parts = frame.contents.parts;
+    return frame.contents.renderer == impl_->number && std::all_of(parts.begin(), parts.end(), there);
+}
+
+FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos) {
+    FrameContents out;
+    const std::vector<Pass>& plan = f.plan.passes();
+    for (std::size_t i = 0; i < plan.size(); ++i) {
+        if (infos[i].state == PassState::Skipped || !plan[i].cached) continue;
+        const auto drawing = f.gl.drawings.find(plan[i].cached);
+        const std::uint64_t drawn = drawing == f.gl.drawings.end() ? 0 : drawing->second;
+        for (const ResultRef& result : plan[i].writes)
+            out.parts.push_back({result.what, &f.result(result), plan[i].cached, plan[i].key, drawn});
+    }
+    return out;
+}
+
+}  // namespace si

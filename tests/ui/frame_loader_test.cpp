@@ -1,0 +1,179 @@
+// Frames on a thread of their own: the old picture stays with its numbers until the next is there, which is the bytes
+// of who waited.
+#include <epoxy/gl.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "app/editor/headless_editor.h"
+#include "app/editor/shader_warmup.h"
+#include "renderer/gl/target.h"
+#include "renderer/settings/param.h"
+
+namespace si {
+namespace {
+
+using Bytes = std::vector<std::uint8_t>;
+
+std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::milliseconds> patience) {
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 800;
+    options.height = 600;
+    options.headless = true;
+    options.frame_patience = patience;
+    auto editor = std::make_unique<HeadlessEditor>(options);
+    editor->settle();
+    return editor;
+}
+/// Who waits for nothing.
+std::unique_ptr<HeadlessEditor> hasty_editor() {
+    return editor_of(std::chrono::milliseconds(0));
+}
+void choose(HeadlessEditor& editor, const char* kernel) {
+    set_setting(editor.model().state.settings, "filter.kernel", kernel);
+}
+/// The scene's picture as it is shown.
+Bytes shown(HeadlessEditor& editor) {
+    const Image image = editor.model().facts().result->panes.front().picture;
+    Bytes out(std::size_t(image.width) * std::size_t(image.height) * 4);
+    gl::prepare_read_back();
+    glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
+    return out;
+}
+
+TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
+    EditorOptions options;
+    options.session.scene = "boxes";
+    options.width = 800;
+    options.height = 600;
+    options.headless = true;
+    options.frame_patience = std::chrono::milliseconds(0);
+    HeadlessEditor editor(options);
+    EditorModel& model = editor.model();
+    std::set<std::string> passes;
+    double furthest = 0;
+    while (!model.facts().result) {
+        model.finish_loading();
+        editor.frame();
+        while (model.drawing() && !model.tracing_moved() && passes.size() < 2) {
+            if (const auto drawing = model.facts().drawing) {
+                furthest = std::max(furthest, drawing->progress);
+                if (!drawing->pass.empty()) passes.insert(drawing->pass);
+            }
+        }
+        model.finish_drawing();
+    }
+    EXPECT_GE(passes.size(), 2u);
+    EXPECT_GT(furthest, 0);
+    choose(editor, "pcf7");
+    editor.frame();
+    EXPECT_FALSE(model.facts().drawing) << "there is a picture meanwhile";
+    editor.settle();
+}
+
+TEST(FrameLoader, TheOldPictureStaysUntilTheNextIsTaken) {
+    const auto editor = hasty_editor();
+    const Bytes before = shown(*editor);
+    choose(*editor, "pcss");
+    editor->frame();
+    ASSERT_TRUE(editor->model().drawing());
+    EXPECT_TRUE(shown(*editor) == before) << "while it is drawn";
+    editor->model().finish_tracing();
+    EXPECT_TRUE(shown(*editor) == before) << "it is there, and nobody took it";
+    editor->frame();
+    EXPECT_FALSE(shown(*editor) == before);
+    editor->settle();
+    EXPECT_FALSE(editor->model().drawing());
+}
+
+TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
+    std::vector<Bytes> pictures[2];
+    double visibility[2] = {-1, -2};
+    std::size_t taps[2] = {1, 2};
+    for (const int hasty : {0, 1}) {
+        const auto editor = hasty ? hasty_editor() : editor_of({});
+        for (const char* kernel : {"pcf5", "vsm", "pcf3"}) {
+            choose(*editor, kernel);
+            editor->settle();
+            pictures[hasty].push_back(shown(*editor));
+        }
+        editor->model().state.probe_pixel = glm::ivec2(150, 140);
+        editor->settle();
+        const Probe* probe = editor->model().facts().probe;
+        ASSERT_TRUE(probe && probe->hit);
+        visibility[hasty] = probe->lights.front().visibility;
+        taps[hasty] = probe->lights.front().taps.size();
+    }
+    EXPECT_TRUE(pictures[0] == pictures[1]);
+    EXPECT_EQ(visibility[0], visibility[1]);
+    EXPECT_EQ(taps[0], taps[1]);
+}
+
+TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
+    const auto editor = hasty_editor();
+    choose(*editor, "pcf5");
+    EditorRequests actions = editor->frame();
+    ASSERT_TRUE(editor->model().drawing());
+    actions.save_error = "/nowhere/error.json";
+    editor->model().fulfil(actions);
+    editor->settle();
+    const auto& lines = editor->model().state.log.lines();
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
+                            [](const LogLine& l) { return l.text.find("Not saved") != std::string::npos; }));
+}
+
+TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
+    const auto editor = hasty_editor();
+    const Bytes before = shown(*editor);
+    choose(*editor, "pcf7");
+    editor->frame();
+    ASSERT_TRUE(editor->model().drawing());
+    editor->model().open("plane");
+    editor->settle();
+    EXPECT_EQ(editor->model().state.scene_name, "plane");
+    EXPECT_FALSE(shown(*editor) == before);
+}
+
+TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
+    const auto editor = hasty_editor();
+    EditorRequests actions = editor->frame();
+    editor->settle();
+    actions.scene_width = 1 << 20;
+    editor->model().fulfil(actions);
+    editor->model().finish_drawing();
+    EXPECT_FALSE(std::string(editor->model().facts().problem).empty());
+    EXPECT_GT(editor->model().state.log.unseen_errors(), 0);
+}
+
+TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
+    const auto editor = hasty_editor();
+    const ShaderWarmup& rehearsals = *editor->model().rehearsals();
+    rehearsals.wait();
+    const std::size_t done = rehearsals.done();
+    EXPECT_GT(done, 0u);
+    const std::uint64_t drawn = editor->model().facts().result->contents.parts.front().drawn;
+    for (int i = 0; i < 5; ++i) editor->frame();
+    editor->model().finish_drawing();
+    EXPECT_EQ(editor->model().facts().result->contents.parts.front().drawn, drawn);
+    const EditorModel& model = editor->model();
+    EXPECT_FALSE(model.loading_moved() || model.measuring_moved() || model.tracing_moved())
+        << "nothing calls for a frame";
+    rehearsals.wait();
+    EXPECT_EQ(rehearsals.done(), done);
+}
+
+/// The map fills the window, and there is no picture of the scene.
+TEST(FrameLoader, AMapAloneFollowsItsSettings) {
+    const auto editor = hasty_editor();
+    EditorState& state = editor->model().state;
+    state.maximised = Panel::Map;
+    editor->settle();
+    state.settings.map.resolution = 64;
+    editor->settle();
+    ASSERT_TRUE(editor->model().facts().result);
+    EXPECT_EQ(editor->model().facts().result->map_resolution, 64);
+}
+
+}  // namespace
+}  // namespace si

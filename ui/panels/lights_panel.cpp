@@ -1,0 +1,197 @@
+#include "ui/panels/lights_panel.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "renderer/base/error.h"
+#include "renderer/projection/view_choice.h"
+#include "renderer/settings/param.h"
+#include "ui/state/light_list.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/button_width.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+#include "ui/widgets/tooltip.h"
+
+namespace si {
+namespace {
+
+constexpr int kF2 = 291;  ///< as the window feeds it (GLFW)
+
+// IEC 61966-2-1: settings are linear, what a person chooses is what the screen shows.
+float shown(double linear) {
+    const double v = std::clamp(linear, 0.0, 1.0);
+    return float(v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
+}
+double linear(float shown) {
+    const double v = std::clamp(double(shown), 0.0, 1.0);
+    return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+}
+
+/// Looks pressed while `on`.
+bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
+    if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
+    const bool pressed = ImGui::Button(label, size);
+    if (on) ImGui::PopStyleColor(2);
+    return pressed;
+}
+
+void swatch(LightSettings& light) {
+    float rgb[] = {shown(light.red), shown(light.green), shown(light.blue)};
+    if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip)) {
+        // A part that was not moved keeps all of its digits.
+        double* parts[] = {&light.red, &light.green, &light.blue};
+        for (int i = 0; i < 3; ++i)
+            if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
+    }
+    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}", light.red, light.green,
+                                light.blue));
+}
+
+void begin_rename(EditorState& state, int light) {
+    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+}
+
+/// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
+void rename_field(EditorState& state) {
+    LightRename& rename = *state.light_rename;
+    if (!rename.begun) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-FLT_MIN);
+    ImGui::InputTextWithHint("##name", "name", &rename.name, ImGuiInputTextFlags_AutoSelectAll);
+    if (ImGui::IsItemActive()) rename.begun = true;
+    if (!rename.begun || ImGui::IsItemActive()) return;
+    if (ImGui::IsItemDeactivatedAfterEdit()) {
+        try {
+            set_setting(state.settings, fmt::format("light.{}.name", rename.light), rename.name);
+        } catch (const UsageError& e) {
+            state.log.add(LogKind::Error, e.what());
+        }
+    }
+    state.light_rename.reset();
+}
+
+void light_name(EditorState& state, int i) {
+    Settings& s = state.settings;
+    const LightSettings& light = s.lights[std::size_t(i)];
+    const std::string type = shown_value(s, *find_setting("light.type"), light.type);
+    const std::string text = fmt::format("{} {}###shown", i, light.name.empty() ? type : light.name);
+    ImGui::AlignTextToFramePadding();
+    ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
+    if (ImGui::Selectable(text.c_str(), i == shown_light(s), ImGuiSelectableFlags_AllowDoubleClick)) {
+        s.view.light = i;
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_rename(state, i);
+    }
+    ImGui::PopStyleColor();
+    wrapped_tooltip(
+        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. T changes "
+                    "its type; double-click or F2 renames it",
+                    type));
+}
+
+void light_row(EditorState& state, int i, bool intensities) {
+    Settings& s = state.settings;
+    LightSettings& light = s.lights[std::size_t(i)];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::PushID(i);
+    if (state.light_rename && state.light_rename->light == i)
+        rename_field(state);
+    else
+        light_name(state, i);
+    ImGui::TableNextColumn();
+    ImGui::Checkbox("##on", &light.on);
+    wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
+    ImGui::TableNextColumn();
+    ImGui::BeginDisabled(s.light_count < 2);
+    if (toggle("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
+    ImGui::EndDisabled();
+    wrapped_tooltip("Switches all others off; again: all on");
+    ImGui::TableNextColumn();
+    swatch(light);
+    if (intensities) {
+        ImGui::TableNextColumn();
+        setting_widget(s, fmt::format("light.{}.intensity", i));
+    }
+    ImGui::PopID();
+}
+
+/// What can be done with the list of lights, in as many lines as it takes.
+void list_buttons(Settings& s) {
+    const int shown = shown_light(s);
+    bool first = true;
+    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
+                        {ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetStyle().ItemSpacing.y});
+    const auto button = [&](bool possible, const char* label, const std::string& tip) {
+        if (!std::exchange(first, false)) flow(button_width(label));
+        ImGui::BeginDisabled(!possible);
+        const bool pressed = ImGui::Button(label);
+        ImGui::EndDisabled();
+        wrapped_tooltip(tip);
+        return pressed;
+    };
+    if (button(can_add_light(s), "Add light", fmt::format("One more, apart from the others; at most {}", kMaxLights)))
+        add_light(s);
+    if (button(shown >= 0 && can_add_light(s), "Copy", "One more like the light shown")) copy_light(s, shown);
+    if (button(shown >= 0, "Delete", "Takes the light shown away (Ctrl+Z brings it back)")) delete_light(s, shown);
+    if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
+    if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
+        move_light(s, shown, 1);
+    ImGui::PopStyleVar();
+}
+
+/// The faces of a cube unfolded, as they are numbered: +x -x +y -y +z -z.
+void cube_cross(Settings& s, const FrameResult& result) {
+    constexpr int kFaces = 6, kAcross = 4;
+    constexpr int kColumn[kFaces] = {2, 0, 1, 1, 1, 3}, kRow[kFaces] = {1, 1, 0, 2, 1, 1};
+    const FittedLight& light = result.lights[std::size_t(shown_light(s))];
+    if (light.chooser.choice != ViewChoice::Face || light.views.size() != kFaces) return;
+    const float em = ImGui::GetFontSize(), gap = em * 0.15f;
+    const ImVec2 size(em * 2.6f, ImGui::GetFrameHeight()), at = ImGui::GetCursorPos();
+    const int now = shown_face(s, result);
+    ImGui::PushID("cube");
+    for (int face = 0; face < kFaces; ++face) {
+        const std::string mark = view_mark(ViewChoice::Face, std::size_t(face));
+        ImGui::SetCursorPos({at.x + float(kColumn[face]) * (size.x + gap), at.y + float(kRow[face]) * (size.y + gap)});
+        if (toggle(mark.c_str(), face == now, size)) s.view.face = face;
+        wrapped_tooltip(fmt::format("The map viewer shows the face towards {}", mark));
+    }
+    ImGui::SetCursorPos({at.x + float(kAcross) * (size.x + gap) + em * 0.3f, at.y + size.y + gap});
+    ImGui::AlignTextToFramePadding();
+    constexpr const char* kCaption = "face shown";
+    if (ImGui::CalcTextSize(kCaption).x <= ImGui::GetContentRegionAvail().x) ImGui::TextDisabled(kCaption);
+    ImGui::SetCursorPos({at.x, at.y + 3 * (size.y + gap)});
+    ImGui::Dummy({0, 0});
+    ImGui::PopID();
+}
+
+}  // namespace
+
+void draw_lights(EditorState& state, const FrameResult* result) {
+    Settings& s = state.settings;
+    const float em = ImGui::GetFontSize();
+    // Narrow, the name goes first: the shown light's intensity stands among its settings below, too.
+    const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
+    if (shown_light(s) >= 0 && ImGui::BeginTable("lights", intensities ? 5 : 4,
+                                                 ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {
+        ImGui::TableSetupColumn("light", ImGuiTableColumnFlags_WidthStretch, 1);
+        ImGui::TableSetupColumn("on", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
+        ImGui::TableSetupColumn("solo", ImGuiTableColumnFlags_WidthFixed, button_width("Solo"));
+        ImGui::TableSetupColumn("colour", ImGuiTableColumnFlags_WidthFixed, ImGui::GetFrameHeight());
+        if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
+        for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
+        ImGui::EndTable();
+        const bool elsewhere = keys_are_taken(state) || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
+        if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));
+    }
+    list_buttons(s);
+    if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);
+}
+
+}  // namespace si

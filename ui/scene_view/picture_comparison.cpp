@@ -1,0 +1,216 @@
+// The picture against another one of the same frame: under a line that is dragged, beside it, or as their difference.
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "ui/scene_view/picture_marks.h"
+#include "ui/state/panels.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/setting_widgets.h"
+#include "ui/widgets/theme.h"
+
+namespace si {
+namespace {
+
+ImTextureID texture_id(unsigned texture) {
+    return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
+}
+
+constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
+
+bool is_pinned(const EditorState& state) {
+    return !state.against.reference && state.compare.kind == CompareKind::Pinned;
+}
+
+/// What stands at each side: what was pinned was there first.
+std::string visible_side(const EditorState& state) {
+    return is_pinned(state) ? "B: shown settings" : "A: shown settings";
+}
+
+std::string other_label(const EditorState& state, const EditorFrame& frame) {
+    if (state.against.reference) return "ray-traced truth";
+    if (state.compare.kind == CompareKind::Pinned) return "pinned A";
+    if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
+    if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
+    for (const PresetEntry& p : frame.presets)
+        if (p.key == state.compare.preset) return p.title.empty() ? p.key : p.title;
+    return scene_label(state.compare.preset);
+}
+
+std::string other_side(const EditorState& state, const EditorFrame& frame) {
+    return is_pinned(state) ? "A: pinned settings" : "B: " + other_label(state, frame);
+}
+
+void label(ImVec2 corner, float room, const std::string& text, bool right) {
+    const float em = ImGui::GetFontSize(), width = ImGui::CalcTextSize(text.c_str()).x;
+    if (width + em * 1.6f > room) return;
+    veiled_text({right ? corner.x - width - em * 0.8f : corner.x + em * 0.8f, corner.y}, text);
+}
+
+}  // namespace
+
+ComparisonView chosen_comparison(const EditorState& state) {
+    return (state.flicker ? state.flicker->against : state.against).view;
+}
+
+void comparison_view_widget(EditorState& state, float width) {
+    PictureComparison& a = state.against;
+    ImGui::SetNextItemWidth(width);
+    if (state.flicker) {
+        ImGui::BeginDisabled();
+        ImGui::Button("A alone", {width, 0});
+        ImGui::EndDisabled();
+        return;
+    }
+    if (begin_combo("##against view", kViews[int(a.view)])) {
+        for (int i = 0; i < int(std::size(kViews)); ++i) {
+            const bool chosen = i == int(a.view);
+            if (ImGui::Selectable(kViews[i], chosen)) a.view = ComparisonView(i);
+            if (chosen) ImGui::SetItemDefaultFocus();
+        }
+        ImGui::EndCombo();
+    }
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
+            "while A is held the picture shows them alone");
+}
+
+void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width) {
+    PictureComparison& a = state.against;
+    ImGui::SetNextItemWidth(width);
+    ImGui::BeginDisabled(state.flicker.has_value());
+    if (begin_combo("##against what", other_label(state, frame))) {
+        bool picked = false;
+        if (ImGui::Selectable("ray-traced truth", a.reference)) a.reference = picked = true;
+        const auto other = [&](const char* text, const CompareWith& with) {
+            if (!ImGui::Selectable(text, !a.reference && state.compare == with)) return;
+            a.reference = false;
+            picked = true;
+            state.compare = with;
+        };
+        other("the scene's own settings", {CompareKind::Scene, {}});
+        other("the program's defaults", {CompareKind::Defaults, {}});
+        if (state.pinned) other("pinned A", {CompareKind::Pinned, {}});
+        for (const std::string& path : frame.recent_presets)
+            other((scene_label(path) + "##" + path).c_str(), {CompareKind::Preset, path});
+        for (const PresetEntry& p : frame.presets)
+            other(((p.title.empty() ? p.key : p.title) + "##" + p.key).c_str(), {CompareKind::Preset, p.key});
+        if (picked && a.view == ComparisonView::Off) a.view = ComparisonView::Swipe;
+        ImGui::EndCombo();
+    }
+    ImGui::EndDisabled();
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip(
+            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the\n"
+            "shown light, under the same camera. Choosing one begins to compare");
+}
+
+bool steer_swipe(EditorState& state, const PictureView& view) {
+    PictureComparison& a = state.against;
+    if (a.view != ComparisonView::Swipe) return a.held = false;
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const float line = float(view.origin.x) + a.at * float(view.size.x), near = ImGui::GetFontSize() * 0.5f;
+    const bool over = std::abs(mouse.x - line) <= near && mouse.y >= float(view.origin.y) &&
+                      mouse.y < float(view.origin.y) + float(view.size.y);
+    if (ImGui::IsItemActivated() && ImGui::IsMouseClicked(ImGuiMouseButton_Left) && over) a.held = true;
+    if (!ImGui::IsMouseDown(ImGuiMouseButton_Left) && !ImGui::IsMouseReleased(ImGuiMouseButton_Left)) a.held = false;
+    if (a.held) a.at = std::clamp((mouse.x - float(view.origin.x)) / std::max(float(view.size.x), 1.0f), 0.0f, 1.0f);
+    if (a.held || (over && ImGui::IsItemHovered())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+    return a.held;
+}
+
+void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size,
+                     bool right_half) {
+    const PictureComparison& a = state.against;
+    if (a.view == ComparisonView::Off) return;
+    const float em = ImGui::GetFontSize(), top = lo.y + em * 0.6f;
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
+    const bool there = frame.against && frame.against->picture.texture != 0;
+    const std::string other = other_side(state, frame), shown = visible_side(state);
+    if (right_half && !there) list.AddRectFilled(p, q, theme::well());
+    if (!there) {
+        std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
+                           : a.reference && frame.reference                 ? reference_status(frame)
+                                                                            : "Drawing the other side …";
+        if (a.view != ComparisonView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
+        return;
+    }
+    const PictureComparisonFacts& facts = *frame.against;
+    switch (a.view) {
+        case ComparisonView::Swipe: {
+            const float line = std::round(lo.x + a.at * size.x);
+            list.PushClipRect({line, p.y}, q, true);
+            list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            list.PopClipRect();
+            list.AddLine({line, p.y}, {line, q.y}, theme::kOnPicture, std::max(1.0f, em / 10));
+            const float middle = 0.5f * (p.y + q.y), r = em * 0.45f;
+            list.AddCircleFilled({line, middle}, r * 1.5f, theme::kVeil);
+            list.AddTriangleFilled({line - r * 1.1f, middle}, {line - r * 0.3f, middle - r * 0.6f},
+                                   {line - r * 0.3f, middle + r * 0.6f}, theme::kOnPicture);
+            list.AddTriangleFilled({line + r * 1.1f, middle}, {line + r * 0.3f, middle + r * 0.6f},
+                                   {line + r * 0.3f, middle - r * 0.6f}, theme::kOnPicture);
+            label({line, top}, line - p.x, shown, true);
+            label({line, top}, q.x - line, other, false);
+            break;
+        }
+        case ComparisonView::SideBySide:
+            if (right_half) list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, right_half ? other : shown, false);
+            break;
+        case ComparisonView::Difference:
+            if (!facts.difference.texture) break;
+            list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, fmt::format("2 |A - B|, {}   mean |A - B| {:.5f}", other, facts.mae), false);
+            break;
+        case ComparisonView::Alone:
+            list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
+            label({p.x, top}, size.x, other, false);
+            break;
+        case ComparisonView::Off:
+            break;
+    }
+}
+
+void pin_settings(EditorState& state) {
+    if (state.flicker) return;
+    if (state.pinned && state.pinned->settings == state.settings) {
+        state.pinned.reset();
+        if (state.compare.kind == CompareKind::Pinned) {
+            state.compare = {};
+            state.against.view = ComparisonView::Off;
+        }
+        state.log.add(LogKind::Info, "Pin A is taken off");
+        return;
+    }
+    state.pinned = PinnedSettings{state.settings, state.scene_name};
+    if (state.against.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
+        state.compare = {CompareKind::Pinned, {}};
+        state.against.reference = false;
+    }
+    state.log.add(LogKind::Info,
+                  "Pinned the present settings as A: hold A to see them, B compares with them, P takes the pin off");
+}
+
+void steer_flicker(EditorState& state, bool may_start) {
+    if (!state.flicker && may_start && ImGui::IsKeyPressed('A', false)) {
+        if (!state.pinned) {
+            state.log.add(LogKind::Info, "Nothing is pinned: P pins the present settings as A");
+            return;
+        }
+        state.flicker = Flicker{state.against, state.compare};
+        state.against.view = ComparisonView::Alone;
+        state.against.reference = state.against.held = false;
+        state.compare = {CompareKind::Pinned, {}};
+    } else if (state.flicker && !ImGui::IsKeyDown('A')) {
+        state.against = state.flicker->against;
+        state.compare = state.flicker->compare;
+        state.flicker.reset();
+    }
+}
+
+}  // namespace si
