@@ -17,7 +17,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

@@ -17,7 +17,7 @@
 #include "app/session/workspace.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/settings/param.h"
 

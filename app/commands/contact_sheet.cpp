@@ -14,7 +14,7 @@
 #include "app/context/headless_context.h"
 #include "app/report/health_report.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/frame/renderer.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/font_data.h"

@@ -4,7 +4,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scene/ground.h"
 #include "renderer/settings/param.h"

@@ -9,7 +9,7 @@
 #include "app/base/interrupt.h"
 #include "app/base/notes.h"
 #include "app/sweep/progress_line.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

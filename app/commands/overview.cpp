@@ -11,7 +11,7 @@
 #include "app/report/map_report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {

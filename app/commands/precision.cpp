@@ -9,7 +9,7 @@
 #include "app/sweep/progress_line.h"
 #include "renderer/measure/pipelines.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

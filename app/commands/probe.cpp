@@ -19,7 +19,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/truth_picture.h"

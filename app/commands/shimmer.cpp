@@ -8,7 +8,7 @@
 #include "app/commands/interruptible.h"
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 
 namespace si {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/reference/truth_task.h"
 
 namespace si {

@@ -16,7 +16,7 @@
 #include "app/sweep/tuning.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 

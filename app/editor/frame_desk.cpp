@@ -12,7 +12,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/wishes.h"
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/target.h"
 
 namespace si {

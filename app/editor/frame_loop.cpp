@@ -11,7 +11,7 @@
 #include "app/report/number_watch.h"
 #include "app/report/views.h"
 #include "renderer/gl/trouble.h"
-#include "renderer/scene/stand_in.h"
+#include "renderer/scene/proxy_scene.h"
 
 namespace si {
 

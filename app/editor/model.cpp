@@ -12,7 +12,7 @@
 #include "app/report/section_svg.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "ui/panels/section_view.h"
 
 namespace si {

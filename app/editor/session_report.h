@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "ui/state/log.h"
 
 namespace si {

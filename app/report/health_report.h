@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "renderer/frame/renderer.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

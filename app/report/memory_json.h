@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include "app/base/output.h"
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/inspect/depth_histogram.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"

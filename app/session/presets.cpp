@@ -12,7 +12,7 @@
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"

@@ -12,7 +12,7 @@
 #include "renderer/scene/outline.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

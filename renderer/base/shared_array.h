@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/settings/biases.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 

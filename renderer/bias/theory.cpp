@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 #include "shaders/shared/facing.h"
 
 namespace si {

@@ -11,8 +11,8 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/kernel_reach.h"
-#include "renderer/view/placement.h"
-#include "renderer/view/projection.h"
+#include "renderer/scene/placement.h"
+#include "renderer/projection/projection.h"
 #include "renderer/view/sky.h"
 #include "shaders/shared/units.h"
 

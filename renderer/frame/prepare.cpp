@@ -18,11 +18,11 @@
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
-#include "renderer/view/disk_places.h"
+#include "renderer/base/poisson_disk.h"
 #include "renderer/view/kernel_reach.h"
 #include "renderer/view/near_far.h"
-#include "renderer/view/placement.h"
-#include "renderer/view/projection.h"
+#include "renderer/scene/placement.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

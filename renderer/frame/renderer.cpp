@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/pass_progress.h"
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/biases.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 namespace si::gl {
 

@@ -9,7 +9,7 @@
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 namespace si {
 namespace gltf {

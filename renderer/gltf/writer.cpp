@@ -16,10 +16,10 @@
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/base64.h"
 #include "renderer/base/error.h"
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/gltf.h"
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 namespace si {
 namespace {

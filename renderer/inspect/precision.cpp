@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

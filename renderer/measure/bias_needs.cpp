@@ -7,7 +7,7 @@
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

@@ -13,7 +13,7 @@
 #include "renderer/frame/effects.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/measure/time_sampler.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/frame/renderer.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

@@ -1,7 +1,7 @@
 #include "renderer/passes/caster_content.h"
 
 #include "renderer/passes/casters.h"
-#include "renderer/passes/of_meshes.h"
+#include "renderer/scene/per_mesh.h"
 
 namespace si {
 namespace {

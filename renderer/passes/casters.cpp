@@ -10,11 +10,11 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/passes/mesh_boxes.h"
-#include "renderer/passes/of_meshes.h"
+#include "renderer/scene/per_mesh.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/box_sight.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

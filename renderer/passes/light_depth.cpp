@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/map_extents.h"

@@ -7,7 +7,7 @@
 
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/disk_places.h"
+#include "renderer/base/poisson_disk.h"
 #include "renderer/view/kernel_reach.h"
 
 namespace si {

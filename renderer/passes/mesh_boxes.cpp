@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "renderer/passes/of_meshes.h"
+#include "renderer/scene/per_mesh.h"
 
 namespace si {
 namespace {

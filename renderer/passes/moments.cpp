@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "renderer/frame/driver.h"
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/passes/map_extents.h"

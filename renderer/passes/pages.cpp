@@ -15,7 +15,7 @@
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 #include "shaders/shared/pages.h"
 
 namespace si {

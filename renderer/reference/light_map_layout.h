@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

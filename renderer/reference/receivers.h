@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "renderer/base/big_array.h"
+#include "renderer/software/big_array.h"
 #include "renderer/frame/frame.h"
 #include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 #include "renderer/view/camera.h"
 
 namespace si {

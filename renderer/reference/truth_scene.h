@@ -5,7 +5,7 @@
 #include <span>
 
 #include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 namespace si {
 

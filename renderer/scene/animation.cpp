@@ -7,7 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/base/error.h"
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 namespace si {
 namespace {

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/base/shared_array.h"
 
 namespace si {

@@ -7,7 +7,7 @@
 
 #include "renderer/bias/polygon_offset.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/depth_curve.h"
+#include "renderer/projection/depth_curve.h"
 
 namespace si {
 

@@ -10,7 +10,7 @@
 #include "renderer/settings/choices_of.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
-#include "renderer/view/disk_places.h"
+#include "renderer/base/poisson_disk.h"
 
 namespace si {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "renderer/settings/aliases.h"
 #include "renderer/settings/owners.h"
 #include "renderer/settings/sources.h"

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "renderer/scene/scene.h"
-#include "renderer/view/light_view.h"
+#include "renderer/projection/light_view.h"
 
 namespace si {
 

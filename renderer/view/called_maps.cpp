@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/view/fits/convex.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

@@ -9,7 +9,7 @@
 #include "renderer/base/finite.h"
 #include "renderer/view/camera_settings.h"
 #include "renderer/view/framing.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

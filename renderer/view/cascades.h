@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/view/camera.h"
-#include "renderer/view/depth_span.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/fits/convex.h"
 

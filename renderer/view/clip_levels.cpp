@@ -8,7 +8,7 @@
 #include "renderer/view/cascades.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_fit.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

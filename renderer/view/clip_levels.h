@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/view/light_view.h"
-#include "renderer/view/view_choice.h"
+#include "renderer/projection/light_view.h"
+#include "renderer/projection/view_choice.h"
 
 namespace si {
 

@@ -6,7 +6,7 @@
 
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "renderer/view/camera.h"
-#include "renderer/view/depth_span.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_fit.h"
 

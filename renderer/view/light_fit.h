@@ -10,9 +10,9 @@
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/clip_levels.h"
-#include "renderer/view/depth_span.h"
-#include "renderer/view/light_view.h"
-#include "renderer/view/view_choice.h"
+#include "renderer/projection/depth_span.h"
+#include "renderer/projection/light_view.h"
+#include "renderer/projection/view_choice.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
 #include "renderer/view/fit_context.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

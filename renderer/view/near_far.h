@@ -1,7 +1,7 @@
 // Between which depths a map stores, as light.near_far chooses. Inside of view/ only.
 #pragma once
 
-#include "renderer/view/depth_span.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/view/fit_context.h"
 
 namespace si {

@@ -1,4 +1,4 @@
-// Places of the unit disk, of renderer/view/disk_places.h: *_PLACES are lists of constants, and 0 where there are too many
+// Places of the unit disk, of renderer/base/poisson_disk.h: *_PLACES are lists of constants, and 0 where there are too many
 // for that. Compilers for CPUs look into those only where they unroll a loop, so elsewhere places are read from a buffer.
 #if DISK_FROM_IMAGE
 layout(rg32ui, binding = IMAGE_DISK_PLACES) restrict readonly uniform uimageBuffer disk_texels;

@@ -1,4 +1,4 @@
-// Which of a light's views a point is looked up in: renderer/view/view_choice.h in single precision. LIGHT_CHOICE and
+// Which of a light's views a point is looked up in: renderer/projection/view_choice.h in single precision. LIGHT_CHOICE and
 // LIGHT_VIEWS are known when the program is made, so what no light of the scene needs costs nothing.
 #include "lib/frame.glsl"
 

@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/reference/truth_task.h"
 #include "tests/support/agreed_scene.h"

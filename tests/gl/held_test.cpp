@@ -1,5 +1,5 @@
 // What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 #include <chrono>
 #include <map>
@@ -7,7 +7,7 @@
 
 #include "app/editor/rehearsals.h"
 #include "app/sweep/measuring_thread.h"
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"

@@ -9,7 +9,7 @@
 #include "renderer/measure/pipelines.h"
 #include "renderer/measure/shimmer.h"
 #include "renderer/settings/overlays.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -8,7 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/section_drawing.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

@@ -1,5 +1,5 @@
 // A small scene in place of a large one: it calls for the same programs.
-#include "renderer/scene/stand_in.h"
+#include "renderer/scene/proxy_scene.h"
 
 #include <filesystem>
 

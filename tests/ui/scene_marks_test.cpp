@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/probe_ray.h"

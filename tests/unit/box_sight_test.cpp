@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

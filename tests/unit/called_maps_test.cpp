@@ -7,7 +7,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

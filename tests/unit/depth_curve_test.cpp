@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

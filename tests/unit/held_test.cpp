@@ -1,5 +1,5 @@
 // Who holds memory: what is told of holders, and what they let go.
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 #include <gtest/gtest.h>
 

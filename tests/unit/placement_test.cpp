@@ -1,5 +1,5 @@
 // Scenes put elsewhere, and settings that go along.
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 #include <gtest/gtest.h>
 

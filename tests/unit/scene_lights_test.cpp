@@ -1,5 +1,5 @@
 // The lights of a file as settings: places, directions, cones and colours come back out of the fit.
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 #include <gtest/gtest.h>
 

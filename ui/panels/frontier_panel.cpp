@@ -10,7 +10,7 @@
 #include <string>
 
 #include "renderer/base/error.h"
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/measure/axes.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/frame/numeric_health.h"
 
 namespace si {

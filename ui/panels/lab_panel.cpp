@@ -9,7 +9,7 @@
 #include "renderer/inspect/precision.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/right_aligned.h"

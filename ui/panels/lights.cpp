@@ -11,7 +11,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/view_choice.h"
+#include "renderer/projection/view_choice.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"

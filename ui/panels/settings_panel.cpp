@@ -8,7 +8,7 @@
 
 #include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 #include "ui/panels/lights.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/measure/time_sampler.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/ellipsis.h"

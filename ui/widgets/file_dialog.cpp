@@ -13,7 +13,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/base/small_letters.h"
+#include "renderer/base/lower_case.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "renderer/view/camera.h"
-#include "renderer/view/depth_span.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/view/fit_bounds.h"
-#include "renderer/view/light_view.h"
+#include "renderer/projection/light_view.h"
 
 namespace si {
 

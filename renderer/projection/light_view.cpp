@@ -1,10 +1,10 @@
-#include "renderer/view/light_view.h"
+#include "renderer/projection/light_view.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/reference/workers.h"
+#include "renderer/base/workers.h"
 
 #include <algorithm>
 #include <atomic>

@@ -1,4 +1,4 @@
-#include "renderer/base/held.h"
+#include "renderer/base/held_memory.h"
 
 #include <fmt/format.h>
 

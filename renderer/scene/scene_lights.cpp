@@ -1,4 +1,4 @@
-#include "renderer/view/scene_lights.h"
+#include "renderer/scene/scene_lights.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/view/depth_curve.h"
+#include "renderer/projection/depth_curve.h"
 
 #include <algorithm>
 #include <cmath>

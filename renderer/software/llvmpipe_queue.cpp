@@ -1,4 +1,4 @@
-#include "renderer/gl/pace.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 #include <epoxy/gl.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/view/placement.h"
+#include "renderer/scene/placement.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 

@@ -1,4 +1,4 @@
-#include "renderer/view/view_choice.h"
+#include "renderer/projection/view_choice.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/view/projection.h"
+#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

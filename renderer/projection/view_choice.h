@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/view/light_view.h"
+#include "renderer/projection/light_view.h"
 
 namespace si {
 

@@ -3,7 +3,7 @@
 
 #include <glm/glm.hpp>
 
-#include "renderer/view/depth_curve.h"
+#include "renderer/projection/depth_curve.h"
 
 namespace si {
 

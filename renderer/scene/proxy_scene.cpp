@@ -1,4 +1,4 @@
-#include "renderer/scene/stand_in.h"
+#include "renderer/scene/proxy_scene.h"
 
 #include <algorithm>
 #include <map>

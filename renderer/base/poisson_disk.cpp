@@ -1,4 +1,4 @@
-#include "renderer/view/disk_places.h"
+#include "renderer/base/poisson_disk.h"
 
 #include <algorithm>
 #include <cmath>
