@@ -6,7 +6,7 @@
 
 #include "renderer/settings/biases.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

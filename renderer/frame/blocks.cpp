@@ -10,10 +10,10 @@
 #include "renderer/gl/trouble.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "renderer/scene/placement.h"
 #include "renderer/projection/projection.h"
-#include "renderer/view/sky.h"
+#include "renderer/view/lights/sky.h"
 #include "shaders/shared/units.h"
 
 namespace si {

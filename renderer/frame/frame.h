@@ -16,8 +16,8 @@
 #include "renderer/reference/causes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/camera.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include <set>
 
 #include "renderer/frame/page_facts.h"
-#include "renderer/view/clip_levels.h"
+#include "renderer/view/cascades/clip_levels.h"
 #include "shaders/shared/pages.h"
 
 namespace si {

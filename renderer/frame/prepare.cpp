@@ -19,8 +19,8 @@
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
 #include "renderer/base/poisson_disk.h"
-#include "renderer/view/kernel_reach.h"
-#include "renderer/view/near_far.h"
+#include "renderer/view/lights/kernel_reach.h"
+#include "renderer/view/fits/near_far.h"
 #include "renderer/scene/placement.h"
 #include "renderer/projection/projection.h"
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "renderer/frame/state.h"
-#include "renderer/view/box_sight.h"
+#include "renderer/view/culling/box_culling.h"
 
 namespace si {
 namespace {

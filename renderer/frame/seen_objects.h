@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/view/picture_order.h"
+#include "renderer/view/culling/draw_order.h"
 
 namespace si {
 

@@ -24,7 +24,7 @@
 #include "renderer/gl/timer.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/map_cells.h"
+#include "renderer/view/culling/map_cells.h"
 #include "shaders/shared/frame.h"
 #include "shaders/shared/units.h"
 

@@ -8,7 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/map_limits.h"
+#include "renderer/view/fits/map_limits.h"
 
 namespace si {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/frame/frame.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -6,7 +6,7 @@
 
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/reference/first_surface.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

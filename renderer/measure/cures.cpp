@@ -17,7 +17,7 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

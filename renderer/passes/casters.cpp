@@ -13,7 +13,7 @@
 #include "renderer/scene/per_mesh.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/box_sight.h"
+#include "renderer/view/culling/box_culling.h"
 #include "renderer/projection/projection.h"
 
 namespace si {

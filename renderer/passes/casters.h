@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/frame/state.h"
-#include "renderer/view/map_cells.h"
+#include "renderer/view/culling/map_cells.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/base/poisson_disk.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

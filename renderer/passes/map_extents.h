@@ -5,7 +5,7 @@
 #include <string>
 
 #include "renderer/frame/state.h"
-#include "renderer/view/called_maps.h"
+#include "renderer/view/culling/needed_maps.h"
 
 namespace si {
 

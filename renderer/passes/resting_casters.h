@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/view/map_cells.h"
+#include "renderer/view/culling/map_cells.h"
 
 namespace si {
 

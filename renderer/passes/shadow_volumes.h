@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/frame/state.h"
-#include "renderer/view/shadow_volume.h"
+#include "renderer/view/lights/shadow_volume.h"
 
 namespace si {
 

@@ -1,7 +1,7 @@
 #include "renderer/reference/error_task.h"
 
 #include "renderer/settings/map_storage.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/base/workers.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

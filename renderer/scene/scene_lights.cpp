@@ -9,7 +9,7 @@
 #include "renderer/base/printable.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -5,7 +5,7 @@
 #include "renderer/settings/rows.h"
 #include "renderer/settings/sources.h"
 #include "renderer/settings/splits.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -10,7 +10,7 @@
 #include "renderer/scene/clusters.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/called_maps.h"
+#include "renderer/view/culling/needed_maps.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/rotation.h"
 #include "tests/bench/rounds.h"

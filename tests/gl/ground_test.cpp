@@ -14,8 +14,8 @@
 #include "renderer/reference/truth_geometry.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/camera.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 

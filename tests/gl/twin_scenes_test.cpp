@@ -2,7 +2,7 @@
 // holes as geometry or as an alpha mask.
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

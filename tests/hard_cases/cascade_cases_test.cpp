@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "renderer/settings/splits.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
 

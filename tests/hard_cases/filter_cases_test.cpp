@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "renderer/settings/filters.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
 

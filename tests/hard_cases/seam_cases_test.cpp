@@ -4,7 +4,7 @@
 
 #include "renderer/scenes/hard_scenes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"
 

@@ -2,7 +2,7 @@
 #include <random>
 
 #include "renderer/settings/splits.h"
-#include "renderer/view/cascades.h"
+#include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"

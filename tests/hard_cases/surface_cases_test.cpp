@@ -6,7 +6,7 @@
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
 

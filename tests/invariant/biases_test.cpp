@@ -11,7 +11,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/kernel_reach.h"
+#include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

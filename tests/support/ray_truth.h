@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/scene/scene.h"
-#include "renderer/view/camera.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si::test {
 

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
-#include "renderer/view/manual_light.h"
+#include "renderer/view/fits/manual_light.h"
 #include "tests/support/box_scene.h"
 #include "ui/state/panels.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
-#include "renderer/view/camera_settings.h"
+#include "renderer/view/cameras/camera_settings.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/selection.h"

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

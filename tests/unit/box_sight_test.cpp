@@ -1,5 +1,5 @@
 // What a map's view says of boxes, against their corners and points inside of them.
-#include "renderer/view/box_sight.h"
+#include "renderer/view/culling/box_culling.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
-#include "renderer/view/called_maps.h"
+#include "renderer/view/culling/needed_maps.h"
 
 #include <gtest/gtest.h>
 

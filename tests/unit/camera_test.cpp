@@ -1,4 +1,4 @@
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Cascades: where the camera's depth is divided, what each map holds, and how one goes over into the next.
-#include "renderer/view/cascades.h"
+#include "renderer/view/cascades/cascades.h"
 
 #include <gtest/gtest.h>
 

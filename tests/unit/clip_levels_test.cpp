@@ -1,13 +1,13 @@
 // Clip levels: what a camera sees lies within the level that it is looked up in, texels are as wide as pixels ask for,
 // and pages stay where they are while the camera moves.
-#include "renderer/view/clip_levels.h"
+#include "renderer/view/cascades/clip_levels.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "renderer/view/camera.h"
-#include "renderer/view/fit_bounds.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/bounds/scene_shape.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -7,7 +7,7 @@
 #include "renderer/base/angles.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/fits/flat_mesh.h"
+#include "renderer/view/bounds/flat_mesh.h"
 #include "renderer/view/fits/region.h"
 #include "tests/support/ray_truth.h"
 

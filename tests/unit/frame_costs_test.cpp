@@ -5,7 +5,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 namespace {

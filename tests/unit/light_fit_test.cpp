@@ -1,4 +1,4 @@
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What a fit chose, written out by hand, gives the same maps.
-#include "renderer/view/manual_light.h"
+#include "renderer/view/fits/manual_light.h"
 
 #include <gtest/gtest.h>
 

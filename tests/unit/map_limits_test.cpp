@@ -1,5 +1,5 @@
 // What a map cannot resolve is told with its light: steps of depth and texels against closed forms.
-#include "renderer/view/map_limits.h"
+#include "renderer/view/fits/map_limits.h"
 
 #include <gtest/gtest.h>
 

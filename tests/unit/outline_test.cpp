@@ -7,7 +7,7 @@
 #include <random>
 
 #include "renderer/scenes/shapes.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

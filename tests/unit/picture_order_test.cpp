@@ -1,5 +1,5 @@
 // The order in which a camera draws objects, against orders that a few boxes leave no doubt of, and by chance.
-#include "renderer/view/picture_order.h"
+#include "renderer/view/culling/draw_order.h"
 
 #include <gtest/gtest.h>
 

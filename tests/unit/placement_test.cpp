@@ -6,7 +6,7 @@
 #include "app/session/session.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 namespace {

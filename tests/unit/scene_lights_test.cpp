@@ -8,7 +8,7 @@
 #include "app/session/session.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/light_fit.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -1,5 +1,5 @@
 // Shadow volumes without a GPU: how often their boundary encloses a point, against triangles counted one by one.
-#include "renderer/view/shadow_volume.h"
+#include "renderer/view/lights/shadow_volume.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/view/cascades.h"
+#include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

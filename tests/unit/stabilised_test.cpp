@@ -5,7 +5,7 @@
 #include <random>
 
 #include "renderer/settings/splits.h"
-#include "renderer/view/cascades.h"
+#include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

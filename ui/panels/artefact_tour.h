@@ -7,7 +7,7 @@
 
 #include "renderer/measure/artefact_clusters.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/view/framing.h"
+#include "renderer/view/cameras/framing.h"
 
 namespace si {
 namespace {

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/view/fits/convex.h"
+#include "renderer/view/bounds/convex.h"
 #include "ui/widgets/clip.h"
 
 namespace si {

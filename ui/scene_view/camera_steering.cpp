@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "renderer/settings/param.h"
-#include "renderer/view/camera_settings.h"
+#include "renderer/view/cameras/camera_settings.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/view/manual_light.h"
+#include "renderer/view/fits/manual_light.h"
 
 namespace si {
 namespace {

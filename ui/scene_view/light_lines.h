@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -7,7 +7,7 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/fit_bounds.h"
+#include "renderer/view/bounds/scene_shape.h"
 #include "ui/scene_view/camera_outline.h"
 #include "ui/scene_view/gnomon.h"
 #include "ui/scene_view/kernel_marks.h"

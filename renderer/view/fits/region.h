@@ -4,9 +4,9 @@
 #include <limits>
 #include <optional>
 
-#include "renderer/view/camera.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/projection/depth_span.h"
-#include "renderer/view/fit_bounds.h"
+#include "renderer/view/bounds/scene_shape.h"
 #include "renderer/projection/light_view.h"
 
 namespace si {

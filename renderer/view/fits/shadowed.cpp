@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/view/fits/flat_mesh.h"
+#include "renderer/view/bounds/flat_mesh.h"
 
 namespace si {
 namespace {

@@ -1,0 +1,69 @@
+#include "renderer/view/bounds/flat_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace si {
+namespace {
+
+constexpr std::size_t kTried = 64;  // triangles, of which the largest gives the plane
+
+constexpr std::size_t kMostTests = 1 << 18;  // of vertices against triangles
+
+/// Of a body's radius: what rounded vertices may stand out by where shadows on them matter to no texel of a map.
+constexpr double kMostRounding = 1e-4;
+
+/// Of a mesh's coordinates, in its own space. Beyond kMostRounding what is rounded has a relief of its own, with
+/// shadows.
+double tolerance_of(const Mesh& mesh) {
+    const double radius = mesh.bounds.radius();
+    const double farthest = std::max(glm::length(glm::max(glm::abs(mesh.bounds.lo), glm::abs(mesh.bounds.hi))), radius);
+    return std::max(flat_tolerance(radius), std::min(0x1p-22 * farthest, kMostRounding * radius));
+}
+
+}  // namespace
+
+std::optional<HalfSpace> plane_of(const Mesh& mesh) {
+    const std::size_t count = mesh.indices.size() / 3;
+    glm::dvec3 normal(0), at(0);
+    const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
+    for (std::size_t i = 0; i < std::min(count, kTried); ++i) {
+        const std::size_t t = count <= kTried ? i : i * (count / kTried);
+        const glm::dvec3 a = corner(3 * t), n = glm::cross(corner(3 * t + 1) - a, corner(3 * t + 2) - a);
+        if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n, at = a;
+    }
+    const double area = glm::length(normal);
+    if (!(area > 0) || !std::isfinite(area)) return std::nullopt;
+    const HalfSpace plane = HalfSpace::through(at, normal / area);
+    const double tolerance = tolerance_of(mesh);
+    for (const std::uint32_t i : mesh.indices)
+        if (!(std::abs(plane.distance(glm::dvec3(mesh.positions[i]))) <= tolerance)) return std::nullopt;
+    return plane;
+}
+
+bool is_convex(const Mesh& mesh) {
+    const std::size_t triangles = mesh.indices.size() / 3;
+    if (triangles * mesh.positions.size() > kMostTests) return false;
+    const double tolerance = tolerance_of(mesh);
+    const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
+    for (std::size_t t = 0; t < triangles; ++t) {
+        const glm::dvec3 a = corner(3 * t), n = glm::cross(corner(3 * t + 1) - a, corner(3 * t + 2) - a);
+        const HalfSpace plane = HalfSpace::through(a, glm::normalize(n));
+        for (const std::uint32_t i : mesh.indices)
+            if (!(plane.distance(glm::dvec3(mesh.positions[i])) <= tolerance)) return false;
+    }
+    return true;
+}
+
+std::optional<HalfSpace> transformed(const HalfSpace& plane, const glm::dmat4& world) {
+    // Two directions within the plane span what it becomes.
+    const glm::dmat3 axes = glm::dmat3(world);
+    const glm::dvec3 n = plane.normal;
+    const glm::dvec3 u = glm::normalize(std::abs(n.x) > 0.5 ? glm::dvec3(-n.y, n.x, 0) : glm::dvec3(0, -n.z, n.y));
+    const glm::dvec3 a = axes * u, b = axes * glm::cross(n, u), normal = glm::cross(a, b);
+    const double area = glm::length(normal);
+    if (!(area > 1e-12 * glm::length(a) * glm::length(b)) || !std::isfinite(area)) return std::nullopt;
+    return HalfSpace::through(glm::dvec3(world * glm::dvec4(-plane.offset * n, 1)), normal / area);
+}
+
+}  // namespace si

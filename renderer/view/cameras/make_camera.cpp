@@ -1,0 +1,211 @@
+#include "renderer/view/cameras/make_camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/finite.h"
+#include "renderer/view/cameras/camera_settings.h"
+#include "renderer/view/cameras/framing.h"
+#include "renderer/projection/projection.h"
+
+namespace si {
+namespace {
+
+/// The bounds to look at: a unit box around zero when the scene is empty.
+Bounds view_bounds(const Scene& scene) {
+    Bounds b = scene.bounds;
+    if (b.empty() || !std::isfinite(b.radius())) return {glm::dvec3(-1), glm::dvec3(1)};
+    const double scale = std::max({1e-7, b.radius() * 1e-3, glm::length(b.centre()) * 1e-9});
+    if (b.radius() < scale) b.lo -= scale, b.hi += scale;
+    return b;
+}
+
+/// Near and far tight around the bounds along the view axis. The depth is a reversed float: a small near costs little.
+void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
+    double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
+    for (const glm::dvec3& p : bounds.corners()) {
+        const double z = glm::dot(c.axes[2], c.eye - p);
+        nearest = std::min(nearest, z);
+        farthest = std::max(farthest, z);
+    }
+    const double pad = 0.01 * (farthest - nearest) + 1e-3 * bounds.radius();
+    if (c.orthographic) {
+        c.curve.near = near > 0 ? near : nearest - pad;
+        c.curve.far = far > 0 ? far : farthest + pad;
+        if (!(c.curve.far > c.curve.near)) c.curve.far = c.curve.near + std::max(pad, 1e-3 * std::abs(c.curve.near));
+        return;
+    }
+    c.curve.far = far > 0 ? far : std::max(farthest + pad, c.focus * 1e-2);
+    c.curve.near = near > 0 ? near : std::max({0.9 * nearest, c.curve.far * 1e-6, c.focus * 1e-4});
+    if (!(c.curve.far > c.curve.near * 1.0001)) {
+        if (near > 0)
+            c.curve.far = 2 * c.curve.near;
+        else
+            c.curve.near = 0.5 * c.curve.far;
+    }
+}
+
+/// The axes of a scene camera, made orthonormal; false when its transform is singular.
+bool scene_axes(const glm::dmat4& world, glm::dmat3& axes) {
+    const glm::dvec3 back = glm::normalize(glm::dvec3(world[2]));
+    const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(world[1]), back));
+    axes = glm::dmat3(right, glm::cross(back, right), back);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (!std::isfinite(axes[i][j]) || !std::isfinite(world[3][j])) return false;
+    return true;
+}
+
+/// The scene's camera that is chosen, when there is one whose transform is usable; its orthonormal axes go to `axes`.
+const SceneCamera* scene_camera(const Scene& scene, int index, glm::dmat3& axes) {
+    if (index < 0 || std::size_t(index) >= scene.cameras.size()) return nullptr;
+    const SceneCamera& camera = scene.cameras[std::size_t(index)];
+    return scene_axes(camera.world, axes) ? &camera : nullptr;
+}
+
+/// The view of view.light, view.face as a camera; false when there is no light.
+bool look_through_light(Camera& c, const Settings& settings, const Bounds& bounds,
+                        std::span<const FittedLight> fitted) {
+    if (fitted.empty()) return false;
+    const FittedLight& light = fitted[std::size_t(std::clamp(settings.view.light, 0, int(fitted.size()) - 1))];
+    if (light.views.empty()) return false;
+    const LightView& view = light.views[std::size_t(std::clamp(settings.view.face, 0, int(light.views.size()) - 1))];
+    const double half_y = view.half_width / std::min(c.aspect, 1.0);
+    c.eye = view.eye;
+    c.axes = view.axes;
+    c.orthographic = !view.curve.perspective;
+    c.fov_y_rad = c.orthographic ? c.fov_y_rad : 2 * std::atan(half_y);
+    c.focus = std::max(glm::distance(c.eye, bounds.centre()), 1e-3 * bounds.radius());
+    c.height = c.orthographic ? 2 * half_y : 2 * half_y * c.focus;
+    c.curve.near = view.curve.near;
+    c.curve.far = view.curve.far;
+    return true;
+}
+
+double clamped_fov_rad(double fov_deg) {
+    return std::clamp(finite_or(fov_deg, 45), 1e-3, 179.0) * kDegree;
+}
+
+}  // namespace
+
+glm::dmat4 Camera::projection() const {
+    const double half = orthographic ? 0.5 * height : std::tan(0.5 * fov_y_rad);
+    return projection_matrix(curve, half * aspect, half);
+}
+
+glm::dmat4 Camera::clip_from_relative(const glm::dvec3& origin) const {
+    return si::clip_from_relative(projection(), axes, eye, origin);
+}
+
+glm::dvec3 Camera::origin() const {
+    const double spacing = std::exp2(std::ceil(std::log2(4 * focus)));
+    return glm::round(eye / spacing) * spacing;
+}
+
+void Camera::pixel_ray(double x, double y, int width, int height_px, glm::dvec3& ray_origin,
+                       glm::dvec3& ray_dir) const {
+    const double half = orthographic ? 0.5 * height : std::tan(0.5 * fov_y_rad);
+    const double vx = ((x + 0.5) / width * 2 - 1) * half * aspect, vy = (1 - (y + 0.5) / height_px * 2) * half;
+    if (orthographic) {
+        ray_origin = eye + axes * glm::dvec3(vx, vy, 0);
+        ray_dir = -axes[2];
+    } else {
+        ray_origin = eye;
+        ray_dir = glm::normalize(axes * glm::dvec3(vx, vy, -1));
+    }
+}
+
+glm::dvec4 Camera::project(const glm::dvec3& world, int width, int height_px) const {
+    const glm::dvec4 clip = projection() * glm::dvec4(glm::transpose(axes) * (world - eye), 1.0);
+    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
+    return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, uvd_from_ndc(curve.convention, ndc).z,
+            clip.w};
+}
+
+Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
+                   std::span<const FittedLight> as_placed) {
+    const CameraSettings& s = settings.camera;
+    const Bounds bounds = view_bounds(scene);
+    Camera c;
+    c.aspect = positive_or(aspect, 1);
+    c.orthographic = s.orthographic;
+    c.fov_y_rad = clamped_fov_rad(s.fov);
+    c.height = positive_or(s.height, 10);
+    c.curve.convention = {true, true};
+    double near = 0, far = 0;
+    if (s.source == int(CameraSource::Light)) {
+        std::vector<FittedLight> own;
+        if (as_placed.empty()) as_placed = own = fit_lights(scene, settings);
+        if (look_through_light(c, settings, bounds, as_placed)) {
+            c.curve.perspective = !c.orthographic;
+            return c;
+        }
+    }
+    if (s.source == int(CameraSource::Manual)) {
+        c.axes = orbit_axes(finite_or(s.azimuth, 35), finite_or(s.elevation, 25), finite_or(s.roll, 0));
+        c.focus = positive_or(s.distance, bounds.radius());
+        const glm::dvec3 target(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
+        c.eye = target + c.focus * c.axes[2];
+        near = positive_or(s.near, 0);
+        far = positive_or(s.far, 0);
+    } else if (const SceneCamera* sc = scene_camera(scene, s.index, c.axes)) {
+        c.eye = glm::dvec3(sc->world[3]);
+        c.orthographic = sc->orthographic;
+        c.fov_y_rad = clamped_fov_rad(sc->fov_y_deg);
+        c.height = positive_or(sc->height, 10);
+        c.focus = std::max(glm::distance(c.eye, bounds.centre()), 1e-3 * bounds.radius());
+        near = positive_or(sc->near, 0);
+        far = positive_or(sc->far, 0);
+    } else {
+        const CameraSettings standard;
+        c.orthographic = false;
+        c.fov_y_rad = clamped_fov_rad(standard.fov);
+        if (frames_shadow(scene, settings)) {
+            frame_with_shadow(c, scene);
+        } else {
+            c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);
+            frame_bounds(c, bounds);
+        }
+    }
+    c.curve.perspective = !c.orthographic;
+    Bounds seen = bounds;
+    seen.add(scene.ground_bounds);
+    fit_range(c, seen, near, far);
+    return c;
+}
+
+CameraSettings camera_settings(const Camera& c) {
+    CameraSettings s;
+    s.source = int(CameraSource::Manual);
+    const glm::dvec3 back = c.axes[2];
+    const double level = std::hypot(back.x, back.z);
+    // Straight up or down the azimuth is free: roll then says everything.
+    s.azimuth = level > 1e-12 ? std::atan2(back.x, back.z) / kDegree : 0;
+    s.elevation = std::atan2(back.y, level) / kDegree;
+    const glm::dmat3 level_axes = orbit_axes(s.azimuth, s.elevation, 0);
+    s.roll = std::atan2(glm::dot(c.axes[0], level_axes[1]), glm::dot(c.axes[0], level_axes[0])) / kDegree;
+    const glm::dvec3 target = c.eye - c.focus * back;
+    s.target_x = target.x, s.target_y = target.y, s.target_z = target.z;
+    s.distance = c.focus;
+    s.fov = c.fov_y_rad / kDegree;
+    s.orthographic = c.orthographic;
+    s.height = c.height;
+    return s;
+}
+
+CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect) {
+    if (settings.camera.source == int(CameraSource::Manual)) return settings.camera;
+    CameraSettings s = camera_settings(make_camera(scene, settings, aspect));
+    s.index = settings.camera.index;
+    glm::dmat3 unused;
+    const bool light = settings.camera.source == int(CameraSource::Light);
+    const SceneCamera* sc = light ? nullptr : scene_camera(scene, s.index, unused);
+    s.near = sc ? positive_or(sc->near, 0) : 0;
+    s.far = sc ? positive_or(sc->far, 0) : 0;
+    return s;
+}
+
+}  // namespace si

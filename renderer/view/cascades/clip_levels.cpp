@@ -1,0 +1,134 @@
+#include "renderer/view/cascades/clip_levels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/cascades/cascades.h"
+#include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/fits/light_fit.h"
+#include "renderer/projection/projection.h"
+
+namespace si {
+namespace {
+
+constexpr double kDepthPad = 1e-3;       // of the depth range, at each end
+constexpr double kDepthSteps = 16;       // in a power of two of metres: ends of the range lie on such steps
+constexpr double kFarthest = 1e30;       // metres: as far as the coarsest level is used
+constexpr double kLeastShare = 1.0 / 8;  // of a map's width that a level is used for, about its centre, at least
+
+double power_above(double x) {
+    return std::exp2(std::ceil(std::log2(std::max(x, 1e-12))));
+}
+
+/// Depths along the light of all that the scene holds, outwards to steps that small moves do not leave.
+struct DepthRange {
+    double towards = 0, away = 0, step = 1;  ///< along the axis that points to the light
+};
+
+DepthRange depth_range(const SceneShape& shape, const glm::dvec3& back) {
+    double lo = std::numeric_limits<double>::infinity(), hi = -lo;
+    for (const Box& box : shape.boxes)
+        for (const glm::dvec3& p : box) lo = std::min(lo, glm::dot(back, p)), hi = std::max(hi, glm::dot(back, p));
+    const double range = std::max(hi - lo, 1e-6 * std::max({shape.radius, std::abs(lo), std::abs(hi)}));
+    const double pad = kDepthPad * range, step = power_above(range) / kDepthSteps;
+    return {std::ceil((hi + pad) / step) * step, std::floor((lo - pad) / step) * step, step};
+}
+
+/// Of the receivers that the camera sees: across the light, and how far away.
+struct SeenExtent {
+    glm::dvec2 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
+    double farthest_m = 0;
+};
+
+SeenExtent seen_extent(const SceneShape& shape, const Camera& camera, const glm::dmat3& axes) {
+    SeenExtent seen;
+    const CameraSlice slice(camera, camera.curve.near, camera.curve.far);
+    for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
+        if (!shape.box_receives[i]) continue;
+        for (const glm::dvec3& p : slice.seen_of(shape.boxes[i])) {
+            const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
+            seen.lo = glm::min(seen.lo, at), seen.hi = glm::max(seen.hi, at);
+            seen.farthest_m = std::max(seen.farthest_m, glm::distance(p, camera.eye));
+        }
+    }
+    return seen;
+}
+
+}  // namespace
+
+double ClipLevel::texel_m() const {
+    return std::exp2(double(exponent));
+}
+
+glm::dvec3 page_origin(const SceneShape& shape) {
+    const double step = power_above(shape.radius);
+    return glm::round(shape.centre / step) * step;
+}
+
+ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const Camera& camera) {
+    ClipLevels out;
+    const glm::dmat3 axes = orthonormal_basis(q.to_light);
+    const DepthRange range = depth_range(shape, axes[2]);
+    const double n = q.resolution, page = q.page_texels;
+    // Across the light a level holds this many of its texels about the camera: it is placed by whole pages.
+    const double held = std::max(0.5 * n - 0.5 * page - q.margin_texels, kLeastShare * n);
+
+    glm::dvec2 centre(glm::dot(axes[0], camera.eye), glm::dot(axes[1], camera.eye));
+    SeenExtent seen = seen_extent(shape, camera, axes);
+    if (!(seen.lo.x <= seen.hi.x))
+        seen = {centre - shape.radius, centre + shape.radius, 0};  // nothing will be looked up
+    if (camera.orthographic) centre = 0.5 * (seen.lo + seen.hi);
+    const glm::dvec2 farthest = glm::max(glm::abs(seen.lo - centre), glm::abs(seen.hi - centre));
+    const double reach = std::max({farthest.x, farthest.y, 1e-9 * shape.radius});
+    const double pixel =
+        camera.orthographic ? camera.height / q.picture_lines : 2 * std::tan(0.5 * camera.fov_y_rad) / q.picture_lines;
+    const double widest = pixel * std::exp2(q.bias);  // of a texel: in metres, or per metre from the camera
+
+    // The coarsest holds all that is seen, with texels no finer than the farthest of it asks for; parallel rays see all
+    // places at one size.
+    const double asked = camera.orthographic ? widest * std::exp2(q.count - 1) : widest * seen.farthest_m;
+    int coarsest = int(std::ceil(std::log2(std::max(reach / held, 0.5 * asked))));
+    // Numbers of pages are whole, and doubles tell its texels apart.
+    const double far_off = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(range.towards)}) + reach;
+    coarsest = std::max(coarsest, int(std::ceil(std::log2(far_off))) - 44 + q.count);
+
+    out.chooser.choice = camera.orthographic ? ViewChoice::Map : ViewChoice::Distance;
+    out.chooser.from_ws = camera.eye;
+    for (int i = 0; i < q.count; ++i) {
+        ClipLevel level{coarsest - (q.count - 1) + i, {}, range.towards + range.step};
+        const double texel = level.texel_m(), page_m = page * texel;
+        const glm::dvec2 corner = glm::round((centre - 0.5 * n * texel) / page_m);
+        level.corner = {glm::i64(corner.x), glm::i64(corner.y)};
+        const glm::dvec2 middle = corner * page_m + 0.5 * n * texel;
+        LightView view;
+        view.axes = axes;
+        view.eye = axes * glm::dvec3(middle, level.eye_m);
+        view.half_width = 0.5 * n * texel;
+        view.curve = {false, range.step, range.step + (range.towards - range.away), q.convention};
+        view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+        out.views.push_back(view);
+        out.levels.push_back(level);
+        const bool last = i + 1 == q.count;
+        double ends = last ? kFarthest : std::min(2 * texel / widest, held * texel);
+        if (camera.orthographic) ends = std::max(0.5 - q.margin_texels / n, 0.3);
+        out.chooser.spans.push_back({ends, ends});
+    }
+    return out;
+}
+
+LightView block_view(const LightView& of_level, const ClipLevel& level, int page_texels, const glm::i64vec2& grid_page,
+                     glm::ivec2& page) {
+    const glm::i64vec2 block(floor_div(grid_page.x, kBlockPages), floor_div(grid_page.y, kBlockPages));
+    page = glm::ivec2(grid_page - block * glm::i64(kBlockPages));
+    const double block_m = double(kBlockPages) * page_texels * level.texel_m();
+    LightView view = of_level;
+    view.half_width = 0.5 * block_m;
+    const glm::dvec2 middle = (glm::dvec2(block) + 0.5) * block_m;
+    view.eye = view.axes * glm::dvec3(middle, level.eye_m);
+    view.projection = projection_matrix(view.curve, view.half_width, view.half_width);
+    return view;
+}
+
+}  // namespace si

@@ -1,0 +1,113 @@
+#include "renderer/view/culling/map_cells.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace si {
+namespace {
+
+constexpr std::uint64_t kFullRow = ~std::uint64_t(0);
+static_assert(MapCells::kCells == 64, "a row is a word");
+
+/// Cells of a rectangle that lies in the map, or reaches into it.
+struct CellRange {
+    int first_row, last_row;
+    std::uint64_t columns;
+};
+
+int cell_of(double u) {
+    return int(std::clamp(std::floor(u * MapCells::kCells), 0.0, MapCells::kCells - 1.0));
+}
+
+CellRange cells_of(const MapRect& rect) {
+    const int from = cell_of(rect.lo.x), to = cell_of(rect.hi.x);
+    const std::uint64_t columns = (kFullRow << from) & (kFullRow >> (MapCells::kCells - 1 - to));
+    return {cell_of(rect.lo.y), cell_of(rect.hi.y), columns};
+}
+
+bool lies_beyond(const MapRect& rect) {
+    return rect.hi.x < 0 || rect.hi.y < 0 || rect.lo.x > 1 || rect.lo.y > 1;
+}
+
+}  // namespace
+
+std::optional<MapRect> rect_of(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
+                               double before) {
+    const glm::dvec4 centre = uvd_from_relative * glm::dvec4(box.centre - origin, 1);
+    std::array<glm::dvec4, 3> half;
+    for (int i = 0; i < 3; ++i) half[std::size_t(i)] = uvd_from_relative * glm::dvec4(box.half[i], 0);
+    MapRect rect{glm::dvec2(std::numeric_limits<double>::infinity()),
+                 glm::dvec2(-std::numeric_limits<double>::infinity())};
+    for (unsigned corner = 0; corner < 8; ++corner) {
+        glm::dvec4 h = centre;
+        for (unsigned i = 0; i < 3; ++i) h += corner >> i & 1 ? half[i] : -half[i];
+        if (!(h.w > before)) return std::nullopt;
+        const glm::dvec2 at = glm::dvec2(h) / h.w;
+        rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+    }
+    return rect;
+}
+
+MapCells MapCells::whole() {
+    MapCells all;
+    all.rows_.fill(kFullRow);
+    return all;
+}
+
+bool MapCells::empty() const {
+    return std::ranges::all_of(rows_, [](std::uint64_t row) { return row == 0; });
+}
+
+bool MapCells::is_whole() const {
+    return std::ranges::all_of(rows_, [](std::uint64_t row) { return row == kFullRow; });
+}
+
+bool MapCells::holds(const MapCells& other) const {
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (other.rows_[i] & ~rows_[i]) return false;
+    return true;
+}
+
+bool MapCells::meets(const MapRect& rect) const {
+    if (lies_beyond(rect)) return false;
+    const CellRange cells = cells_of(rect);
+    for (int row = cells.first_row; row <= cells.last_row; ++row)
+        if (rows_[std::size_t(row)] & cells.columns) return true;
+    return false;
+}
+
+void MapCells::add(const MapRect& rect, bool beyond) {
+    if (lies_beyond(rect) && !beyond) return;
+    const CellRange cells = cells_of(rect);
+    for (int row = cells.first_row; row <= cells.last_row; ++row) rows_[std::size_t(row)] |= cells.columns;
+}
+
+void MapCells::add_rim() {
+    rows_.front() = rows_.back() = kFullRow;
+    for (std::uint64_t& row : rows_) row |= std::uint64_t(1) | std::uint64_t(1) << (kCells - 1);
+}
+
+void MapCells::add(const MapCells& other) {
+    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] |= other.rows_[i];
+}
+
+std::vector<TexelRect> MapCells::texels(int resolution) const {
+    const auto first = [&](int cell) { return int(std::int64_t(cell) * resolution / kCells); };
+    const auto end = [&](int cell) { return int((std::int64_t(cell) * resolution + kCells - 1) / kCells); };
+    std::vector<TexelRect> out;
+    for (int row = 0, next; row < kCells; row = next) {
+        std::uint64_t left = rows_[std::size_t(row)];
+        for (next = row + 1; next < kCells && rows_[std::size_t(next)] == left;) ++next;
+        while (left) {
+            const int from = std::countr_zero(left), to = from + std::countr_one(left >> from);
+            out.push_back({{first(from), first(row)}, {end(to), end(next)}});
+            left &= to < kCells ? kFullRow << to : 0;
+        }
+    }
+    return out;
+}
+
+}  // namespace si

@@ -1,0 +1,72 @@
+// What of a light's maps a picture's look-ups may read: where bounds of what its camera sees lie in them. Pure CPU,
+// double precision, on the safe side.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "renderer/scene/clusters.h"
+#include "renderer/scene/scene.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/culling/map_cells.h"
+
+namespace si {
+
+/// Why a black light counts for nothing.
+inline constexpr const char* kBringsNothing =
+    "the light brings nothing: it is off, or its colour or its intensity is 0";
+
+/// Whether some of the light may arrive among points, whatever stands between.
+bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points);
+
+/// A body that holds surfaces that the camera sees.
+struct SeenBody {
+    Box box{};
+    std::vector<glm::dvec3> seen;  ///< points around the part of it that is seen; none: all of it may be
+    Cluster cluster;               ///< that it is, where `side` is known
+    Shows side = Shows::Either;    ///< of its triangles that the camera sees
+    std::size_t object = 0;        ///< in Scene::objects;
+    std::span<const glm::dvec3> points() const {
+        return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
+    }
+};
+
+/// All that a camera may see.
+struct SeenBodies {
+    CameraSlice view;  ///< a little wider than the picture
+    std::vector<SeenBody> bodies;
+    bool unknown = false;                     ///< a body has no place: anything may be seen
+    std::vector<glm::dmat4> mesh_from_world;  ///< by object; of those whose clusters show a side
+};
+
+/// @param clusters of a mesh: as clusters_of() finds them; none: it is one
+/// @param lines pixels of the picture's height
+SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
+                       const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
+
+/// How a picture's look-ups read.
+struct LookupArea {
+    int resolution = 1;
+    double reach_texels = 0;   ///< of texels that are read, with all that moves the look-up but the normal offset
+    double normal_texels = 0;  ///< bias.normal
+    MapWrap wrap = MapWrap::Border;
+    bool whole_maps = false;   ///< what is read depends on the whole of each map that is read
+    bool weighs_rim = false;   ///< beyond a map's sides its last texels are read, if only to count for nothing
+    bool light_alone = false;  ///< visibility counts only where light arrives
+};
+
+struct CalledMaps {
+    std::vector<MapCells> views;  ///< of each of the light's
+    std::string uncalled;         ///< why all of them are empty; empty: they are not
+};
+
+/// What of the maps of a light that casts is read. A caster may be left out of a view if it covers nothing of its
+/// region.
+CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area);
+
+}  // namespace si

@@ -1,0 +1,143 @@
+// Maps of a sun for slices of what the camera sees: cascades, and maps that keep still.
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/finite.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/splits.h"
+#include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/fit_context.h"
+#include "renderer/view/fits/near_far.h"
+
+namespace si {
+namespace {
+
+bool is_stabilised(const FitContext& c) {
+    return c.settings.fit == int(LightFit::Stabilised);
+}
+
+bool is_warped(const FitContext& c) {
+    return fit_row(c.settings.fit).warps;
+}
+
+/// Where the cascades of camera depths end, metres; the last one is `all.to_m`.
+std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const Camera& camera, const DepthSpan& all,
+                                 int count) {
+    const auto split = Split(c.settings.split);
+    if (split == Split::Manual) {
+        std::vector<double> ends;
+        for (int i = 0; i + 1 < count; ++i) {
+            const double share = std::clamp(finite_or(manual_splits(c.settings)[std::size_t(i)], 1), 0.0, 1.0);
+            ends.push_back(
+                std::max(all.from_m + share * (all.to_m - all.from_m), ends.empty() ? all.from_m : ends.back()));
+        }
+        ends.push_back(all.to_m);
+        return ends;
+    }
+    double lambda = split == Split::Uniform       ? 0
+                    : split == Split::Logarithmic ? 1
+                                                  : std::clamp(finite_or(c.settings.split_lambda, 0.5), 0.0, 1.0);
+    // Parallel rays of the camera see all depths at one size, for which even cascades are right.
+    if (camera.orthographic) {
+        if (split == Split::Logarithmic)
+            note(light,
+                 "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
+                 "divided evenly");
+        lambda = 0;
+    }
+    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSeen * all.to_m);
+    return split_depths(nearest, all.to_m, count, lambda);
+}
+
+/// The map of one slice: what it holds across the light is what the camera sees of receivers in it; towards the light
+/// it reaches to the first caster.
+void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
+               double margin) {
+    std::vector<glm::dvec3> points, on_ground;
+    const CameraSlice slice(camera, span.from_m, span.to_m);
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+        if (!c.shape.box_receives[i]) continue;
+        const std::vector<glm::dvec3> part = slice.seen_of(c.shape, i);
+        std::vector<glm::dvec3>& all = i == c.shape.ground ? on_ground : points;
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    if (points.empty()) points.swap(on_ground);
+    if (points.empty())  // nothing will be looked up in it
+        for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+            if (i != c.shape.ground) points.insert(points.end(), c.shape.boxes[i].begin(), c.shape.boxes[i].end());
+    if (is_warped(c)) return fit_warped(light, view, c, camera, points, on_ground, margin);
+    ViewExtent seen = extent_of(points, view);
+    if (!on_ground.empty()) add_shadow_on_ground(seen, extent_of(on_ground, view));
+    const DepthSpan receivers{seen.lo.z, seen.hi.z};
+    const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
+    view.half_width =
+        with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y), c.shape.radius, c.resolution, margin);
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+        if (!c.shape.box_casts[i]) continue;
+        const ViewExtent e = extent_of(c.shape.boxes[i], view);
+        const bool beside = e.hi.x < middle.x - view.half_width || e.lo.x > middle.x + view.half_width ||
+                            e.hi.y < middle.y - view.half_width || e.lo.y > middle.y + view.half_width;
+        if (!beside) seen.lo.z = std::min(seen.lo.z, e.lo.z);
+    }
+    view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
+    set_parallel_range(view, c, {seen.lo.z, seen.hi.z}, &receivers);
+    finish_view(light, view, c, 1);
+}
+
+/// A map of the sphere around a slice, in steps of whole texels: neither its width nor its texels' places change as the
+/// camera turns, and as it moves they change by whole texels. Never more than the sphere around the scene.
+void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
+                double margin) {
+    Sphere sphere = sphere_around(camera, span);
+    if (!(sphere.radius < c.shape.radius)) sphere = {c.shape.centre, c.shape.radius};
+    view.half_width = with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
+    const double texel = view.texel_size(1, c.resolution);
+    // Counted from the scene's centre: its place in the world takes no digits away.
+    const glm::dmat3 to_view = glm::transpose(view.axes);
+    const glm::dvec3 away = to_view * (sphere.centre - c.shape.centre) / texel;
+    const glm::dvec3 steps = c.settings.snap ? glm::round(away) : away;
+    const double along = (to_view * (view.eye - c.shape.centre)).z;
+    view.eye = c.shape.centre + view.axes * glm::dvec3(steps.x * texel, steps.y * texel, along);
+    const ViewExtent all = extent_of(c.shape, view);
+    set_parallel_range(view, c, {all.lo.z, all.hi.z});
+    finish_view(light, view, c, 1);
+}
+
+}  // namespace
+
+bool is_sliced(const LightSettings& s) {
+    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised) || fit_row(s.fit).warps) &&
+           s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
+           s.projection != int(LightProjection::Perspective);
+}
+
+void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera) {
+    const int count = std::clamp(c.settings.cascades, 1, kMaxCascades);
+    const double blend = std::clamp(finite_or(c.settings.cascade_blend, 0), 0.0, 1.0);
+    LightView view;
+    view.axes = orthonormal_basis(light.to_light);
+    view.eye = light.position;
+    DepthSpan all = seen_depths(camera, c.shape.boxes, c.shape.box_receives)
+                        .value_or(DepthSpan{camera.curve.near, camera.curve.far});
+    if (is_stabilised(c))
+        all = steady_depths(camera, c.shape.centre, c.shape.radius);
+    else if (c.seen_m)
+        all = *c.seen_m;
+    const std::vector<double> ends = cascade_ends(light, c, camera, all, count);
+    const double margin = reach_of_lookups(c.all_settings);
+    const bool by_map = c.settings.cascade_choice == int(CascadeChoice::Map);
+    if (count > 1) light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
+    double begins = all.from_m, holds_from = begins;
+    for (int i = 0; i < count; ++i) {
+        const double end = ends[std::size_t(i)], blends_from = i + 1 < count ? end - blend * (end - begins) : end;
+        (is_stabilised(c) ? fit_sphere : fit_slice)(light, view, c, camera, {holds_from, end}, margin);
+        const double rim = std::max(0.5 - (margin - 0.5) / c.resolution, 0.3);  // holds what the fit was for
+        if (count > 1 && by_map)
+            light.chooser.spans.push_back({rim, i + 1 < count ? rim * (1 - blend) : rim});
+        else if (count > 1)
+            light.chooser.spans.push_back({end, blends_from});
+        begins = end, holds_from = blends_from;
+    }
+}
+
+}  // namespace si

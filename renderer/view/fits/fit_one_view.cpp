@@ -1,0 +1,137 @@
+// One map of a sun or of a spot light, orthographic or in perspective.
+#include <cmath>
+
+#include "renderer/base/finite.h"
+#include "renderer/settings/fits.h"
+#include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/fit_context.h"
+#include "renderer/view/fits/near_far.h"
+
+namespace si {
+namespace {
+
+/// Half extent in metres by hand, or 0.
+double manual_half_extent(const LightSettings& s) {
+    return s.fit == int(LightFit::Manual) ? positive_or(s.extent, 0) : 0;
+}
+
+/// An orthographic map over all boxes (`half` 0) or of a given half extent about the view's axis.
+void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, double half, bool in_front_only) {
+    const double manual = manual_half_extent(c.settings);
+    if (manual > 0) half = manual;
+    ViewExtent e = extent_of(c.shape, view);
+    if (half <= 0) {
+        const glm::dvec3 middle = 0.5 * (e.lo + e.hi);
+        view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
+        half = with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
+    }
+    view.half_width = half;
+    if (in_front_only) {
+        e.lo.z = std::clamp(e.lo.z, 0.0, c.reach_m);
+        e.hi.z = std::clamp(e.hi.z, e.lo.z, c.reach_m);
+    }
+    set_parallel_range(view, c, {e.lo.z, e.hi.z});
+    if (in_front_only)
+        view.curve.near = std::max(view.curve.near, std::min(e.lo.z, 0.0) - kDepthMargin * (e.hi.z - e.lo.z));
+    finish_view(light, view, c, 1);
+}
+
+/// A perspective map of tangent `tan_half`; 0 chooses it so that every box is inside.
+void fit_perspective(FittedLight& light, LightView view, const FitContext& c, double tan_half) {
+    if (tan_half <= 0) {
+        double tangent = kMinHalfAngle;
+        for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+            for (const glm::dvec3& p : c.shape.boxes[i]) {
+                if (i == c.shape.ground) break;
+                const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
+                const double aside = std::max(std::abs(v.x), std::abs(v.y));
+                tangent = std::max(tangent, -v.z > 0 ? aside / -v.z : std::tan(kMaxHalfAngle));
+            }
+        const double limit = std::tan(kMaxHalfAngle);
+        tan_half = std::min(with_margin(tangent, tangent, c.resolution), limit);
+        if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
+    }
+    view.half_width = tan_half;
+    set_perspective_range(view, c);
+    finish_view(light, view, c, view.curve.far);
+}
+
+/// Depths along the light of what the camera sees of receivers, where the fit goes by it.
+std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext& c) {
+    const bool asked = c.settings.near_far == int(NearFar::Casters) || c.settings.near_far == int(NearFar::Pancaking);
+    if (!asked || !c.camera || !fit_row(c.settings.fit).reads_camera) return std::nullopt;
+    const DepthSpan depths = c.seen_m.value_or(DepthSpan{c.camera->curve.near, c.camera->curve.far});
+    const CameraSlice slice(*c.camera, depths.from_m, depths.to_m);
+    ViewExtent seen;
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
+        if (c.shape.box_receives[i]) seen.add(extent_of(slice.seen_of(c.shape, i), view));
+    if (!(seen.lo.z <= seen.hi.z)) return std::nullopt;
+    return DepthSpan{seen.lo.z, seen.hi.z};
+}
+
+/// A map narrowed to a region: about the region's middle, or in perspective about the light's axis.
+void fit_region(FittedLight& light, LightView view, const FitContext& c, const MapRegion& region) {
+    light.closed = true;
+    if (view.curve.perspective) {
+        const glm::dvec2 aside = glm::max(glm::abs(region.lo), glm::abs(region.hi));
+        const double tangent = std::max({aside.x, aside.y, kMinHalfAngle});
+        return fit_perspective(light, view, c,
+                               std::min(with_margin(tangent, tangent, c.resolution, c.margin_texels),
+                                        with_margin(view.half_width, 0, c.resolution)));
+    }
+    const glm::dvec2 size = region.hi - region.lo;
+    view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
+    view.half_width = with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
+    ViewExtent held;
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_within(c.shape, i, view));
+    if (!(held.lo.z <= held.hi.z)) held = extent_of(c.shape, view);  // too far away for doubles to tell
+    const std::optional<DepthSpan> receivers = seen_receivers(view, c);
+    set_parallel_range(view, c, {held.lo.z, held.hi.z}, receivers ? &*receivers : nullptr);
+    finish_view(light, view, c, 1);
+}
+
+/// What a fit finds. A ground under the model widens it by no more than shadows that fall on the ground, and are not in
+/// what the model alone needs; nothing where the model alone needs nothing, as the whole scene's map then holds all.
+std::optional<MapRegion> region_of(const FitInput& in, Fit find) {
+    if (!in.shape.ground) return find(in);
+    FitInput part = in;
+    part.receiving = Receiving::Model;
+    std::optional<MapRegion> region = find(part);
+    if (!region) return std::nullopt;
+    part.receiving = Receiving::Ground;
+    const std::optional<MapRegion> ground = find(part);
+    if (!ground) return region;
+    ViewExtent all{glm::dvec3(region->lo, 0), glm::dvec3(region->hi, 0)};
+    add_shadow_on_ground(all, {glm::dvec3(ground->lo, 0), glm::dvec3(ground->hi, 0)});
+    return MapRegion{glm::dvec2(all.lo), glm::dvec2(all.hi)};
+}
+
+}  // namespace
+
+void fit_one_view(FittedLight& light, const FitContext& c) {
+    LightView view;
+    view.axes = orthonormal_basis(light.to_light);
+    view.eye = light.position;
+    const bool directional = light.type == LightType::Directional;
+    // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
+    double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
+    const int projection = c.settings.projection;
+    const bool perspective = directional ? projection == int(LightProjection::Perspective)
+                                         : projection != int(LightProjection::Orthographic);
+    if (perspective != directional) {  // else its rays are not the light's
+        view.curve.perspective = perspective;
+        view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
+        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, Receiving::All};
+        if (const auto region = region_of(input, fit_row(c.settings.fit).find))
+            return fit_region(light, view, c, *region);
+    }
+    if (perspective) {
+        const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;
+        if (by_hand > 0) tangent = std::min(tangent, std::max(by_hand, kMinHalfAngle));
+        fit_perspective(light, view, c, tangent);
+    } else {
+        fit_orthographic(light, view, c, tangent * light.distance_m, !directional);
+    }
+}
+
+}  // namespace si

@@ -1,0 +1,210 @@
+#include "renderer/view/fits/light_fit.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "renderer/base/finite.h"
+#include "renderer/base/lengths_text.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/sources.h"
+#include "renderer/view/culling/box_culling.h"
+#include "renderer/view/culling/needed_maps.h"
+#include "renderer/view/fits/fit_context.h"
+#include "renderer/view/bounds/convex.h"
+#include "renderer/view/fits/map_limits.h"
+#include "renderer/view/fits/near_far.h"
+
+namespace si {
+namespace {
+
+constexpr double kMostOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
+constexpr double kMarginSteps = 64;       // in the map's width, of the margin of a region
+
+/// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
+bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
+    return std::any_of(shape.boxes.begin(), shape.boxes.end(), [&](const Box& box) {
+        return std::any_of(light.views.begin(), light.views.end(), [&](const LightView& view) {
+            const ViewExtent e = extent_of(box, view);
+            const double z = view.curve.perspective ? entry_into_pyramid(e, view.half_width) : e.lo.z;
+            return e.hi.z > 0 && z < light.range_m;
+        });
+    });
+}
+
+std::string why_dark(const FittedLight& light, const Scene& scene) {
+    if (light.radiance == glm::dvec3(0)) return kBringsNothing;
+    if (light.type == LightType::Directional) return {};
+    const bool arrives = std::ranges::any_of(scene.objects, [&](const Object& object) {
+        const Bounds& bounds = scene.meshes[std::size_t(object.mesh)].bounds;
+        return !bounds.empty() && arrives_at(light, bounds.corners(object.world));
+    });
+    return arrives ? "" : "nothing lies within the light's range and cone";
+}
+
+SkewBox skew_box(const Box& corners) {
+    SkewBox box;
+    box.centre = 0.5 * (corners[0] + corners[7]);
+    for (int i = 0; i < 3; ++i) box.half[i] = 0.5 * (corners[std::size_t(1) << i] - corners[0]);
+    return box;
+}
+
+/// Points around all of a box that a view may show and its light's range holds.
+std::vector<glm::dvec3> shown_of(const Box& box, const LightView& view, double range_m) {
+    if (!view.curve.perspective) return {box.begin(), box.end()};
+    double far = 0;
+    for (const glm::dvec3& p : box) far = std::max(far, 1.01 * glm::distance(p, view.eye));
+    if (range_m > 0) far = std::min(far, 1.01 * range_m);
+    Box pyramid;
+    for (unsigned i = 0; i < 8; ++i) {
+        const double z = i & 4 ? far : 1e-4 * far, side = 1.01 * z * view.half_width;
+        pyramid[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
+    }
+    const std::vector<HalfSpace> sides = half_spaces_of(pyramid);
+    const ConvexBody body{pyramid, sides};
+    return common_points(box, {&body, 1});
+}
+
+/// How much nearer than a map's end, in depth, what is looked up in an empty map is lit whatever floats make of it.
+constexpr double kBeforeEnd = 1e-5;
+
+bool ends_before(const Box& box, const LightView& view, double range_m) {
+    const DepthCurve& c = view.curve;
+    return std::ranges::all_of(shown_of(box, view, range_m), [&](const glm::dvec3& p) {
+        const double z = -glm::dot(view.axes[2], p - view.eye);
+        const double before = (c.far - z) / (c.far - c.near);
+        return before * (c.perspective ? c.near / std::max(z, c.near) : 1) > kBeforeEnd;
+    });
+}
+
+/// Why nothing is drawn into a light's maps, and all it shines on lies before their far end; else empty.
+std::string why_empty(const FittedLight& light, const SceneShape& shape, const FitContext& c) {
+    for (const LightView& view : light.views) {
+        const BoxSight sight(view.clip_from_relative(light.map_origin), light.map_origin, view.curve.convention,
+                             view.clamps_near, c.resolution);
+        for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
+            const Box& box = shape.boxes[i];
+            if (shape.box_casts[i] && !sight.misses(skew_box(box))) return {};
+            if (shape.box_receives[i] && arrives_at(light, box) && !ends_before(box, view, light.range_m)) return {};
+        }
+    }
+    return "nothing that casts lies in what its map holds: all that it shines on is lit";
+}
+
+/// Maps about the camera that pages are drawn of.
+void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& camera, int picture_lines) {
+    const Settings& settings = c.all_settings;
+    ClipLevels found = clip_levels({.to_light = light.to_light,
+                                    .convention = c.convention,
+                                    .resolution = c.resolution,
+                                    .page_texels = page_texels(settings),
+                                    .count = std::clamp(settings.map.virtual_levels, 1, kMaxClipLevels),
+                                    .bias = finite_or(settings.map.virtual_bias, 0),
+                                    .margin_texels = reach_of_lookups(settings),
+                                    .picture_lines = picture_lines},
+                                   c.shape, camera);
+    light.views = std::move(found.views);
+    light.levels = std::move(found.levels);
+    light.chooser = std::move(found.chooser);
+    light.map_origin = page_origin(c.shape);
+}
+
+}  // namespace
+
+bool shades_nothing(const FittedLight& light, const Settings& settings) {
+    return !light.dark.empty() && settings.shading.composition != int(Composition::DimLit);
+}
+
+bool never_shadows(const FittedLight& light, const Settings& settings) {
+    const Filter& kernel = filter_of(settings);
+    const bool compares = kernel.samples == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
+    // What faces the light is moved towards it.
+    const BiasSettings& b = settings.bias;
+    const bool nearer = b.constant >= 0 && b.slope >= 0 &&
+                        (b.normal == 0 || (b.normal > 0 && b.normal_source == int(NormalSource::Geometric)));
+    return !light.empty.empty() && compares && nearer && !compares_per_texel(settings) && !draws_pages(settings) &&
+           settings.map.outside == int(Outside::Lit) && settings.map.compare == int(Compare::LessEqual);
+}
+
+bool fit_reads_camera(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;
+}
+
+bool fit_reads_depths(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) &&
+           fit_reads_camera(settings, light) && s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) &&
+           s.cast && source_of(settings, std::size_t(light)).needs.map;
+}
+
+double fit_margin_texels(const Settings& settings, int resolution) {
+    const Reach reach = reach_of(settings);
+    const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMostOffsetTexels);
+    const double texels = std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
+    const double step = std::max(resolution / kMarginSteps, 1.0);
+    return step * std::ceil(texels / step);
+}
+
+std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
+                                  const Camera* camera, int max_resolution, const std::optional<DepthSpan>& seen_m,
+                                  int picture_lines) {
+    const int resolution = std::clamp(settings.map.resolution, 1, std::max(1, max_resolution));
+    std::vector<FittedLight> lights;
+    for (std::size_t i = 0; i < placed.lights.size(); ++i) {
+        const LightSettings& s = settings.lights[i];
+        FittedLight& light = lights.emplace_back();
+        static_cast<PlacedLight&>(light) = placed.lights[i];
+        const SceneShape& shape = *placed.shapes[i];
+        const FitContext context{scene,
+                                 shape,
+                                 s,
+                                 settings,
+                                 {true, settings.map.reversed_z},
+                                 resolution,
+                                 face_margin_texels(settings),
+                                 light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
+                                 camera,
+                                 fit_margin_texels(settings, resolution),
+                                 fit_reads_depths(settings, int(i)) ? seen_m : std::nullopt};
+        if (light.six_faces)
+            fit_faces(light, context);
+        else if (camera && has_clip_levels(settings, int(i)))
+            fit_clip_levels(light, context, *camera, picture_lines);
+        else if (camera && is_sliced(s))
+            fit_cascades(light, context, *camera);
+        else
+            fit_one_view(light, context);
+        if (light.range_m > 0 && !reaches_anything(light, shape))
+            note(light, fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
+        light.dark = why_dark(light, scene);
+        if (!s.cast)
+            light.reason = "light.cast is off";
+        else if (!shape.triangles)
+            light.reason = scene.hidden.empty() ? "the scene has no triangles" : "all that has triangles is hidden";
+        else if (!shape.casters)
+            light.reason = "no object casts";
+        else if (!shape.receivers)
+            light.reason = "no object receives shadows";
+        light.shadowed = light.reason.empty();
+        if (const Source& source = source_of(settings, i); light.shadowed && !source.needs.map)
+            light.reason = fmt::format("light.source is {}, which needs no map", source.key);
+        light.casts = light.reason.empty();
+        if (!light.casts) continue;
+        if (!light.views.front().clamps_near) light.clipped_casters = count_clipped(shape, light.views);
+        light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
+        if (!fit_reads_camera(settings, int(i))) light.empty = why_empty(light, shape, context);
+        for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
+    }
+    return lights;
+}
+
+std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera) {
+    return fit_maps(place_lights(scene, settings), scene, settings, camera);
+}
+
+}  // namespace si

@@ -1,0 +1,121 @@
+#include "renderer/view/fits/near_far.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "renderer/base/finite.h"
+#include "renderer/settings/filters.h"
+
+namespace si {
+namespace {
+
+constexpr double kFlattest = 3;       // cotangent of a sun's height
+constexpr double kMostOfMap = 0.125;  // of its width, that kernels have room for beyond a shadow on the ground
+
+NearFar choice_of(const FitContext& c) {
+    return NearFar(c.settings.near_far);
+}
+
+/// Whether a box bounds the near plane, or the far one.
+bool bounds_near(const FitContext& c, std::size_t box) {
+    switch (choice_of(c)) {
+        case NearFar::Casters:
+            return c.shape.box_casts[box];
+        case NearFar::Pancaking:
+            return c.shape.box_receives[box];
+        default:
+            return true;
+    }
+}
+bool bounds_far(const FitContext& c, std::size_t box) {
+    const bool receivers = choice_of(c) == NearFar::Casters || choice_of(c) == NearFar::Pancaking;
+    return !receivers || c.shape.box_receives[box];
+}
+
+}  // namespace
+
+double room_for_bias(const FitContext& c, double texel_m, double range_m) {
+    const BiasSettings& b = c.all_settings.bias;
+    const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
+    // Where each texel has a depth of its own, a kernel's taps lie on the slope of the receiver's plane.
+    const double aside = 2 * reach_of_lookups(c.all_settings) * texel_m;
+    switch (BiasUnit(b.unit)) {
+        case BiasUnit::Depth:
+            return aside + range_m * std::min(amount, 0.9) / (1 - std::min(amount, 0.9));
+        case BiasUnit::Texels:
+            return aside + amount * texel_m;
+        case BiasUnit::Metres:
+            return aside + amount;
+    }
+    return aside;
+}
+
+double reach_of_lookups(const Settings& s) {
+    return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
+}
+
+double room_beyond_shadow(const LightView& view, const FitContext& c, double texel_m) {
+    if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
+    const double rise = view.axes[2].y;
+    if (c.settings.type != int(LightType::Directional) || !(rise > 0)) return 0;
+    // A flatter light's shadows run to the ground's end.
+    const double texels = std::min(reach_of_lookups(c.all_settings), kMostOfMap * c.resolution);
+    return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kFlattest);
+}
+
+void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers) {
+    view.curve.perspective = false;
+    view.curve.convention = c.convention;
+    const NearFar choice = choice_of(c);
+    if (choice == NearFar::Scene) {
+        const ViewExtent all = extent_of(c.shape, view);
+        found = {all.lo.z, all.hi.z};
+    } else if (choice == NearFar::Casters || choice == NearFar::Pancaking) {
+        ViewExtent near, far;
+        for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+            if (!bounds_near(c, i) && !bounds_far(c, i)) continue;
+            const ViewExtent e = extent_within(c.shape, i, view);
+            if (bounds_near(c, i)) near.add(e);
+            if (bounds_far(c, i)) far.add(e);
+        }
+        if (receivers) far.hi.z = receivers->to_m;
+        if (receivers && choice == NearFar::Pancaking) near.lo.z = receivers->from_m;
+        // A caster behind all receivers, or none at all, says nothing.
+        if (near.lo.z <= far.hi.z) found = {near.lo.z, far.hi.z};
+    }
+    const double texel = view.texel_size(1, c.resolution);
+    if (const double beyond = room_beyond_shadow(view, c, texel); beyond > 0) {
+        const double shadow_ends = receivers ? receivers->to_m : extent_within(c.shape, *c.shape.ground, view).hi.z;
+        found.to_m = std::max(found.to_m, shadow_ends + beyond);
+    }
+    const double pad = kDepthMargin * (found.to_m - found.from_m);
+    view.clamps_near = choice == NearFar::Pancaking;
+    const double room = view.clamps_near ? room_for_bias(c, texel, found.to_m - found.from_m) : 0;
+    view.curve.near = found.from_m - pad - room;
+    // A floor that the light meets straight has no depth of its own to take a share of.
+    view.curve.far = found.to_m + pad + (view.clamps_near ? texel : 0);
+}
+
+void set_perspective_range(LightView& view, const FitContext& c) {
+    const NearFar choice = choice_of(c);
+    double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
+        const ViewExtent e = extent_of(c.shape.boxes[i], view);
+        const double entry = choice == NearFar::Scene ? std::max(e.lo.z, 0.0) : entry_into_pyramid(e, view.half_width);
+        if (!std::isfinite(entry) || e.hi.z <= 0) continue;
+        if (bounds_near(c, i)) nearest = std::min(nearest, entry);
+        if (bounds_far(c, i)) farthest = std::max(farthest, e.hi.z);
+    }
+    if (!(farthest > 0)) nearest = farthest = std::max(glm::distance(view.eye, c.shape.centre), c.shape.radius);
+    nearest = std::min({nearest, farthest, c.reach_m});
+    farthest = std::min(farthest, c.reach_m);
+    view.curve.perspective = true;
+    view.curve.convention = c.convention;
+    view.curve.far = farthest * (1 + kDepthMargin);
+    double near = nearest * (1 - kDepthMargin);
+    view.clamps_near = choice == NearFar::Pancaking;
+    if (view.clamps_near) near -= room_for_bias(c, view.texel_size(nearest, c.resolution), farthest - nearest);
+    view.curve.near = std::max(near, kNearShare * view.curve.far);
+}
+
+}  // namespace si

@@ -1,0 +1,120 @@
+// Where the settings place the lights.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "renderer/base/angles.h"
+#include "renderer/base/finite.h"
+#include "renderer/view/fits/fit_context.h"
+#include "renderer/scene/placement.h"
+
+namespace si {
+namespace {
+
+double size_of(const LightSettings& s) {
+    const double size = positive_or(s.size, 0);
+    return s.type == int(LightType::Directional) ? std::tan(std::min(size, 89.0) * kDegree) : size;
+}
+
+double range_of(const LightSettings& s) {
+    return s.type == int(LightType::Directional) ? 0 : positive_or(s.range, 0);
+}
+
+/// Half the cone's angle in radians, clamped.
+double half_cone(PlacedLight& light, const LightSettings& s) {
+    double half = 0.5 * s.cone * kDegree;
+    if (std::isnan(half) || half < kMinHalfAngle) {
+        note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
+                                2 * kMinHalfAngle / kDegree));
+        half = kMinHalfAngle;
+    }
+    return std::min(half, std::numbers::pi);
+}
+
+void place_spot(PlacedLight& light, const LightSettings& s) {
+    light.half_cone_rad = half_cone(light, s);
+    const double blend = std::clamp(finite_or(s.cone_blend, 0), 0.0, 1.0);
+    light.cos_cone_outer = std::cos(light.half_cone_rad);
+    light.cos_cone_inner = std::cos(light.half_cone_rad * (1 - blend));
+    light.six_faces = light.half_cone_rad > kMaxHalfAngle;
+    if (light.six_faces) note(light, "the cone is wider than one map can hold: it is drawn as six faces");
+}
+
+/// How far from its target a light stands where the settings leave it open.
+double automatic_distance(const PlacedLight& light, const LightSettings& s, double radius) {
+    switch (light.type) {
+        case LightType::Directional:
+            return (s.projection == int(LightProjection::Perspective) ? 4 : 2) * radius;
+        case LightType::Spot:  // far enough for the sphere around the scene to fit into the cone
+            return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
+        case LightType::Point:
+            break;
+    }
+    return 1.5 * radius;
+}
+
+double intensity_of(const LightSettings& s) {
+    return s.on ? positive_or(s.intensity, 0) : 0;
+}
+
+PlacedLight place(const LightSettings& s, const SceneShape& shape) {
+    PlacedLight light;
+    light.type = LightType(std::clamp(s.type, 0, 2));
+    light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
+    light.radiance =
+        intensity_of(s) * glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
+    light.target =
+        shape.centre + glm::dvec3(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
+    light.range_m = range_of(s);
+    light.size = size_of(s);
+    if (light.type == LightType::Spot) place_spot(light, s);
+    if (light.type == LightType::Point) light.six_faces = true;
+    light.distance_m = positive_or(s.distance, automatic_distance(light, s, shape.radius));
+    light.position = light.target + light.to_light * light.distance_m;
+    return light;
+}
+
+/// Divides spot and point radiances by what the brightest of them brings to the scene's centre, where the shaders'
+/// 1/d^2 makes it 1 again. Nearer than a quarter of the scene's radius counts as that far.
+void normalise_punctual(std::vector<PlacedLight>& lights, const Settings& settings, const SceneShape& shape) {
+    double brightest = 0;
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        if (lights[i].type == LightType::Directional) continue;
+        const double d = std::max(glm::distance(lights[i].position, shape.centre), 0.25 * shape.radius);
+        brightest = std::max(brightest, intensity_of(settings.lights[i]) / (d * d));
+    }
+    if (!(brightest > 0)) return;
+    for (PlacedLight& light : lights)
+        if (light.type != LightType::Directional) light.radiance /= brightest;
+}
+
+}  // namespace
+
+glm::dmat3 orthonormal_basis(const glm::dvec3& n) {
+    const double sign = std::copysign(1.0, n.z);
+    const double a = -1.0 / (sign + n.z);
+    const double b = n.x * n.y * a;
+    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
+}
+
+glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
+    const SineCosine az = sine_cosine(azimuth_deg), el = sine_cosine(elevation_deg);
+    return glm::dvec3(el.cosine * az.sine, el.sine, el.cosine * az.cosine) + 0.0;  // no zero has a sign
+}
+
+PlacedLights place_lights(const Scene& scene, const Settings& settings) {
+    const auto shape = std::make_shared<const SceneShape>(scene_shape(scene, settings));
+    PlacedLights out{shape, {}, {}};
+    for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i)
+        out.lights.push_back(place(settings.lights[std::size_t(i)], *shape));
+    for (PlacedLight& light : out.lights) light.map_origin = counted_from(settings, shape->centre);
+    normalise_punctual(out.lights, settings, *shape);
+    for (const PlacedLight& light : out.lights)
+        out.shapes.push_back(
+            shape->ground ? std::make_shared<const SceneShape>(with_shadowed_ground(*shape, scene, light)) : shape);
+    return out;
+}
+
+}  // namespace si
