@@ -15,7 +15,7 @@
 #include "app/report/health_report.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/font_data.h"
 

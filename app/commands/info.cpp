@@ -4,7 +4,7 @@
 #include "app/context/headless_context.h"
 #include "app/context/large_pages.h"
 #include "app/report/report.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 
 namespace si {

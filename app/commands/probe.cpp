@@ -20,7 +20,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/reference/truth_scene.h"

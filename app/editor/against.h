@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

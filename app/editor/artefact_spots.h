@@ -1,7 +1,7 @@
 // Where the wrong pixels of the editor's picture are, cluster by cluster.
 #pragma once
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "ui/panels/artefact_tour.h"
 
 namespace si {

@@ -14,7 +14,7 @@
 #include "app/context/thread_context.h"
 #include "app/editor/frame_loop.h"
 #include "app/editor/session_report.h"
-#include "renderer/frame/pass_progress.h"
+#include "renderer/render/pass_progress.h"
 
 namespace si {
 

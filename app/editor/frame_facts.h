@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/inspect/probe.h"
 #include "ui/state/editor_ui.h"

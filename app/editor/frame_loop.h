@@ -12,7 +12,7 @@
 #include "app/editor/rehearsals.h"
 #include "app/editor/truth.h"
 #include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -8,7 +8,7 @@
 
 #include "app/editor/dossier.h"
 #include "app/editor/frame_facts.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
 #include "ui/state/editor_ui.h"
 

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

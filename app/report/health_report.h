@@ -4,7 +4,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
 
 namespace si {

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/render/renderer.h"
+#include "renderer/frame/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
 
 namespace si {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -5,7 +5,7 @@
 
 #include "app/session/session.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -9,7 +9,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"

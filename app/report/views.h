@@ -6,7 +6,7 @@
 
 #include "renderer/frame/frame.h"
 #include "renderer/frame/pane_grid.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
 
 namespace si {

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "renderer/bias/light_receiver.h"
-#include "renderer/bias/polygon_offset.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/bias/theory.h"
 
 namespace si {

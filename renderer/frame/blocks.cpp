@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/settings/biases.h"

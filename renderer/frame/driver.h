@@ -1,7 +1,7 @@
 // What the current context can do.
 #pragma once
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/gl/timer.h"
 #include "renderer/settings/settings.h"
 

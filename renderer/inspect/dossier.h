@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/fragment_truth.h"
 
 namespace si {

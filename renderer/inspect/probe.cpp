@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/inspect/comparison.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/settings/filters.h"

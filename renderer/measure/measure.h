@@ -2,7 +2,7 @@
 // sweeps and the editor.
 #pragma once
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/reference/error_task.h"
 

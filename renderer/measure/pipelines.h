@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/precision.h"
 
 namespace si {

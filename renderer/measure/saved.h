@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/base/workers.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
 
 namespace si {

@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "renderer/frame/driver.h"
-#include "renderer/passes/mesh_boxes.h"
+#include "renderer/optimisations/mesh_boxes.h"
 #include "renderer/scene/per_mesh.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"

@@ -2,7 +2,7 @@
 // and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
 #include <fmt/format.h>
 
-#include "renderer/passes/map_extents.h"
+#include "renderer/optimisations/map_extents.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

@@ -7,9 +7,9 @@
 #include "renderer/software/llvmpipe_queue.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/map_extents.h"
+#include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/pages.h"
-#include "renderer/passes/resting_casters.h"
+#include "renderer/optimisations/static_casters.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 

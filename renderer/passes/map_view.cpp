@@ -3,7 +3,7 @@
 #include <limits>
 
 #include "renderer/frame/state.h"
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

@@ -8,8 +8,8 @@
 #include "renderer/frame/driver.h"
 #include "renderer/software/llvmpipe_queue.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/lookup_savings.h"
-#include "renderer/passes/map_extents.h"
+#include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/optimisations/map_extents.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 

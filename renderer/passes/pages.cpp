@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "renderer/frame/driver.h"
-#include "renderer/frame/page_cache.h"
+#include "renderer/passes/page_cache.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"

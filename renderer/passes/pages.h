@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/frame/page_cache.h"
+#include "renderer/passes/page_cache.h"
 #include "renderer/frame/state.h"
 
 namespace si {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/reference/causes.h"
+#include "renderer/frame/causes.h"
 #include "renderer/reference/truth.h"
 #include "shaders/shared/judged.h"
 

@@ -9,7 +9,7 @@
 #include <list>
 #include <memory>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/reference/shadow_runs.h"
 
 namespace si {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "renderer/bias/polygon_offset.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/settings/param.h"
 #include "renderer/projection/depth_curve.h"
 

@@ -1,4 +1,4 @@
-// Why a pixel is wrong: the first trial that puts it right. renderer/reference/causes.cpp in GLSL; tests hold both equal.
+// Why a pixel is wrong: the first trial that puts it right. renderer/frame/causes.cpp in GLSL; tests hold both equal.
 #include "lib/evidence.glsl"
 
 struct Cause {

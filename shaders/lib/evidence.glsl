@@ -1,5 +1,5 @@
 // A pixel's shadow test again with one thing changed at a time, and what else its cause depends on. Needs
-// lib/surface.glsl, lib/visibility.glsl and lib/truth.glsl; decided upon by lib/cause.glsl and renderer/reference/causes.h.
+// lib/surface.glsl, lib/visibility.glsl and lib/truth.glsl; decided upon by lib/cause.glsl and renderer/frame/causes.h.
 #include "lib/least_bias.glsl"
 #include "lib/bias_along_ray.glsl"
 

@@ -1,4 +1,4 @@
-// All trials of every pixel, whether it is wrong or not: renderer/reference/causes.h has the names in the same order.
+// All trials of every pixel, whether it is wrong or not: renderer/frame/causes.h has the names in the same order.
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"

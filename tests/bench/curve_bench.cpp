@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/truth_task.h"
 #include "renderer/scenes/builtin.h"

@@ -6,7 +6,7 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/frame/effects.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/median.h"

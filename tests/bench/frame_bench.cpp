@@ -10,7 +10,7 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/bare.h"

@@ -10,7 +10,7 @@
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/gl/handle.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"

@@ -16,7 +16,7 @@
 #include "app/editor/headless_editor.h"
 #include "app/editor/rehearsals.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"
 #include "ui/scene_view/light_handles.h"

@@ -17,7 +17,7 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"

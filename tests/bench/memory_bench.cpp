@@ -10,7 +10,7 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/base/held_memory.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/reference/truth_task.h"
 #include "tests/support/agreed_scene.h"
 

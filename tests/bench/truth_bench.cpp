@@ -12,7 +12,7 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/truth_task.h"
 #include "tests/bench/median.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 #include "tests/support/process.h"
 
 namespace si {

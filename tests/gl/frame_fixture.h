@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"

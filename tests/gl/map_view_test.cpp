@@ -4,7 +4,7 @@
 #include <map>
 
 #include "renderer/base/error.h"
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -1,6 +1,6 @@
 // Planning a frame leaves the images of others as they are; only what is carried out takes their place.
 #include "app/context/headless_context.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

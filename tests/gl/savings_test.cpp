@@ -1,5 +1,5 @@
 // Savings are proved both ways: what is forced draws the same bytes, and counts say that what is saved was not done.
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "renderer/frame/effects.h"
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/agreed_scene.h"

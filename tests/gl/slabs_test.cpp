@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/frame/texel_slabs.h"
+#include "renderer/passes/texel_slabs.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

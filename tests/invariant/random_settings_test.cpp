@@ -14,7 +14,7 @@
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/base/error.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"

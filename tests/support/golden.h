@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 namespace si::test {
 

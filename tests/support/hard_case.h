@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "tests/support/ray_truth.h"
 
 namespace si::test {

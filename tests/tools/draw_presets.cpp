@@ -7,7 +7,7 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 namespace {
 

@@ -1,5 +1,5 @@
 // Extremes and counts of depth images.
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 
 #include <gtest/gtest.h>
 

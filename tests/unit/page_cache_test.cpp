@@ -1,5 +1,5 @@
 // Pages in a pool: what is asked for is found, what is kept is not drawn again, and a full pool leaves no hole.
-#include "renderer/frame/page_cache.h"
+#include "renderer/passes/page_cache.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Which casters are taken to rest, from frame to frame.
-#include "renderer/passes/resting_casters.h"
+#include "renderer/optimisations/static_casters.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Where texels stand as slabs, against the light's own transform.
-#include "renderer/frame/texel_slabs.h"
+#include "renderer/passes/texel_slabs.h"
 
 #include <gtest/gtest.h>
 

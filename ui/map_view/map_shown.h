@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
 
 namespace si {

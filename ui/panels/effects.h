@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 #include "ui/panels/tune.h"
 
 namespace si {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/inspect/lost_casters.h"
 #include "ui/map_view/map_shown.h"
 #include "ui/panels/advice.h"

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/search.h"
 #include "ui/state/scene_choices.h"

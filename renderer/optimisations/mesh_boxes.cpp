@@ -1,4 +1,4 @@
-#include "renderer/passes/mesh_boxes.h"
+#include "renderer/optimisations/mesh_boxes.h"
 
 #include <optional>
 

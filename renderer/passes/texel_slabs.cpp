@@ -1,4 +1,4 @@
-#include "renderer/frame/texel_slabs.h"
+#include "renderer/passes/texel_slabs.h"
 
 #include <algorithm>
 #include <cmath>

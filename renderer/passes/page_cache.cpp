@@ -1,4 +1,4 @@
-#include "renderer/frame/page_cache.h"
+#include "renderer/passes/page_cache.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/reference/causes.h"
+#include "renderer/frame/causes.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "renderer/frame/renderer.h"
+#include "renderer/render/renderer.h"
 
 #include <fmt/format.h>
 
@@ -9,11 +9,11 @@
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/driver.h"
-#include "renderer/frame/pass_progress.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/pass_progress.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/trouble.h"
-#include "renderer/passes/lookup_savings.h"
+#include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"

@@ -1,4 +1,4 @@
-#include "renderer/inspect/depth_histogram.h"
+#include "renderer/frame/depth_histogram.h"
 
 #include <algorithm>
 #include <cmath>

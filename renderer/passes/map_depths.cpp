@@ -1,4 +1,4 @@
-#include "renderer/frame/map_depths.h"
+#include "renderer/passes/map_depths.h"
 
 #include "renderer/passes/pages.h"
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "renderer/bias/polygon_offset.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/frame/frame.h"
 
 namespace si {

@@ -1,4 +1,4 @@
-#include "renderer/bias/polygon_offset.h"
+#include "renderer/render/polygon_offset.h"
 
 #include <algorithm>
 #include <cmath>

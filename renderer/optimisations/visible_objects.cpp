@@ -1,4 +1,4 @@
-#include "renderer/frame/seen_objects.h"
+#include "renderer/optimisations/visible_objects.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/passes/map_extents.h"
+#include "renderer/optimisations/map_extents.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/passes/mesh_boxes.h"
+#include "renderer/optimisations/mesh_boxes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 

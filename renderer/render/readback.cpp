@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/frame/map_depths.h"
+#include "renderer/passes/map_depths.h"
 #include "renderer/frame/read_images.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/passes/numeric_health.h"
 
 namespace si {

@@ -1,4 +1,4 @@
-#include "renderer/frame/savings.h"
+#include "renderer/optimisations/optimisations.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/passes/lookup_savings.h"
+#include "renderer/optimisations/lookup_optimisations.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/passes/resting_casters.h"
+#include "renderer/optimisations/static_casters.h"
 
 #include <algorithm>
 #include <iterator>

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "renderer/frame/driver.h"
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
-#include "renderer/passes/lookup_savings.h"
+#include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/biases.h"

@@ -2,7 +2,7 @@
 // a receiver, a look-up needs no taps. Exact, unlike taps that stand for others.
 #include <fmt/format.h>
 
-#include "renderer/passes/lookup_savings.h"
+#include "renderer/optimisations/lookup_optimisations.h"
 
 namespace si {
 namespace {

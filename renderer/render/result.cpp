@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/frame/renderer_impl.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
