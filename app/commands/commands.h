@@ -11,7 +11,7 @@
 #include "app/sweep/timing.h"
 #include "renderer/measure/shimmer.h"
 #include "renderer/reference/metrics.h"
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 
 namespace si {
 

@@ -15,7 +15,7 @@
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 namespace {

@@ -9,7 +9,7 @@
 #include "app/report/memory_json.h"
 #include "app/report/report.h"
 #include "renderer/base/lengths_text.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
 

@@ -22,8 +22,8 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/render/renderer.h"
 #include "renderer/reference/ray_scenes.h"
-#include "renderer/reference/truth_picture.h"
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_picture.h"
+#include "renderer/reference/reference_scene.h"
 #include "renderer/settings/param.h"
 
 namespace si {

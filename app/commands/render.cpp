@@ -16,7 +16,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
 #include "renderer/inspect/lost_casters.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/param.h"
 
 namespace si {

@@ -10,7 +10,7 @@
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 
 namespace si {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/measure/axes.h"
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 
 namespace si {
 

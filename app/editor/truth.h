@@ -9,7 +9,7 @@
 
 #include "app/base/job.h"
 #include "renderer/reference/light_map.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

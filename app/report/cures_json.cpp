@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/command_text.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 

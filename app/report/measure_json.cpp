@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 

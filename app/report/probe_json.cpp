@@ -4,7 +4,7 @@
 
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 namespace {

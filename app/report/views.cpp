@@ -10,7 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/frame/depth_histogram.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 

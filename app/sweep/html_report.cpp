@@ -13,7 +13,7 @@
 #include "renderer/base/command_text.h"
 #include "renderer/base/embedded.h"
 #include "renderer/base/error.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 
 namespace si {

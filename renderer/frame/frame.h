@@ -21,10 +21,10 @@
 
 namespace si {
 
-struct TruthPicture;  // renderer/reference/truth_picture.h
+struct TruthPicture;  // renderer/reference/reference_picture.h
 struct LightMap;      // renderer/reference/light_map.h
 struct LiveError;     // renderer/reference/live_error.h
-struct Precision;     // renderer/inspect/precision.h
+struct Precision;     // renderer/reference/precision.h
 namespace gl {
 struct Target;
 }

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/first_surface.h"
 #include "renderer/view/lights/kernel_reach.h"
 

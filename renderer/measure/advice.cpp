@@ -8,7 +8,7 @@
 #include <map>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/axes.h"
 
 namespace si {

@@ -1,6 +1,6 @@
 #include "renderer/measure/measure.h"
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/axes.h"
 
 namespace si {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "renderer/render/renderer.h"
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 
 namespace si {
 

@@ -1,5 +1,5 @@
 // How far look-ups are off by single precision: drawn, read back, held against double precision on the CPU.
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 
 #include <cmath>
 

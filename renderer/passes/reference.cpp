@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

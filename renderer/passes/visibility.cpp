@@ -5,7 +5,7 @@
 
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/shadow_volumes.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

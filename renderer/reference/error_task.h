@@ -6,7 +6,7 @@
 #pragma once
 
 #include "renderer/reference/metrics.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 
 namespace si {
 

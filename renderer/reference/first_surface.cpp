@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "renderer/reference/truth_rays.h"
+#include "renderer/reference/reference_rays.h"
 
 namespace si {
 

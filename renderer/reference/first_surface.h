@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 

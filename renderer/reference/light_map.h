@@ -14,8 +14,8 @@
 
 #include "renderer/frame/frame.h"
 #include "renderer/reference/light_map_layout.h"
-#include "renderer/reference/truth.h"
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 

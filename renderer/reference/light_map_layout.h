@@ -9,7 +9,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/reference/truth_geometry.h"
+#include "renderer/reference/reference_geometry.h"
 #include "renderer/base/workers.h"
 
 namespace si {

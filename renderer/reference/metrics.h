@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/frame/causes.h"
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 #include "shaders/shared/judged.h"
 
 namespace si {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <mutex>
 
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 

@@ -6,7 +6,7 @@
 
 #include "renderer/software/big_array.h"
 #include "renderer/frame/frame.h"
-#include "renderer/reference/truth_geometry.h"
+#include "renderer/reference/reference_geometry.h"
 #include "renderer/base/workers.h"
 #include "renderer/view/cameras/make_camera.h"
 

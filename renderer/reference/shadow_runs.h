@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 
 namespace si {
 

@@ -10,7 +10,7 @@
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/reference/light_map.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"

@@ -1,4 +1,4 @@
-// What renderer/inspect/precision.h found of each pixel.
+// What renderer/reference/precision.h found of each pixel.
 #include "shared/units.h"
 layout(binding = UNIT_PRECISION) uniform sampler2D precision_map;  // texels, steps of depth; below 0: neither
 

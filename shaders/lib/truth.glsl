@@ -1,4 +1,4 @@
-// The ray-traced truth about the shown light (renderer/reference/truth_picture.h), and what was made of it.
+// The ray-traced truth about the shown light (renderer/reference/reference_picture.h), and what was made of it.
 #include "shared/units.h"
 #include "shared/judged.h"
 

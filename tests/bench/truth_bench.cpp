@@ -14,7 +14,7 @@
 #include "app/context/headless_context.h"
 #include "renderer/render/renderer.h"
 #include "renderer/reference/embree.h"
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/bench/median.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"

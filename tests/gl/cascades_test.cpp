@@ -5,7 +5,7 @@
 #include "renderer/bias/account.h"
 #include "renderer/bias/light_receiver.h"
 #include "renderer/measure/measure.h"
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <map>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "tests/gl/frame_fixture.h"

@@ -3,8 +3,8 @@
 
 #include "app/session/session.h"
 #include "app/sweep/case_sessions.h"
-#include "renderer/reference/truth_geometry.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_geometry.h"
+#include "renderer/reference/reference_picture.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -1,5 +1,5 @@
 // What single precision costs: errors against a second computation in double, and against what rounding must cost.
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 
 #include <gtest/gtest.h>
 

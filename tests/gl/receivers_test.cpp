@@ -1,7 +1,7 @@
 // Receivers are placed by strips of rows on several threads: each is what its pixel alone says.
 #include "renderer/reference/receivers.h"
 
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

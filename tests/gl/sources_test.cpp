@@ -5,7 +5,7 @@
 
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

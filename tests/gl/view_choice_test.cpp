@@ -1,7 +1,7 @@
 // Which view the GPU looks a point up in, and which one its twin in double says.
 #include <algorithm>
 
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -7,7 +7,7 @@
 #include "app/session/presets.h"
 #include "app/session/session.h"
 #include "renderer/reference/error_task.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"
 #include "renderer/settings/param.h"

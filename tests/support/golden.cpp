@@ -10,7 +10,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gltf/textures.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/context/headless_context.h"
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"

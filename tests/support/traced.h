@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 
 namespace si::test {
 

@@ -6,7 +6,7 @@
 
 #include <set>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/widgets/theme.h"

@@ -10,7 +10,7 @@
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
 #include "renderer/inspect/probe.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
 #include "tests/ui/ui_harness.h"

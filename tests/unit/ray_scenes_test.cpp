@@ -6,7 +6,7 @@
 #include <future>
 #include <thread>
 
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"

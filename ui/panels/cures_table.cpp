@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/cures.h"
 #include "renderer/settings/param.h"
 #include "ui/widgets/theme.h"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"

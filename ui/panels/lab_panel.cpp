@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 #include "renderer/scene/placement.h"

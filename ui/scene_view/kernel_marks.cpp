@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/theme.h"
 

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "renderer/inspect/probe.h"
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"

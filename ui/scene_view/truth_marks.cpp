@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"

@@ -1,4 +1,4 @@
-#include "renderer/reference/truth_geometry.h"
+#include "renderer/reference/reference_geometry.h"
 
 #include <cmath>
 #include <map>

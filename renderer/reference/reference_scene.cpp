@@ -1,4 +1,4 @@
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_scene.h"
 
 #include <fmt/format.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <utility>
 
-#include "renderer/reference/truth_rays.h"
+#include "renderer/reference/reference_rays.h"
 
 namespace si {
 namespace {

@@ -1,4 +1,4 @@
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 
 #include <algorithm>
 #include <chrono>

@@ -4,7 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "renderer/reference/truth_geometry.h"
+#include "renderer/reference/reference_geometry.h"
 #include "renderer/base/workers.h"
 
 namespace si {

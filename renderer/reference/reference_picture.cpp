@@ -1,4 +1,4 @@
-#include "renderer/reference/truth_picture.h"
+#include "renderer/reference/reference_picture.h"
 
 #include <algorithm>
 #include <atomic>

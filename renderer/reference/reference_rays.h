@@ -7,7 +7,7 @@
 
 #include "renderer/reference/embree.h"
 #include "renderer/reference/receivers.h"
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 

@@ -1,4 +1,4 @@
-#include "renderer/reference/truth.h"
+#include "renderer/reference/reference.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <optional>
 
 #include "renderer/bias/light_receiver.h"
-#include "renderer/reference/truth_rays.h"
+#include "renderer/reference/reference_rays.h"
 
 namespace si {
 namespace {

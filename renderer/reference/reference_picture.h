@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "renderer/reference/truth_task.h"
+#include "renderer/reference/reference_task.h"
 
 namespace si {
 

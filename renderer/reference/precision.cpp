@@ -1,4 +1,4 @@
-#include "renderer/inspect/precision.h"
+#include "renderer/reference/precision.h"
 
 #include <algorithm>
 #include <array>

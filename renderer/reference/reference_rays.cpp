@@ -1,4 +1,4 @@
-#include "renderer/reference/truth_rays.h"
+#include "renderer/reference/reference_rays.h"
 
 #include <algorithm>
 #include <cmath>

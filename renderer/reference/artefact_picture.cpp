@@ -1,4 +1,4 @@
-#include "renderer/measure/artefact_picture.h"
+#include "renderer/reference/artefact_picture.h"
 
 #include <algorithm>
 

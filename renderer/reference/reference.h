@@ -15,7 +15,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/reference/emitter.h"
 #include "renderer/reference/receivers.h"
-#include "renderer/reference/truth_scene.h"
+#include "renderer/reference/reference_scene.h"
 
 namespace si {
 
