@@ -12,7 +12,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 
 namespace si {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/session/command_line.h"
 #include "app/sweep/pictures.h"
 #include "app/sweep/progress_line.h"
-#include "renderer/measure/bias_needs.h"
+#include "renderer/advise/bias_needs.h"
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/biases.h"

@@ -4,7 +4,7 @@
 #include <variant>
 
 #include "app/editor/search.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -1,6 +1,6 @@
 #include "app/editor/artefact_spots.h"
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 
 namespace si {
 namespace {

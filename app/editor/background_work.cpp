@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/editor/wishes.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {
 

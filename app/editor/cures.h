@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/search.h"
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/base/job.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/ray_scenes.h"
 #include "ui/panels/probed.h"
 

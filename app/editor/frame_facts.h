@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
 #include "ui/state/editor_ui.h"
 

@@ -11,7 +11,7 @@
 #include "app/editor/readings.h"
 #include "app/editor/rehearsals.h"
 #include "app/editor/truth.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 

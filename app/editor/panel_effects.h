@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

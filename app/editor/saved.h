@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/editor/search.h"
-#include "renderer/measure/saved.h"
+#include "renderer/measure/optimisation_times.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -9,7 +9,7 @@
 #include "app/report/measure_json.h"
 #include "app/report/report.h"
 #include "renderer/base/error.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/light_map_cache.h"
 
 namespace si {

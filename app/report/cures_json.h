@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 
 namespace si {
 

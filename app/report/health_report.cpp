@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "renderer/base/error.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 
 namespace si {
 

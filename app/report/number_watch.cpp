@@ -6,7 +6,7 @@
 
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 
 namespace si {
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 
 namespace si {
 

@@ -10,7 +10,7 @@
 #include "renderer/base/error.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/inspect/comparison.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sources.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
 
 namespace si {

@@ -4,7 +4,7 @@
 
 #include "renderer/render/renderer.h"
 #include "renderer/measure/time_sampler.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 
 namespace si {
 

@@ -8,7 +8,7 @@
 
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"

@@ -4,7 +4,7 @@
 #include <epoxy/gl.h>
 
 #include "app/context/headless_context.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rotation.h"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "app/context/headless_context.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"

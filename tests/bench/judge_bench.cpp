@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "app/context/headless_context.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"

@@ -1,7 +1,7 @@
 // What the scene advises is what one gets: each change that is shown, made and measured again.
-#include "renderer/measure/advice.h"
+#include "renderer/advise/advice.h"
 
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

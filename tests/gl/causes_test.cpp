@@ -4,7 +4,7 @@
 #include <map>
 
 #include "renderer/reference/artefact_picture.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -1,7 +1,7 @@
 // Contact shadows: what they bring back, that they invent nothing, and that they are a factor on any source.
 #include <algorithm>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"

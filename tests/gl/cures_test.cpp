@@ -1,5 +1,5 @@
 // The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 
 #include <algorithm>
 

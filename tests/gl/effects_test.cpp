@@ -1,5 +1,5 @@
 // Effects tell what the frame did. Of each reason is asked: if I do what it says, does the effect's state change?
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 
 #include <algorithm>
 #include <cctype>

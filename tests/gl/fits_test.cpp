@@ -5,7 +5,7 @@
 #include <random>
 
 #include "app/report/map_report.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -1,7 +1,7 @@
 // light.range: the window of KHR_lights_punctual in the picture, in the probe's words and in the measured error.
 #include <cmath>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 

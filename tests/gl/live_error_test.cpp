@@ -3,7 +3,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/reference/artefact_picture.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

@@ -8,7 +8,7 @@
 #include "app/editor/frame_loop.h"
 #include "app/report/against.h"
 #include "app/session/session.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/lights/sky.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "renderer/measure/saved.h"
+#include "renderer/measure/optimisation_times.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"

@@ -1,5 +1,5 @@
 // Measured errors of real frames: acne where bias is missing, sampling errors that fall with resolution, lost casters.
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/gl/trouble.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -4,8 +4,8 @@
 #include <bit>
 #include <filesystem>
 
-#include "renderer/frame/effects.h"
-#include "renderer/measure/saved.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/measure/optimisation_times.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

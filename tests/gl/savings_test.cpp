@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "renderer/base/error.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

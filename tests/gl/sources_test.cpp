@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
 #include "tests/gl/frame_fixture.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 

@@ -1,5 +1,5 @@
 // What is simulated changes the picture somewhere, else it is waste: each map, face and cascade is left out in turn.
-#include "renderer/measure/waste.h"
+#include "renderer/advise/waste.h"
 
 #include <fmt/format.h>
 

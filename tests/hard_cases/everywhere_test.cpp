@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/placements.h"
 

@@ -6,7 +6,7 @@
 #include "app/base/output.h"
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"

@@ -4,7 +4,7 @@
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/hard_case.h"

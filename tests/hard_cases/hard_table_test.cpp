@@ -6,7 +6,7 @@
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"

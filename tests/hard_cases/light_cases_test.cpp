@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"

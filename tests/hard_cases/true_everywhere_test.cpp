@@ -2,7 +2,7 @@
 // whose vertices themselves are far away, against the same numbers placed by a node.
 #include <cmath>
 
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/placements.h"

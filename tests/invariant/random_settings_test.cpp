@@ -15,7 +15,7 @@
 #include "app/session/session.h"
 #include "renderer/base/error.h"
 #include "renderer/render/renderer.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"
 #include "tests/support/number_from.h"

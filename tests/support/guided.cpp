@@ -5,7 +5,7 @@
 
 #include "app/session/presets.h"
 #include "app/session/session.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
 
 namespace si::test {

@@ -5,7 +5,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {

@@ -6,7 +6,7 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 #include "renderer/settings/param.h"
 #include "tests/ui/ui_harness.h"
 

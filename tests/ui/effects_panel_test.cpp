@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "app/editor/headless_editor.h"
-#include "renderer/measure/saved.h"
+#include "renderer/measure/optimisation_times.h"
 #include "tests/ui/ui_harness.h"
 
 namespace si::test {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "app/editor/headless_editor.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/process.h"
 #include "tests/ui/drawn_text.h"

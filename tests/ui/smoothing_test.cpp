@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/editor/headless_editor.h"
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/gl/target.h"
 
 namespace si {

@@ -9,7 +9,7 @@
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
 #include "renderer/base/held_memory.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/scenes/builtin.h"

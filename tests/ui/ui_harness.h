@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/effects.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/reference/live_error.h"
 #include "tests/ui/drawn_text.h"
 #include "ui/state/editor_ui.h"

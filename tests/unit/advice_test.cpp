@@ -1,5 +1,5 @@
 // Rules over made-up facts, and what becomes of ideas under a made-up clock and truth.
-#include "renderer/measure/advice.h"
+#include "renderer/advise/advice.h"
 
 #include <gtest/gtest.h>
 

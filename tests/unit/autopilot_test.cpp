@@ -1,5 +1,5 @@
 // The autopilot over made-up worlds, whose optimum is known by trying all.
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // What savings are worth: paired differences of frames in turns, by a clock that is made up.
-#include "renderer/measure/saved.h"
+#include "renderer/measure/optimisation_times.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The searches for the least bias and the best setting, on made-up frames whose answer is known.
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 
 #include <gtest/gtest.h>
 

@@ -11,8 +11,8 @@
 
 namespace si {
 
-struct AdviceReport;     // renderer/measure/advice.h
-struct AutopilotResult;  // renderer/measure/autopilot.h
+struct AdviceReport;     // renderer/advise/advice.h
+struct AutopilotResult;  // renderer/advise/autopilot.h
 
 struct AdvicePanel {
     CostCase cost = kDefaultCost;  ///< of which frames times are

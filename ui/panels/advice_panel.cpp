@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/cost_combo.h"

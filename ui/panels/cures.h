@@ -8,7 +8,7 @@
 
 namespace si {
 
-struct CureTable;  // renderer/measure/cures.h
+struct CureTable;  // renderer/advise/fixes.h
 
 /// What is to be cured: a pixel, or nothing for the whole picture.
 struct CureWish {

@@ -7,7 +7,7 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/artefact_picture.h"
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 #include "renderer/settings/param.h"
 #include "ui/widgets/theme.h"
 

@@ -9,8 +9,8 @@
 
 namespace si {
 
-struct Effect;      // renderer/frame/effects.h
-struct SavedTimes;  // renderer/measure/saved.h
+struct Effect;      // renderer/inspect/effects.h
+struct SavedTimes;  // renderer/measure/optimisation_times.h
 
 /// A person's tool, no part of the settings: forcing changes no picture.
 struct EffectsPanel {

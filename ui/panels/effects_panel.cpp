@@ -6,8 +6,8 @@
 #include <ranges>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/frame/effects.h"
-#include "renderer/measure/saved.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/measure/optimisation_times.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
 #include "ui/panels/cures_table.h"
 #include "ui/panels/section_view.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 #include "renderer/settings/owners.h"
 #include "renderer/scene/placement.h"
 #include "ui/panels/lights.h"

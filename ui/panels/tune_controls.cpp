@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 #include "ui/state/quick_changes.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"

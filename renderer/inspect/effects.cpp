@@ -1,11 +1,11 @@
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 
-#include "renderer/frame/lookup_effects.h"
+#include "renderer/inspect/lookup_effects.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"

@@ -1,4 +1,4 @@
-#include "renderer/measure/waste.h"
+#include "renderer/advise/waste.h"
 
 #include <fmt/format.h>
 

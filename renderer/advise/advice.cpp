@@ -1,4 +1,4 @@
-#include "renderer/measure/advice.h"
+#include "renderer/advise/advice.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/measure/advice_facts.h"
+#include "renderer/advise/advice_facts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "renderer/measure/saved.h"
+#include "renderer/measure/optimisation_times.h"
 
 #include <algorithm>
 #include <cmath>

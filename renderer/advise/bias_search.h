@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/bias_needs.h"
+#include "renderer/advise/bias_needs.h"
 
 namespace si {
 

@@ -1,10 +1,10 @@
-#include "renderer/measure/bias_needs.h"
+#include "renderer/advise/bias_needs.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "renderer/scene/placement.h"

@@ -1,4 +1,4 @@
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 
 #include <fmt/format.h>
 

@@ -5,7 +5,7 @@
 //     report.holds.front().idea.sentence, report.holds.front().settings    // set them, measure: exactly so
 #pragma once
 
-#include "renderer/measure/advice_facts.h"
+#include "renderer/advise/advice_facts.h"
 #include "renderer/measure/measure.h"
 
 namespace si {

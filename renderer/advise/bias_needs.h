@@ -5,7 +5,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/measure/frontier.h"
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 #include "renderer/settings/biases.h"
 
 namespace si {

@@ -1,4 +1,4 @@
-#include "renderer/measure/tuner.h"
+#include "renderer/advise/tuner.h"
 
 #include <fmt/format.h>
 

@@ -7,7 +7,7 @@
 
 #include <optional>
 
-#include "renderer/measure/advice.h"
+#include "renderer/advise/advice.h"
 #include "renderer/measure/axes.h"
 
 namespace si {

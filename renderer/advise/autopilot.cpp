@@ -1,4 +1,4 @@
-#include "renderer/measure/autopilot.h"
+#include "renderer/advise/autopilot.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/measure/bias_search.h"
+#include "renderer/advise/bias_search.h"
 
 #include <fmt/format.h>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "renderer/measure/time_sampler.h"
 #include "renderer/base/workers.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "renderer/render/renderer.h"
-#include "renderer/inspect/fragment_truth.h"
+#include "renderer/inspect/fragment_reference.h"
 
 namespace si {
 

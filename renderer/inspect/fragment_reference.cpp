@@ -1,4 +1,4 @@
-#include "renderer/inspect/fragment_truth.h"
+#include "renderer/inspect/fragment_reference.h"
 
 #include <cmath>
 

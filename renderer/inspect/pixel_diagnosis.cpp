@@ -1,4 +1,4 @@
-#include "renderer/inspect/dossier.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 
 #include <fmt/format.h>
 

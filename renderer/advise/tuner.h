@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "renderer/measure/bias_search.h"
+#include "renderer/advise/bias_search.h"
 #include "renderer/measure/frame_costs.h"
 
 namespace si {

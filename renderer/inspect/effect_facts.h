@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/frame/effects.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

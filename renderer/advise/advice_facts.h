@@ -1,7 +1,7 @@
 // What of a scene, its frame and its truth says which settings are worth trying.
 #pragma once
 
-#include "renderer/measure/cures.h"
+#include "renderer/advise/fixes.h"
 
 namespace si {
 

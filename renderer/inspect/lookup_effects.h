@@ -2,7 +2,7 @@
 // light's size, contact shadows, what is spared, and what touches no visibility.
 #pragma once
 
-#include "renderer/frame/effect_facts.h"
+#include "renderer/inspect/effect_facts.h"
 
 namespace si {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/measure/advice.h"
+#include "renderer/advise/advice.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"

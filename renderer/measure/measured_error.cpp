@@ -1,4 +1,4 @@
-#include "renderer/reference/error_task.h"
+#include "renderer/measure/measured_error.h"
 
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/lights/kernel_reach.h"

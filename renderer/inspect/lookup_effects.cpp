@@ -1,4 +1,4 @@
-#include "renderer/frame/lookup_effects.h"
+#include "renderer/inspect/lookup_effects.h"
 
 #include <fmt/format.h>
 
