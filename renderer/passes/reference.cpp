@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/reference/artefact_picture.h"
-#include "renderer/passes/camera_pass.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/passes/camera_pass.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"
@@ -33,7 +33,7 @@ struct TruthTargets {
     std::shared_ptr<const LiveError> error;  ///< of the error tiles
 };
 
-TruthTargets& targets(const FrameState& f) {
+TruthTargets& reference_targets(const FrameState& f) {
     return f.gl.owned.get<TruthTargets>();
 }
 
@@ -69,8 +69,8 @@ Pass upload_pass(FrameState& f) {
     pass.writes = {Result::Truth};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
-    pass.cached = &targets(f).truth.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, targets(f)); };
+    pass.cached = &reference_targets(f).truth.key;
+    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, reference_targets(f)); };
     return pass;
 }
 
@@ -119,7 +119,7 @@ Pass compare_pass(FrameState& f) {
     pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Truth};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    TruthTargets& t = targets(f);
+    TruthTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.judged.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -151,7 +151,7 @@ Pass causes_pass(FrameState& f) {
                                          Result::UnfilteredMap, Result::Truth});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    TruthTargets& t = targets(f);
+    TruthTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -191,9 +191,9 @@ Pass evidence_pass(FrameState& f) {
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
     pass.key = f.shown_light_key().add(f.truth.met).value();
-    pass.cached = &targets(f).evidence[0].key;
+    pass.cached = &reference_targets(f).evidence[0].key;
     pass.run = [&f](PassInfo& info) {
-        CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, reference_targets(f).evidence);
         pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.truth.met, info);
     };
@@ -238,11 +238,11 @@ Pass sums_pass(FrameState& f) {
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
-    pass.cached = &targets(f).error_tiles.key;
+    pass.cached = &reference_targets(f).error_tiles.key;
     pass.run = [&f](PassInfo& info) {
         const Truth& truth = *f.request.truth->traced.truth;
         const int across = (truth.width + kTile - 1) / kTile, down = (truth.height + kTile - 1) / kTile;
-        gl::Target& tiles = targets(f).error_tiles;
+        gl::Target& tiles = reference_targets(f).error_tiles;
         tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
         const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
@@ -250,7 +250,7 @@ Pass sums_pass(FrameState& f) {
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
-        targets(f).error = std::make_shared<const LiveError>(
+        reference_targets(f).error = std::make_shared<const LiveError>(
             metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), truth));
     };
     return pass;
@@ -279,11 +279,11 @@ std::vector<gl::Define> truth_defines(const FrameState& f) {
 }
 
 std::shared_ptr<const LiveError> live_error(const FrameState& f) {
-    return targets(f).error;
+    return reference_targets(f).error;
 }
 
 void add_truth_passes(FrameState& f) {
-    TruthTargets& t = targets(f);
+    TruthTargets& t = reference_targets(f);
     f.plan.place(Result::Truth, {&t.truth, shared::UNIT_TRUTH});
     f.plan.place(Result::Truth, {&t.more_truth, shared::UNIT_MORE_TRUTH});
     f.plan.place(Result::Compared, {&t.judged});
