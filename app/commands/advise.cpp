@@ -8,11 +8,11 @@
 #include "app/report/measure_json.h"
 #include "app/report/number_watch.h"
 #include "app/report/report.h"
+#include "renderer/advise/autopilot.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/advise/autopilot.h"
 
 namespace si {
 namespace {

@@ -8,8 +8,8 @@
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/measure/pipelines.h"
-#include "renderer/settings/param.h"
 #include "renderer/scene/placement.h"
+#include "renderer/settings/param.h"
 
 namespace si {
 namespace {

@@ -7,8 +7,8 @@
 #include "app/session/preset_diff.h"
 #include "app/session/setting_json.h"
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/base/printable.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 

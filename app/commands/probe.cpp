@@ -20,10 +20,10 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/base/lower_case.h"
-#include "renderer/render/renderer.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/reference/reference_scene.h"
+#include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 
 namespace si {

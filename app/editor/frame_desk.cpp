@@ -12,8 +12,8 @@
 
 #include "app/base/output.h"
 #include "app/editor/wishes.h"
-#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/target.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 namespace si {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "renderer/inspect/effects.h"
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/inspect/probe.h"
+#include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -8,8 +8,8 @@
 
 #include "app/editor/dossier.h"
 #include "app/editor/frame_facts.h"
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
+#include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {

@@ -5,9 +5,9 @@
 #include <span>
 #include <string>
 
+#include "renderer/advise/waste.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/optimisation_times.h"
-#include "renderer/advise/waste.h"
 
 namespace si {
 

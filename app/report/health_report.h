@@ -4,8 +4,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

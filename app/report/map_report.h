@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
-#include "renderer/render/renderer.h"
 #include "renderer/frame/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/base/command_text.h"
 #include "renderer/base/error.h"
-#include "renderer/advise/fixes.h"
 
 namespace si {
 

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "renderer/base/workers.h"
 #include "renderer/frame/frame.h"
 #include "renderer/frame/pane_grid.h"
 #include "renderer/render/renderer.h"
-#include "renderer/base/workers.h"
 
 namespace si {
 

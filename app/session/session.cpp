@@ -10,9 +10,9 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scene/ground.h"
 #include "renderer/scene/outline.h"
+#include "renderer/scene/placement.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

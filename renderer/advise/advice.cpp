@@ -8,8 +8,8 @@
 #include <map>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/axes.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "renderer/base/lengths_text.h"
 #include "renderer/advise/advice.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"

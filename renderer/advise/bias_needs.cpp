@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
-#include "renderer/scene/placement.h"
 
 namespace si {
 namespace {

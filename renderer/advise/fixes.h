@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/advise/bias_needs.h"
+#include "renderer/inspect/pixel_diagnosis.h"
 
 namespace si {
 

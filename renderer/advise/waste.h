@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

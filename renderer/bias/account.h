@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 
 #include "renderer/bias/light_receiver.h"
-#include "renderer/render/polygon_offset.h"
 #include "renderer/bias/theory.h"
+#include "renderer/render/polygon_offset.h"
 
 namespace si {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "renderer/settings/biases.h"
 #include "renderer/projection/projection.h"
+#include "renderer/settings/biases.h"
 
 namespace si {
 

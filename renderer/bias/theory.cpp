@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/settings/map_storage.h"
 #include "renderer/projection/projection.h"
+#include "renderer/settings/map_storage.h"
 #include "shaders/shared/facing.h"
 
 namespace si {

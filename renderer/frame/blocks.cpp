@@ -5,14 +5,14 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/render/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/gl/trouble.h"
+#include "renderer/projection/projection.h"
+#include "renderer/render/renderer_impl.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
-#include "renderer/scene/placement.h"
-#include "renderer/projection/projection.h"
 #include "renderer/view/lights/sky.h"
 #include "shaders/shared/units.h"
 

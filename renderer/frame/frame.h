@@ -9,11 +9,11 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/frame/causes.h"
 #include "renderer/frame/numeric_health.h"
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
 #include "renderer/optimisations/optimisations.h"
-#include "renderer/frame/causes.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/cameras/make_camera.h"

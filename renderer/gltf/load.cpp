@@ -8,8 +8,8 @@
 #include "renderer/gltf/extras.h"
 #include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
-#include "renderer/settings/settings.h"
 #include "renderer/scene/scene_lights.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 namespace gltf {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/fragment_reference.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

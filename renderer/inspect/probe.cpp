@@ -8,9 +8,9 @@
 #include <optional>
 
 #include "renderer/base/error.h"
-#include "renderer/render/renderer_impl.h"
 #include "renderer/inspect/comparison.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sources.h"
 

@@ -1,7 +1,7 @@
 #include "renderer/measure/measure.h"
 
-#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/axes.h"
+#include "renderer/reference/artefact_picture.h"
 
 namespace si {
 

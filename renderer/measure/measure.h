@@ -2,9 +2,9 @@
 // sweeps and the editor.
 #pragma once
 
-#include "renderer/render/renderer.h"
-#include "renderer/measure/time_sampler.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/measure/time_sampler.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "renderer/inspect/effects.h"
-#include "renderer/render/renderer.h"
-#include "renderer/measure/time_sampler.h"
 #include "renderer/base/workers.h"
+#include "renderer/inspect/effects.h"
+#include "renderer/measure/time_sampler.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

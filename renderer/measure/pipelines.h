@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "renderer/render/renderer.h"
 #include "renderer/reference/precision.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/render/renderer.h"
 #include "renderer/base/workers.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

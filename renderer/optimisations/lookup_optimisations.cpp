@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/poisson_disk.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/base/poisson_disk.h"
 #include "renderer/view/lights/kernel_reach.h"
 
 namespace si {

@@ -10,11 +10,11 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/optimisations/mesh_boxes.h"
-#include "renderer/scene/per_mesh.h"
+#include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
+#include "renderer/scene/per_mesh.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/culling/box_culling.h"
-#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <utility>
 
-#include "renderer/software/llvmpipe_queue.h"
+#include "renderer/optimisations/map_extents.h"
+#include "renderer/optimisations/static_casters.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
-#include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/pages.h"
-#include "renderer/optimisations/static_casters.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 namespace si {
 namespace {

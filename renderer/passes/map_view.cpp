@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "renderer/frame/state.h"
 #include "renderer/frame/depth_histogram.h"
+#include "renderer/frame/state.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

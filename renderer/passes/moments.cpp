@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "renderer/frame/driver.h"
-#include "renderer/software/llvmpipe_queue.h"
-#include "renderer/passes/casters.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/map_extents.h"
+#include "renderer/passes/casters.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 namespace si {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "renderer/passes/page_cache.h"
 #include "renderer/frame/state.h"
+#include "renderer/passes/page_cache.h"
 
 namespace si {
 

@@ -1,10 +1,10 @@
 // Texels of the shown light's map as quads in the scene, over a pane's picture.
 #include <algorithm>
 
-#include "renderer/passes/map_depths.h"
-#include "renderer/passes/texel_slabs.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/map_depths.h"
+#include "renderer/passes/texel_slabs.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

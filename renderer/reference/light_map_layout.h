@@ -9,8 +9,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "renderer/reference/reference_geometry.h"
 #include "renderer/base/workers.h"
+#include "renderer/reference/reference_geometry.h"
 
 namespace si {
 

@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 
-#include "renderer/software/big_array.h"
+#include "renderer/base/workers.h"
 #include "renderer/frame/frame.h"
 #include "renderer/reference/reference_geometry.h"
-#include "renderer/base/workers.h"
+#include "renderer/software/big_array.h"
 #include "renderer/view/cameras/make_camera.h"
 
 namespace si {

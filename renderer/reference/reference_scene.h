@@ -4,8 +4,8 @@
 #include <memory>
 #include <span>
 
-#include "renderer/reference/reference_geometry.h"
 #include "renderer/base/workers.h"
+#include "renderer/reference/reference_geometry.h"
 
 namespace si {
 

@@ -9,8 +9,8 @@
 #include <list>
 #include <memory>
 
-#include "renderer/render/renderer.h"
 #include "renderer/reference/shadow_runs.h"
+#include "renderer/render/renderer.h"
 
 namespace si {
 

@@ -5,12 +5,15 @@
 #include <atomic>
 #include <cmath>
 
+#include "renderer/base/poisson_disk.h"
 #include "renderer/frame/driver.h"
-#include "renderer/render/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/renderer_impl.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
@@ -18,11 +21,8 @@
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
-#include "renderer/base/poisson_disk.h"
-#include "renderer/view/lights/kernel_reach.h"
 #include "renderer/view/fits/near_far.h"
-#include "renderer/scene/placement.h"
-#include "renderer/projection/projection.h"
+#include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {

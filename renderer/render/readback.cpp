@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "renderer/base/error.h"
-#include "renderer/passes/map_depths.h"
 #include "renderer/frame/read_images.h"
-#include "renderer/render/renderer_impl.h"
+#include "renderer/passes/map_depths.h"
 #include "renderer/passes/numeric_health.h"
+#include "renderer/render/renderer_impl.h"
 
 namespace si {
 namespace {

@@ -9,15 +9,15 @@
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/driver.h"
-#include "renderer/render/pass_progress.h"
-#include "renderer/render/renderer_impl.h"
-#include "renderer/software/llvmpipe_queue.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/render/pass_progress.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "renderer/software/llvmpipe_queue.h"
 
 namespace si {
 namespace {

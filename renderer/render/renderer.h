@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "renderer/render/polygon_offset.h"
 #include "renderer/frame/frame.h"
+#include "renderer/render/polygon_offset.h"
 
 namespace si {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/render/renderer_impl.h"
 #include "renderer/passes/pages.h"
+#include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 

@@ -7,8 +7,8 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/printable.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/base/printable.h"
 #include "renderer/scenes/hard_cases.h"
 #include "renderer/scenes/makers.h"
 #include "renderer/settings/param.h"

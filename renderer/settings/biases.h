@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "renderer/projection/depth_curve.h"
 #include "renderer/render/polygon_offset.h"
 #include "renderer/settings/param.h"
-#include "renderer/projection/depth_curve.h"
 
 namespace si {
 

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <vector>
 
+#include "renderer/base/poisson_disk.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/choices_of.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
-#include "renderer/base/poisson_disk.h"
 
 namespace si {
 namespace {

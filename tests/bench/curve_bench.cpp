@@ -11,9 +11,9 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"

@@ -17,8 +17,8 @@
 
 #include "app/context/headless_context.h"
 #include "app/session/session.h"
-#include "renderer/render/renderer.h"
 #include "renderer/gltf/gltf.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 

@@ -10,8 +10,8 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/base/held_memory.h"
-#include "renderer/render/renderer.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/renderer.h"
 #include "tests/support/agreed_scene.h"
 
 namespace si {

@@ -12,9 +12,9 @@
 #include <memory>
 
 #include "app/context/headless_context.h"
-#include "renderer/render/renderer.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/renderer.h"
 #include "tests/bench/median.h"
 #include "tests/bench/rounds.h"
 #include "tests/support/agreed_scene.h"

@@ -3,8 +3,8 @@
 #include <cstring>
 #include <map>
 
-#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -1,8 +1,7 @@
 // The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
-#include "renderer/advise/fixes.h"
-
 #include <algorithm>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/fits.h"

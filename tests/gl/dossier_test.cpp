@@ -1,10 +1,9 @@
 // The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
 // and remedies that work.
-#include "renderer/inspect/pixel_diagnosis.h"
-
 #include <bit>
 #include <cstring>
 
+#include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"

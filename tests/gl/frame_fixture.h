@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "app/context/headless_context.h"
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/probe.h"
+#include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"

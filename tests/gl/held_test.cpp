@@ -1,16 +1,15 @@
 // What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
-#include "renderer/base/held_memory.h"
-
 #include <chrono>
 #include <map>
 #include <thread>
 
 #include "app/editor/rehearsals.h"
 #include "app/sweep/measuring_thread.h"
-#include "renderer/software/llvmpipe_queue.h"
+#include "renderer/base/held_memory.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
+#include "renderer/software/llvmpipe_queue.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -2,8 +2,8 @@
 #include "renderer/reference/live_error.h"
 
 #include "renderer/bias/account.h"
-#include "renderer/reference/artefact_picture.h"
 #include "renderer/measure/measured_error.h"
+#include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

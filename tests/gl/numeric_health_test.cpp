@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/inspect/effects.h"
 #include "renderer/gl/trouble.h"
+#include "renderer/inspect/effects.h"
 #include "renderer/measure/measured_error.h"
 #include "tests/gl/frame_fixture.h"
 

@@ -8,8 +8,8 @@
 #include "app/session/session.h"
 #include "renderer/measure/pipelines.h"
 #include "renderer/measure/shimmer.h"
-#include "renderer/settings/overlays.h"
 #include "renderer/scene/placement.h"
+#include "renderer/settings/overlays.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -1,11 +1,10 @@
 // Savings are proved both ways: what is forced draws the same bytes, and counts say that what is saved was not done.
-#include "renderer/optimisations/optimisations.h"
-
 #include <algorithm>
 #include <cstdlib>
 
 #include "renderer/base/error.h"
 #include "renderer/inspect/effects.h"
+#include "renderer/optimisations/optimisations.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 

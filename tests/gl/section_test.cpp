@@ -7,8 +7,8 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/section_drawing.h"
-#include "renderer/scenes/shapes.h"
 #include "renderer/projection/projection.h"
+#include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

@@ -1,8 +1,7 @@
 // A small scene in place of a large one: it calls for the same programs.
-#include "renderer/scene/proxy_scene.h"
-
 #include <filesystem>
 
+#include "renderer/scene/proxy_scene.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "app/editor/headless_editor.h"
-#include "renderer/inspect/effects.h"
 #include "renderer/gl/target.h"
+#include "renderer/inspect/effects.h"
 
 namespace si {
 namespace {

@@ -1,10 +1,9 @@
 // What a map's view says of boxes, against their corners and points inside of them.
-#include "renderer/view/culling/box_culling.h"
-
 #include <gtest/gtest.h>
 
-#include "renderer/scenes/shapes.h"
 #include "renderer/projection/projection.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/view/culling/box_culling.h"
 
 namespace si {
 namespace {

@@ -1,13 +1,12 @@
 // Which parts of maps a camera calls for: no point that it sees may be looked up beside them.
-#include "renderer/view/culling/needed_maps.h"
-
 #include <gtest/gtest.h>
 
+#include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/projection/projection.h"
+#include "renderer/view/culling/needed_maps.h"
 
 namespace si {
 namespace {

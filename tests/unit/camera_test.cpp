@@ -1,5 +1,3 @@
-#include "renderer/view/cameras/make_camera.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,6 +9,7 @@
 #include "renderer/scene/ground.h"
 #include "renderer/scene/outline.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -6,8 +6,8 @@
 
 #include <random>
 
-#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

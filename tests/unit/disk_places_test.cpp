@@ -1,9 +1,9 @@
-#include "renderer/base/poisson_disk.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
+
+#include "renderer/base/poisson_disk.h"
 
 namespace si {
 namespace {

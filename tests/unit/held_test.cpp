@@ -1,12 +1,11 @@
 // Who holds memory: what is told of holders, and what they let go.
-#include "renderer/base/held_memory.h"
-
 #include <gtest/gtest.h>
 
 #include <optional>
 #include <thread>
 #include <vector>
 
+#include "renderer/base/held_memory.h"
 #include "renderer/reference/ray_scenes.h"
 #include "renderer/scenes/builtin.h"
 

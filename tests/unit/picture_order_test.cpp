@@ -1,11 +1,10 @@
 // The order in which a camera draws objects, against orders that a few boxes leave no doubt of, and by chance.
-#include "renderer/view/culling/draw_order.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/culling/draw_order.h"
 
 namespace si {
 namespace {

@@ -1,9 +1,9 @@
 // Which casters are taken to rest, from frame to frame.
-#include "renderer/optimisations/static_casters.h"
-
 #include <gtest/gtest.h>
 
 #include <numeric>
+
+#include "renderer/optimisations/static_casters.h"
 
 namespace si {
 namespace {

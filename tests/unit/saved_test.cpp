@@ -1,7 +1,7 @@
 // What savings are worth: paired differences of frames in turns, by a clock that is made up.
-#include "renderer/measure/optimisation_times.h"
-
 #include <gtest/gtest.h>
+
+#include "renderer/measure/optimisation_times.h"
 
 namespace si {
 namespace {

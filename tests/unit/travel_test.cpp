@@ -10,8 +10,8 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
-#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/unit/gltf_test_file.h"
 

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "renderer/base/angles.h"
-#include "renderer/view/cascades/cascades.h"
 #include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/ray_truth.h"
 

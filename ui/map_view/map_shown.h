@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "renderer/frame/frame.h"
 #include "renderer/frame/depth_histogram.h"
+#include "renderer/frame/frame.h"
 #include "renderer/inspect/texel_usage.h"
 
 namespace si {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <string>
 
-#include "renderer/base/lengths_text.h"
 #include "renderer/advise/autopilot.h"
+#include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/cost_combo.h"

@@ -5,9 +5,9 @@
 
 #include <string>
 
+#include "renderer/advise/fixes.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/artefact_picture.h"
-#include "renderer/advise/fixes.h"
 #include "renderer/settings/param.h"
 #include "ui/widgets/theme.h"
 

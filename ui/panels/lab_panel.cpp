@@ -7,9 +7,9 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/precision.h"
+#include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "renderer/scene/placement.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/right_aligned.h"

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "renderer/base/error.h"
-#include "renderer/settings/param.h"
 #include "renderer/projection/view_choice.h"
+#include "renderer/settings/param.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "renderer/advise/tuner.h"
-#include "renderer/settings/owners.h"
 #include "renderer/scene/placement.h"
+#include "renderer/settings/owners.h"
 #include "ui/panels/lights.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"

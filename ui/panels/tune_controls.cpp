@@ -5,8 +5,8 @@
 
 #include <algorithm>
 
-#include "renderer/base/lengths_text.h"
 #include "renderer/advise/tuner.h"
+#include "renderer/base/lengths_text.h"
 #include "ui/state/quick_changes.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"

@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
-#include "renderer/render/renderer.h"
 #include "renderer/inspect/lost_casters.h"
+#include "renderer/render/renderer.h"
 #include "ui/map_view/map_shown.h"
 #include "ui/panels/advice.h"
 #include "ui/panels/artefact_tour.h"

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/bounds/half_space.h"
+#include "renderer/view/bounds/scene_shape.h"
 
 namespace si {
 

@@ -7,9 +7,9 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
+#include "renderer/projection/projection.h"
 #include "renderer/view/cameras/camera_settings.h"
 #include "renderer/view/cameras/framing.h"
-#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

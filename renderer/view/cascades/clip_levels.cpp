@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/projection/projection.h"
+#include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
-#include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/fits/light_fit.h"
-#include "renderer/projection/projection.h"
 
 namespace si {
 namespace {

@@ -4,8 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
-#include "renderer/scene/scene.h"
 #include "renderer/projection/light_view.h"
+#include "renderer/scene/scene.h"
 
 namespace si {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "renderer/view/bounds/convex.h"
 #include "renderer/projection/projection.h"
+#include "renderer/view/bounds/convex.h"
 
 namespace si {
 namespace {

@@ -12,8 +12,8 @@
 #include "renderer/scene/scene.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
-#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/culling/map_cells.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "renderer/base/finite.h"
-#include "renderer/settings/fits.h"
 #include "renderer/projection/projection.h"
+#include "renderer/settings/fits.h"
 
 namespace si {
 namespace {

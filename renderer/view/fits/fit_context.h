@@ -7,9 +7,9 @@
 #include <span>
 #include <string>
 
-#include "renderer/view/cameras/make_camera.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 
 namespace si {

@@ -7,8 +7,8 @@
 
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
-#include "renderer/view/fits/fit_context.h"
 #include "renderer/view/bounds/convex.h"
+#include "renderer/view/fits/fit_context.h"
 #include "renderer/view/fits/near_far.h"
 
 namespace si {

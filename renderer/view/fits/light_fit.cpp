@@ -12,10 +12,10 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/bounds/convex.h"
 #include "renderer/view/culling/box_culling.h"
 #include "renderer/view/culling/needed_maps.h"
 #include "renderer/view/fits/fit_context.h"
-#include "renderer/view/bounds/convex.h"
 #include "renderer/view/fits/map_limits.h"
 #include "renderer/view/fits/near_far.h"
 

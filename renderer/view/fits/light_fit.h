@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "renderer/scene/scene.h"
-#include "renderer/settings/settings.h"
-#include "renderer/view/cascades/clip_levels.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/projection/light_view.h"
 #include "renderer/projection/view_choice.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+#include "renderer/view/cascades/clip_levels.h"
 
 namespace si {
 

@@ -7,8 +7,8 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
-#include "renderer/view/fits/fit_context.h"
 #include "renderer/scene/placement.h"
+#include "renderer/view/fits/fit_context.h"
 
 namespace si {
 namespace {

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "renderer/view/cascades/cascades.h"
 #include "renderer/view/bounds/convex.h"
+#include "renderer/view/cascades/cascades.h"
 #include "renderer/view/fits/region.h"
 
 namespace si {
