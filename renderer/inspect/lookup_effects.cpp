@@ -6,6 +6,7 @@
 #include <span>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
 

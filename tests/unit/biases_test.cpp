@@ -7,6 +7,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/idle_reason.h"
 
 namespace si {
 namespace {

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/settings/idle_reason.h"
 #include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 
