@@ -141,11 +141,6 @@ constexpr double kEqual = 0.01;  ///< relative; the kinds of r and m that there 
 
 }  // namespace
 
-double PolygonOffset::slope(const glm::dvec2& per_texel) const {
-    const glm::dvec2 s = glm::abs(per_texel);
-    return slope_gain * (slope_is_length ? glm::length(s) : std::max(s.x, s.y));
-}
-
 PolygonOffset measure_polygon_offset(int map_format) {
     if (holds_distances(map_format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
     const auto format = MapFormat(map_format);

@@ -12,6 +12,7 @@
 #include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
-#include "renderer/render/polygon_offset.h"
+#include "renderer/gl/raster_traits.h"
 
 namespace si {
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/printable.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/settings.h"

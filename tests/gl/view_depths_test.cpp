@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/fits.h"

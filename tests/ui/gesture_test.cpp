@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/scene_view/light_lines.h"

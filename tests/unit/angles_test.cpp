@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/directions.h"
 #include "renderer/view/fits/light_fit.h"
 
 namespace si {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/bias/theory.h"
 #include "tests/support/box_scene.h"
 

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/bounds/flat_mesh.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"

@@ -4,6 +4,7 @@
 
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/settings/splits.h"
 #include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/base/directions.h"
 #include "renderer/projection/projection.h"
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/splits.h"

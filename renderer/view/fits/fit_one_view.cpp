@@ -1,6 +1,7 @@
 // One map of a sun or of a spot light, orthographic or in perspective.
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
 #include "renderer/view/cascades/cascades.h"
