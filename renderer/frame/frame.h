@@ -14,10 +14,11 @@
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
 #include "renderer/optimisations/optimisations.h"
+#include "renderer/projection/camera.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/cameras/make_camera.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

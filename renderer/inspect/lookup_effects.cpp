@@ -9,6 +9,7 @@
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

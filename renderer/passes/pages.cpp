@@ -16,6 +16,7 @@
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
+#include "renderer/view/cascades/clip_levels.h"
 #include "shaders/shared/pages.h"
 
 namespace si {

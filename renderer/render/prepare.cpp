@@ -23,6 +23,8 @@
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/near_far.h"
 #include "renderer/view/lights/kernel_reach.h"
 

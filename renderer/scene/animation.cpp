@@ -371,10 +371,6 @@ void measure_travel(Scene& scene, int animation) {
     }
 }
 
-Bounds bounds_of_fit(const Scene& scene) {
-    return scene.travel.empty() ? scene.bounds : scene.travel.transformed(scene.placement);
-}
-
 bool moves(const Scene& scene, int animation) {
     return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
            scene.rig->animations[std::size_t(animation)].duration_s > 0;

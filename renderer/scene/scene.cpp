@@ -508,4 +508,8 @@ void place(Scene& scene, const glm::dmat4& placement) {
     refresh(scene);
 }
 
+Bounds bounds_of_fit(const Scene& scene) {
+    return scene.travel.empty() ? scene.bounds : scene.travel.transformed(scene.placement);
+}
+
 }  // namespace si

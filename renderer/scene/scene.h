@@ -182,4 +182,7 @@ std::vector<const Object*> standing_objects(const Scene& scene);
 /// cameras and lights with it. What the scene suggests stays as it was.
 void place(Scene& scene, const glm::dmat4& placement);
 
+/// Scene::travel where it is known, else Scene::bounds; world.
+Bounds bounds_of_fit(const Scene& scene);
+
 }  // namespace si

@@ -8,9 +8,7 @@
 
 #include "renderer/base/directions.h"
 #include "renderer/base/printable.h"
-#include "renderer/scene/animation.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -9,6 +9,7 @@
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

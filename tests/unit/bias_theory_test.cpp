@@ -5,6 +5,7 @@
 
 #include "renderer/base/directions.h"
 #include "renderer/bias/theory.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

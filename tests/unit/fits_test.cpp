@@ -9,6 +9,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/bounds/flat_mesh.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/region.h"
 #include "tests/support/ray_truth.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
 
 namespace si {
 

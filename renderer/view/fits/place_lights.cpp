@@ -10,6 +10,7 @@
 #include "renderer/base/finite.h"
 #include "renderer/scene/placement.h"
 #include "renderer/view/fits/fit_context.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <span>
 
+
 namespace si {
 
 struct FittedLight;
