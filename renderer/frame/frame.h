@@ -11,9 +11,9 @@
 
 #include "renderer/frame/causes.h"
 #include "renderer/frame/numeric_health.h"
+#include "renderer/frame/optimisation_set.h"
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
-#include "renderer/optimisations/optimisations.h"
 #include "renderer/projection/camera.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/scene/scene.h"

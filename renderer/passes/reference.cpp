@@ -8,6 +8,7 @@
 
 #include "renderer/measure/measured_error.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"

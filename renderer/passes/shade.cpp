@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "renderer/frame/blocks.h"
+#include "renderer/optimisations/visible_objects.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -90,7 +93,7 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
-    const std::size_t count = f.gl.seen_objects.left_out();
+    const std::size_t count = f.gl.owned.get<SeenObjects>().left_out();
     PartInfo part{.name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Saving::InSight};
     if (f.request.forced.contains(Saving::InSight))
         part.state = PassState::Ran, part.reason = "all objects are drawn, wherever they lie, which is forced";
