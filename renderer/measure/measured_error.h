@@ -6,7 +6,7 @@
 #pragma once
 
 #include "renderer/reference/metrics.h"
-#include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 
 namespace si {
 
@@ -31,8 +31,5 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
 MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light);
 /// Fills MeasuredError::metrics.
 void sum_up(MeasuredError& measured);
-
-/// What of the settings and the scene's casters the causes of a light's errors depend on.
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/measure/measured_error.h"
+#include "renderer/frame/causes.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
 #include "renderer/reference/artefact_picture.h"

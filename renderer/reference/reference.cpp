@@ -43,7 +43,7 @@ struct Batch {
     }
 
     template <typename Occluded>
-    void trace(const TruthScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
+    void trace(const RayHierarchy& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
         occlude(scene, plain, {culls, {}});
         for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
         occlude(scene, grazing, {culls, exact});
@@ -138,7 +138,7 @@ public:
     }
 
 private:
-    const TruthScene::Impl& scene_;
+    const RayHierarchy& scene_;
     const Receivers& receivers_;
     const TruthQuery& query_;
     Truth& out_;

@@ -24,19 +24,4 @@ struct TruthPicture {
 std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const TracedTruth& traced,
                                                   const std::optional<TruthOptions>& options = {});
 
-/// Traces what lights need whose source is ray traced or a light map, unless `request`, `cache` or light_maps() has it.
-/// Returns whether any does.
-/// @param request keeps what was traced for the next frame @throws Cancelled, Error
-bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
-                   TruthCache& cache, const Workers& workers = {});
-
-/// Draws a frame that has all rays it asks for, those of trace_sources() too: traced unless `request` or `cache` has
-/// them.
-/// @param request keeps the truth for the next frame
-/// @param options in place of truth_options() of the settings
-/// @throws Cancelled, Error
-FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
-                              TruthCache& cache, const Workers& workers = {},
-                              const std::optional<TruthOptions>& options = {});
-
 }  // namespace si

@@ -40,7 +40,7 @@ bool well_conditioned(const glm::dmat3& m) {
 
 class Builder {
 public:
-    Builder(TruthScene::Impl& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
+    Builder(RayHierarchy& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
 
     void add(std::uint32_t object, bool shared) {
         const TruthObject& o = impl_.geometry->objects[object];
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    TruthScene::Impl& impl_;
+    RayHierarchy& impl_;
     std::stop_token stop_;
     std::map<const TruthMesh*, RTCScene> shared_;
 
@@ -142,8 +142,8 @@ private:
 }  // namespace
 
 TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Workers& workers, Instancing instancing)
-    : geometry_(std::move(geometry)), impl_(std::make_unique<Impl>()) {
-    Impl& i = *impl_;
+    : geometry_(std::move(geometry)), impl_(std::make_unique<RayHierarchy>()) {
+    RayHierarchy& i = *impl_;
     i.geometry = geometry_.get();
     static_cast<UnitFrame&>(i) = geometry_->unit_frame();
     i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);

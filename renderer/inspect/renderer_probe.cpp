@@ -9,9 +9,10 @@
 
 #include "renderer/base/error.h"
 #include "renderer/frame/blocks.h"
+#include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
-#include "renderer/measure/measured_error.h"
 #include "renderer/passes/passes.h"
+#include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sources.h"
