@@ -12,6 +12,7 @@
 #include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
 #include "renderer/passes/passes.h"
+#include "renderer/reference/shadow_runs.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"

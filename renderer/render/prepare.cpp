@@ -22,6 +22,7 @@
 #include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "renderer/projection/camera.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 #include "ui/scene_view/picture_view.h"
 
 namespace si {

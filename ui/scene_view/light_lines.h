@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/projection/camera.h"
+#include "renderer/projection/light_view.h"
 
 namespace si {
 
