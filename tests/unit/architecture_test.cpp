@@ -132,6 +132,36 @@ TEST(Architecture, FoldersOfTheRendererHaveAnOrder) {
     EXPECT_GT(read, 1000u);
 }
 
+/// Folders that can be reached from each of kFolders along arrows.
+using Reach = std::map<std::string, std::set<std::string>>;
+
+/// Returns what each folder reaches in any number of steps. @param arrows one step each
+Reach reach_of(Reach arrows) {
+    // In the order of the folders all that a lower one reaches is known.
+    for (const std::string_view folder : kFolders) {
+        std::set<std::string>& reached = arrows[std::string(folder)];
+        for (const std::string& next : std::set<std::string>(reached))
+            if (const auto found = arrows.find(next); found != arrows.end())
+                reached.insert(found->second.begin(), found->second.end());
+    }
+    return arrows;
+}
+
+// The diagram leaves out arrows that follow from others, so what is reached along arrows is compared.
+TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
+    Reach drawn, included;
+    const std::string dot = text_of(fs::path(SI_SOURCE_DIR) / "docs/architecture/folders.dot");
+    const std::regex arrow("\"([a-z/]+)\" -> \"([a-z/]+)\"");
+    const auto is_folder = [](const std::string& name) { return std::ranges::find(kFolders, name) != kFolders.end(); };
+    for (std::sregex_iterator it(dot.begin(), dot.end(), arrow), end; it != end; ++it)
+        if (is_folder((*it)[1]) && is_folder((*it)[2])) drawn[(*it)[1]].insert((*it)[2]);
+    const auto folder_of = [](const std::string& file) { return fs::path(file).parent_path().generic_string(); };
+    for (const Include& include : renderer_includes())
+        if (folder_of(include.by) != folder_of(include.of))
+            included[folder_of(include.by)].insert(folder_of(include.of));
+    EXPECT_EQ(reach_of(drawn), reach_of(included));
+}
+
 // A unit is a header with its source: neither is understood without the other.
 TEST(Architecture, UnitsOfTheRendererFormNoCircle) {
     Units units;
