@@ -4,7 +4,6 @@
 #include <glm/glm.hpp>
 #include <span>
 
-
 namespace si {
 
 struct FittedLight;
