@@ -12,6 +12,7 @@
 #include "app/report/views.h"
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
+#include "renderer/render/reference_frames.h"
 
 namespace si {
 namespace {

@@ -10,6 +10,7 @@
 #include "app/report/report.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
 

@@ -10,6 +10,7 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/base/printable.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 
 namespace si {

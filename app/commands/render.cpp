@@ -17,6 +17,7 @@
 #include "renderer/base/printable.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/settings/param.h"
 
 namespace si {

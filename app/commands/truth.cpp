@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/lower_case.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 
 namespace si {
 namespace {

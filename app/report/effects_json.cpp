@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/optimisations/optimisations.h"
+
 namespace si {
 namespace {
 

@@ -11,6 +11,7 @@
 #include "renderer/base/lower_case.h"
 #include "renderer/frame/depth_histogram.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/printable.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "ui/widgets/setting_widgets.h"
 

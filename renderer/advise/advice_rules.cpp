@@ -6,9 +6,12 @@
 
 #include "renderer/advise/advice.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/lights/kernel_reach.h"
 
 namespace si {

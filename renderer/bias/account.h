@@ -5,7 +5,7 @@
 
 #include "renderer/bias/light_receiver.h"
 #include "renderer/bias/theory.h"
-#include "renderer/render/polygon_offset.h"
+#include "renderer/gl/raster_traits.h"
 
 namespace si {
 

@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

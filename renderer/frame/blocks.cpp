@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <utility>
 
 #include "renderer/frame/settings_block.h"
-#include "renderer/gl/driver_failure.h"
+#include "renderer/frame/state.h"
 #include "renderer/projection/projection.h"
-#include "renderer/render/renderer_impl.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "renderer/view/lights/sky.h"
@@ -104,28 +103,6 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
 
 }  // namespace
 
-TexelBuffer::TexelBuffer(std::string_view label)
-    : buffer_(gl::Buffer::create(label)), texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)), label_(label) {}
-
-void TexelBuffer::put(std::span<const std::byte> bytes) {
-    const auto size = GLsizeiptr(bytes.size());
-    // Whether there is room has been asked before; asking waits for drivers that have a thread.
-    if (std::exchange(size_, 0) == bytes.size())
-        glNamedBufferData(buffer_.id(), size, bytes.data(), GL_STREAM_DRAW);
-    else
-        gl::fill_buffer(buffer_, label_, size, bytes.data(), GL_STREAM_DRAW);
-    size_ = bytes.size();
-}
-
-void TexelBuffer::bind_block(GLuint block) const {
-    glBindBufferBase(GL_UNIFORM_BUFFER, block, buffer_.id());
-}
-
-void TexelBuffer::bind_image(GLuint image, GLenum format) const {
-    glTextureBuffer(texels_.id(), format, buffer_.id());
-    glBindImageTexture(image, texels_.id(), 0, GL_FALSE, 0, GL_READ_ONLY, format);
-}
-
 std::string blocks_text(bool as_images) {
     return fmt::format("#define BLOCKS_AS_IMAGES {}\n", int(as_images)) + settings_block_text(as_images);
 }
@@ -175,8 +152,8 @@ void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
     if (f.blocks_as_images()) frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
 }
 
-void Renderer::Impl::upload_blocks(const FrameState& f) {
-    Blocks& blocks = resources.blocks;
+void upload_blocks(const FrameState& f) {
+    Blocks& blocks = f.gl.blocks;
     put_frame_block(f, frame_block(f));
     blocks.settings.put(settings_block_bytes(f.settings));
     blocks.settings.bind_block(shared::BLOCK_SETTINGS);

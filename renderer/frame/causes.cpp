@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "renderer/settings/map_storage.h"
+#include "renderer/view/lights/kernel_reach.h"
+
 namespace si {
 namespace {
 
@@ -84,6 +87,14 @@ Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseCo
     if (!context.has_map) return {};
     const bool darkened = reference.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
     return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
+}
+
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
+    return {.has_map = light.casts,
+            .edge_reach_texels = reach_under(settings, light, map_resolution).edge,
+            .raster_bias = offsets_polygons(settings),
+            .mask_levels = mask_levels,
+            .depth_blur = settings.map.blur_texels > 0};
 }
 
 }  // namespace si

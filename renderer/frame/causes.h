@@ -11,6 +11,9 @@
 
 namespace si {
 
+struct FittedLight;
+struct Settings;
+
 enum class Artefact : std::uint8_t {
     None,          ///< right, or not counted
     Acne,          ///< dark though lit: the surface shadows itself, and more bias puts it right
@@ -79,5 +82,8 @@ Cause cause_of(const CauseEvidence& evidence, const TruePixel& reference, const 
 
 /// A wholly lit pixel counts as darkened below 1 less this.
 inline constexpr double kRightVisibility = 1e-3;
+
+/// What of the settings and the scene's casters the causes of a light's errors depend on.
+CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

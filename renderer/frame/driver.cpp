@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/base/error.h"
+#include "renderer/software/rasteriser.h"
 
 namespace si {
 namespace {
@@ -47,12 +48,8 @@ DriverInfo query_driver() {
     if (counts > 0)
         glGetInternalformativ(GL_TEXTURE_2D_MULTISAMPLE, GL_DEPTH_COMPONENT32F, GL_SAMPLES, counts,
                               d.map_samples.data());
-    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "swr"})
-        d.software |= d.renderer.find(name) != std::string::npos;
-    // Passes that mark what they read take one image more. Zink of Mesa 22.3 lets a draw read of an image's buffer what
-    // the next one puts into it.
-    d.blocks_as_images = d.software && d.renderer.find("zink") == std::string::npos &&
-                         integer(GL_MAX_VERTEX_IMAGE_UNIFORMS) >= 2 && integer(GL_MAX_FRAGMENT_IMAGE_UNIFORMS) >= 4;
+    d.software = draws_on_cpu(d.renderer);
+    d.blocks_as_images = reads_blocks_as_images(d.renderer);
     return d;
 }
 

@@ -1,8 +1,8 @@
 // What the current context can do.
 #pragma once
 
+#include "renderer/frame/driver_info.h"
 #include "renderer/gl/pass_clock.h"
-#include "renderer/render/renderer.h"
 #include "renderer/settings/settings.h"
 
 namespace si {

@@ -11,13 +11,14 @@
 
 #include "renderer/frame/causes.h"
 #include "renderer/frame/numeric_health.h"
+#include "renderer/frame/optimisation_set.h"
 #include "renderer/frame/page_facts.h"
 #include "renderer/frame/results.h"
-#include "renderer/optimisations/optimisations.h"
+#include "renderer/projection/camera.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/cameras/make_camera.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

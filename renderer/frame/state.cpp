@@ -7,6 +7,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 

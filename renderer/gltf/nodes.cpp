@@ -7,7 +7,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "renderer/base/printable.h"
-#include "renderer/gltf/rig.h"
 #include "renderer/gltf/rules.h"
 
 namespace si::gltf {

@@ -193,4 +193,12 @@ void Primitives::read_attributes(const tinygltf::Primitive& primitive, const Pla
     }
 }
 
+std::size_t target_count(const tinygltf::Model& model, int mesh) {
+    if (mesh < 0) return 0;
+    std::size_t most = 0;
+    for (const auto& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives)
+        most = std::max(most, primitive.targets.size());
+    return most;
+}
+
 }  // namespace si::gltf

@@ -41,4 +41,7 @@ private:
     std::vector<std::uint32_t> scratch_;
 };
 
+/// How many morph targets mesh `mesh` has.
+std::size_t target_count(const tinygltf::Model& model, int mesh);
+
 }  // namespace si::gltf

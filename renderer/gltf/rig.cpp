@@ -238,14 +238,6 @@ NodeRestPose rest_of(const tinygltf::Model& model, const tinygltf::Node& node) {
 
 }  // namespace
 
-std::size_t target_count(const tinygltf::Model& model, int mesh) {
-    if (mesh < 0) return 0;
-    std::size_t most = 0;
-    for (const auto& primitive : model.meshes[static_cast<std::size_t>(mesh)].primitives)
-        most = std::max(most, primitive.targets.size());
-    return most;
-}
-
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
              Primitives& primitives, const Placed& placed, Scene& scene) {
     auto rig = std::make_shared<Rig>();

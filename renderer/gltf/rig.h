@@ -15,7 +15,4 @@ void add_rig(Context& context, const Json& root, const tinygltf::Model& model, A
 std::vector<Animation> read_animations(Context& context, const Json& root, const tinygltf::Model& model,
                                        Accessors& accessors, const std::vector<int>& scene_node);
 
-/// How many morph targets mesh `mesh` has.
-std::size_t target_count(const tinygltf::Model& model, int mesh);
-
 }  // namespace si::gltf

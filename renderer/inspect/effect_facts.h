@@ -5,7 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/inspect/effects.h"
+#include "renderer/frame/frame.h"
+#include "renderer/inspect/effect.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

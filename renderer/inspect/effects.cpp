@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "renderer/inspect/lookup_effects.h"
 #include "renderer/passes/casters.h"
@@ -281,25 +280,6 @@ void count_casters(EffectFacts& f) {
 
 }  // namespace
 
-Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_view reason,
-               std::optional<Optimisation> saving) {
-    const bool lives = pass.state != PassState::Skipped;
-    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
-    effect.state = needed ? state_of(pass.state) : EffectState::NotNeeded;
-    effect.reason = sentence(lives || !needed ? reason : std::string_view(pass.reason));
-    return effect;
-}
-
-std::string light_key(std::size_t light, std::string_view setting) {
-    SettingRef ref = *find_setting(fmt::format("light.{}", setting));
-    ref.light = int(light);
-    return setting_key(ref);
-}
-
-std::string_view state_name(EffectState state) {
-    return state == EffectState::Drawn ? "simulated" : state == EffectState::Cached ? "reused" : "not called for";
-}
-
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again) {
     Effect effect{.name = "posing"};
     if (!scene.rig || scene.rig->animations.empty()) {
@@ -320,15 +300,6 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
 std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
     if (!effect.saving) return 1;
     return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
-}
-
-std::string sentence(std::string_view text) {
-    if (text.empty()) return {};
-    std::string out(text);
-    const std::string_view first = text.substr(0, text.find_first_of(" :,;"));
-    if (first.find('.') == std::string_view::npos) out[0] = char(std::toupper(static_cast<unsigned char>(out[0])));
-    if (out.back() != '.' && out.back() != '!' && out.back() != '?') out += '.';
-    return out;
 }
 
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,

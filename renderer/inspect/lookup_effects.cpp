@@ -6,8 +6,10 @@
 #include <span>
 
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

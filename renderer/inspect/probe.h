@@ -9,7 +9,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/frame/frame.h"
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
 
 namespace si {
 

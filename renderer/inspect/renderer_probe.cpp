@@ -8,8 +8,12 @@
 #include <optional>
 
 #include "renderer/base/error.h"
+#include "renderer/frame/blocks.h"
+#include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
-#include "renderer/measure/measured_error.h"
+#include "renderer/passes/passes.h"
+#include "renderer/reference/shadow_runs.h"
+#include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/sources.h"
@@ -205,7 +209,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     FrameState f = impl_->prepare(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
     plan_frame(f);
-    impl_->upload_blocks(f);
+    upload_blocks(f);
     Probe out;
     out.x = x;
     out.y = y;

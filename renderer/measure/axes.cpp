@@ -9,6 +9,7 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 
 namespace si {

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "renderer/base/error.h"
+#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 namespace {

@@ -1,17 +1,6 @@
 #include "renderer/measure/measured_error.h"
 
-#include "renderer/settings/map_storage.h"
-#include "renderer/view/lights/kernel_reach.h"
-
 namespace si {
-
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
-    return {.has_map = light.casts,
-            .edge_reach_texels = reach_under(settings, light, map_resolution).edge,
-            .raster_bias = offsets_polygons(settings),
-            .mask_levels = mask_levels,
-            .depth_blur = settings.map.blur_texels > 0};
-}
 
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      int light) {

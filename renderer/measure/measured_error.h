@@ -6,7 +6,7 @@
 #pragma once
 
 #include "renderer/reference/metrics.h"
-#include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 
 namespace si {
 
@@ -32,8 +32,5 @@ MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& fram
                                      int light);
 /// Fills MeasuredError::metrics.
 void sum_error_metrics(MeasuredError& measured);
-
-/// What of the settings and the scene's casters the causes of a light's errors depend on.
-CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

@@ -1,6 +1,7 @@
 // The camera's depth: brought by the first pass from the camera, or by itself for what reads it, the map viewer and the
 // texel slabs.
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

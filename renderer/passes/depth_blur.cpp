@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/optimisations/map_extents.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

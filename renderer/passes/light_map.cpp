@@ -6,6 +6,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/frame/state.h"
 #include "renderer/gl/driver_failure.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

@@ -1,5 +1,6 @@
 // Where in the shown light's map each pixel's kernel is centred.
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

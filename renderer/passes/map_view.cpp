@@ -4,6 +4,7 @@
 
 #include "renderer/frame/depth_histogram.h"
 #include "renderer/frame/state.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

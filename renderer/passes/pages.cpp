@@ -12,10 +12,12 @@
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/page_cache.h"
+#include "renderer/passes/passes.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
+#include "renderer/view/cascades/clip_levels.h"
 #include "shaders/shared/pages.h"
 
 namespace si {
@@ -79,7 +81,7 @@ struct PageTargets {
     int draw_calls = 0;
 };
 
-PageTargets& targets(const FrameState& f) {
+PageTargets& page_targets(const FrameState& f) {
     return f.gl.owned.get<PageTargets>();
 }
 
@@ -461,7 +463,7 @@ void add_page_passes(FrameState& f) {
         f.plan.release([&f] { f.gl.owned.drop<PageTargets>(); });
         return;
     }
-    PageTargets& t = targets(f);
+    PageTargets& t = page_targets(f);
     f.plan.place(Result::PagesWanted, {&t.wanted});
     f.plan.place(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     f.plan.place(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
@@ -472,7 +474,7 @@ void add_page_passes(FrameState& f) {
 }
 
 void add_unfiltered_pages_pass(FrameState& f, Pass pass) {
-    PageTargets& t = targets(f);
+    PageTargets& t = page_targets(f);
     const bool own = f.draws_unfiltered();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});

@@ -5,6 +5,7 @@
 
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

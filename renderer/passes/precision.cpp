@@ -5,6 +5,7 @@
 
 #include "renderer/frame/read_images.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

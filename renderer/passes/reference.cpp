@@ -6,8 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/measure/measured_error.h"
+#include "renderer/frame/causes.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
@@ -33,7 +34,7 @@ struct ReferenceTargets {
     std::shared_ptr<const LiveError> error;  ///< of the error tiles
 };
 
-ReferenceTargets& targets(const FrameState& f) {
+ReferenceTargets& reference_targets(const FrameState& f) {
     return f.gl.owned.get<ReferenceTargets>();
 }
 
@@ -70,8 +71,8 @@ Pass upload_pass(FrameState& f) {
     pass.writes = {Result::Reference};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.reference_content;
-    pass.cached = &targets(f).reference.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.reference->traced, targets(f)); };
+    pass.cached = &reference_targets(f).reference.key;
+    pass.run = [&f](PassInfo&) { upload(f.request.reference->traced, reference_targets(f)); };
     return pass;
 }
 
@@ -120,7 +121,7 @@ Pass compare_pass(FrameState& f) {
     pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    ReferenceTargets& t = targets(f);
+    ReferenceTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.classified.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -152,7 +153,7 @@ Pass causes_pass(FrameState& f) {
                                          Result::UnfilteredMap, Result::Reference});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    ReferenceTargets& t = targets(f);
+    ReferenceTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -192,9 +193,9 @@ Pass evidence_pass(FrameState& f) {
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
     pass.key = f.shown_light_key().add(f.reference.met).value();
-    pass.cached = &targets(f).evidence[0].key;
+    pass.cached = &reference_targets(f).evidence[0].key;
     pass.run = [&f](PassInfo& info) {
-        CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, reference_targets(f).evidence);
         pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.reference.met, info);
     };
@@ -245,11 +246,11 @@ Pass sums_pass(FrameState& f) {
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
-    pass.cached = &targets(f).error_tiles.key;
+    pass.cached = &reference_targets(f).error_tiles.key;
     pass.run = [&f](PassInfo& info) {
         const Reference& reference = *f.request.reference->traced.reference;
         const int across = (reference.width + kTile - 1) / kTile, down = (reference.height + kTile - 1) / kTile;
-        gl::Target& tiles = targets(f).error_tiles;
+        gl::Target& tiles = reference_targets(f).error_tiles;
         tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
         const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
@@ -257,7 +258,7 @@ Pass sums_pass(FrameState& f) {
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
-        targets(f).error = std::make_shared<const LiveError>(
+        reference_targets(f).error = std::make_shared<const LiveError>(
             metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), reference));
     };
     return pass;
@@ -287,11 +288,11 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
 }
 
 std::shared_ptr<const LiveError> live_error(const FrameState& f) {
-    return targets(f).error;
+    return reference_targets(f).error;
 }
 
 void add_reference_passes(FrameState& f) {
-    ReferenceTargets& t = targets(f);
+    ReferenceTargets& t = reference_targets(f);
     f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
     f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
     f.plan.place(Result::Compared, {&t.classified});

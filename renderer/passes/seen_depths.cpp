@@ -8,6 +8,7 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,6 @@
 // The surfaces that the camera sees, pixel by pixel, for passes that evaluate some of them again.
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/biases.h"
 
 namespace si {

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 
+#include "renderer/frame/blocks.h"
+#include "renderer/optimisations/visible_objects.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
@@ -91,7 +94,7 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
-    const std::size_t count = f.gl.seen_objects.left_out();
+    const std::size_t count = f.gl.owned.get<SeenObjects>().left_out();
     PartInfo part{
         .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
     if (f.request.forced.contains(Optimisation::InSight)) {

@@ -1,5 +1,6 @@
 // Which triangle of which object each pixel shows, for whoever needs the surface itself.
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

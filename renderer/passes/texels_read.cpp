@@ -1,5 +1,6 @@
 // Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
 #include "renderer/frame/state.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

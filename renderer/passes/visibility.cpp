@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/passes.h"
 #include "renderer/passes/shadow_volumes.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"

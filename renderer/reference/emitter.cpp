@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/base/directions.h"
+
 namespace si {
 namespace {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

@@ -6,9 +6,9 @@
 
 #include "renderer/base/workers.h"
 #include "renderer/frame/frame.h"
+#include "renderer/projection/camera.h"
 #include "renderer/reference/reference_geometry.h"
 #include "renderer/software/big_array.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

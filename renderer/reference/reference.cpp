@@ -48,7 +48,7 @@ struct Batch {
     }
 
     template <typename Occluded>
-    void trace(const ReferenceScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
+    void trace(const RayHierarchy& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
         occlude(scene, plain, {culls, {}});
         for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
         occlude(scene, grazing, {culls, exact});
@@ -143,7 +143,7 @@ public:
     }
 
 private:
-    const ReferenceScene::Impl& scene_;
+    const RayHierarchy& scene_;
     const Receivers& receivers_;
     const ReferenceQuery& query_;
     Reference& out_;

@@ -24,19 +24,4 @@ struct ReferencePicture {
 std::shared_ptr<const ReferencePicture> reference_picture(const ReferenceTask& task, const TracedReference& traced,
                                                           const std::optional<ReferenceOptions>& options = {});
 
-/// Traces what lights need whose source is ray traced or a light map, unless `request`, `cache` or light_maps() has it.
-/// Returns whether any does.
-/// @param request keeps what was traced for the next frame @throws Cancelled, Error
-bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
-                   ReferenceCache& cache, const Workers& workers = {});
-
-/// Draws a frame that has all rays it asks for, those of trace_sources() too: traced unless `request` or `cache` has
-/// them.
-/// @param request keeps the truth for the next frame
-/// @param options in place of reference_options() of the settings
-/// @throws Cancelled, Error
-FrameResult render_with_reference(Renderer& renderer, const Scene& scene, const Settings& settings,
-                                  FrameRequest& request, ReferenceCache& cache, const Workers& workers = {},
-                                  const std::optional<ReferenceOptions>& options = {});
-
 }  // namespace si

@@ -7,7 +7,6 @@
 
 #include "renderer/reference/embree.h"
 #include "renderer/reference/receivers.h"
-#include "renderer/reference/reference_scene.h"
 
 namespace si {
 
@@ -17,7 +16,8 @@ struct Caster {
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
 };
 
-struct ReferenceScene::Impl : UnitFrame {
+/// Casters of a scene in Embree's hierarchy, within a frame of unit size.
+struct RayHierarchy : UnitFrame {
     TrackedMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
@@ -63,13 +63,13 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
 }
 
 /// Marks occluded rays by a negative tfar.
-void occlude(const ReferenceScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
+void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
 
 struct Hit {
     float t = 0;          ///< in lengths of the ray's direction
     bool culled = false;  ///< by HitRules::culls
 };
 /// All hits up to the ray's end, culled ones too, in no order.
-void collect_hits(const ReferenceScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
+void collect_hits(const RayHierarchy& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

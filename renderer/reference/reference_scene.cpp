@@ -43,7 +43,7 @@ bool well_conditioned(const glm::dmat3& m) {
 
 class Builder {
 public:
-    Builder(ReferenceScene::Impl& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
+    Builder(RayHierarchy& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
 
     void add(std::uint32_t object, bool shared) {
         const ReferenceObject& o = impl_.geometry->objects[object];
@@ -76,7 +76,7 @@ public:
     }
 
 private:
-    ReferenceScene::Impl& impl_;
+    RayHierarchy& impl_;
     std::stop_token stop_;
     std::map<const ReferenceMesh*, RTCScene> shared_;
 
@@ -146,8 +146,8 @@ private:
 
 ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers,
                                Instancing instancing)
-    : geometry_(std::move(geometry)), impl_(std::make_unique<Impl>()) {
-    Impl& i = *impl_;
+    : geometry_(std::move(geometry)), impl_(std::make_unique<RayHierarchy>()) {
+    RayHierarchy& i = *impl_;
     i.geometry = geometry_.get();
     static_cast<UnitFrame&>(i) = geometry_->unit_frame();
     i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);

@@ -9,6 +9,8 @@
 
 namespace si {
 
+struct RayHierarchy;  // renderer/reference/reference_rays.h
+
 /// Whether objects of one mesh share its triangles in the hierarchy. Flattened they are traced faster and placed in
 /// double before they are rounded; shared they take memory once.
 enum class Instancing {
@@ -37,12 +39,11 @@ public:
     /// How many objects share a mesh in it.
     std::size_t instance_count() const;
 
-    struct Impl;
-    const Impl& impl() const { return *impl_; }
+    const RayHierarchy& impl() const { return *impl_; }
 
 private:
     std::shared_ptr<const ReferenceGeometry> geometry_;
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<RayHierarchy> impl_;
 };
 
 }  // namespace si

@@ -87,18 +87,14 @@ std::uint64_t reference_key(const Scene& scene, const Settings& settings, const 
         .value();
 }
 
-ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
-                             const FrameRequest& request, int light, const ReferenceOptions& options) {
-    FrameRequest wanted = request;
-    wanted.outputs = {.colour = false, .surface_ids = true};
-    wanted.timing = wanted.force = false;
-    const FrameResult frame = renderer.render(scene, settings, wanted);
+ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                             const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options) {
     ReferenceTask task;
     task.query = reference_query(scene, settings, frame.lights, light, options);
     task.geometry = ray_scenes().geometry(scene, settings);
     task.camera = frame.camera;
-    task.raster = {request.width, request.height, std::max(options.step, 1)};
-    task.ids = every_nth(renderer.read_surface_ids(frame.surface_ids), task.raster);
+    task.raster = {width, height, std::max(options.step, 1)};
+    task.ids = every_nth(ids, task.raster);
     task.lights = frame.lights;
     task.map_resolution = frame.map_resolution;
     const Key receivers = receivers_key(scene, frame.camera, task.raster);

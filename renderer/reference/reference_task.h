@@ -9,8 +9,8 @@
 #include <list>
 #include <memory>
 
+#include "renderer/frame/frame.h"
 #include "renderer/reference/shadow_runs.h"
-#include "renderer/render/renderer.h"
 
 namespace si {
 
@@ -34,10 +34,12 @@ std::uint64_t reference_key(const Scene& scene, const Settings& settings, const 
 /// Every `step`-th pixel across and down, from the top left.
 FloatImage every_nth(const FloatImage& image, int step);
 
-/// Draws which triangle each pixel shows, and shares the scene's triangles unless ray_scenes() have them already.
-/// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
-ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
-                             const FrameRequest& request, int light, const ReferenceOptions& options = {});
+/// Returns what a trace needs of a drawn frame. Shares the scene's triangles unless ray_scenes() have them already.
+/// @param frame drawn in a picture of `width` x `height` pixels
+/// @param ids of all its pixels: FrameResult::surface_ids read back
+/// @param light index of light.*. @throws Error when there is no such light
+ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
+                             const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
 
 struct TracedReference {
     std::shared_ptr<const ReferenceScene> scene;

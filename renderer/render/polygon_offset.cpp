@@ -77,13 +77,14 @@ struct TiltedPlane {
     float factor = 0, units = 0;
 };
 
-constexpr int kTile = 8;  ///< pixels that a plane covers, each way
+constexpr int kPlanePixels = 8;  ///< pixels that a plane covers, each way
 
 /// How far each probe's offset moves the stored depth in the middle of its plane.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
     const KeptState kept;
     const bool colour = is_colour(int(format));
-    const int width = int(probes.size()) * kTile, height = 2 * kTile;  // below without, above with the offset
+    const int width = int(probes.size()) * kPlanePixels,
+              height = 2 * kPlanePixels;  // below without, above with the offset
     gl::Target stored, beside;
     stored.ensure("polygon offset calibration", map_internal_format(format), width, height);
     if (colour) beside.ensure("polygon offset calibration, depth", GL_DEPTH_COMPONENT32F, width, height);
@@ -112,11 +113,11 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const TiltedPlane& p = probes[i];
         // From one side of the tile to the other normalised coordinates grow by 2.
-        const glm::dvec2 slope = p.per_pixel * (0.5 * kTile);
+        const glm::dvec2 slope = p.per_pixel * (0.5 * kPlanePixels);
         glUniform3f(plane, float(slope.x), float(slope.y), float(p.depth));
         for (const int row : {0, 1}) {
             glPolygonOffset(float(row) * p.factor, float(row) * p.units);
-            glViewport(int(i) * kTile, row * kTile, kTile, kTile);
+            glViewport(int(i) * kPlanePixels, row * kPlanePixels, kPlanePixels, kPlanePixels);
             glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
         }
     }
@@ -127,7 +128,8 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     std::vector<double> out;
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const auto at = [&](int row) {
-            return double(depths[std::size_t(row * kTile + kTile / 2) * std::size_t(width) + i * kTile + kTile / 2]);
+            return double(depths[std::size_t(row * kPlanePixels + kPlanePixels / 2) * std::size_t(width) +
+                                 i * kPlanePixels + kPlanePixels / 2]);
         };
         const double moved = at(1) - at(0);
         out.push_back(std::max(moved - depth_quantum(format, at(1)), 0.0));
@@ -138,11 +140,6 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
 constexpr double kEqual = 0.01;  ///< relative; the kinds of r and m that there are lie far more apart
 
 }  // namespace
-
-double PolygonOffset::slope(const glm::dvec2& per_texel) const {
-    const glm::dvec2 s = glm::abs(per_texel);
-    return slope_gain * (slope_is_length ? glm::length(s) : std::max(s.x, s.y));
-}
 
 PolygonOffset measure_polygon_offset(int map_format) {
     if (holds_distances(map_format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};

@@ -6,21 +6,29 @@
 #include <cmath>
 
 #include "renderer/base/poisson_disk.h"
+#include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/optimisations/visible_objects.h"
+#include "renderer/passes/passes.h"
 #include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/biases.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/near_far.h"
 #include "renderer/view/lights/kernel_reach.h"
 
@@ -115,7 +123,7 @@ void note_shown_view(FrameState& f) {
 
 /// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
 /// @param limit that the driver's memory has set; null: none
-void fit_within_limits(FrameState& f, const Renderer::Impl::MapLimit* limit) {
+void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
@@ -392,14 +400,14 @@ std::uint64_t next_number() {
 
 }  // namespace
 
-Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
+RendererImpl::RendererImpl() : driver(query_driver()), number(next_number()) {
     resources.empty_vao = gl::VertexArray::create("no vertices");
     resources.map_nearest = gl::Sampler::create("shadow map, nearest");
     resources.map_compare = gl::Sampler::create("shadow map, comparison");
     resources.map_blended = gl::Sampler::create("shadow map, blended");
 }
 
-gl::PassClock& Renderer::Impl::pass_clock() {
+gl::PassClock& RendererImpl::pass_clock() {
     if (!clock) {
         clock = std::make_unique<gl::PassClock>();
         driver.clock = clock->name();
@@ -408,12 +416,12 @@ gl::PassClock& Renderer::Impl::pass_clock() {
     return *clock;
 }
 
-void Renderer::Impl::calibrate_offset(int map_format) {
+void RendererImpl::calibrate_offset(int map_format) {
     PolygonOffset& offset = driver.offset[std::size_t(map_format)];
     if (!offset.measured) offset = measure_polygon_offset(map_format);
 }
 
-FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     FrameState f = derive(scene, settings, request);
     if (!any_fit_reads_depths(f.settings)) return f;
     if (request.map_camera) {
@@ -441,7 +449,7 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     return measured;
 }
 
-FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (!repaired || !(repaired->given == settings)) {
         repaired = Repaired{settings, settings, {}};
         repaired->notes = sanitise(repaired->settings);
@@ -465,7 +473,7 @@ FrameState Renderer::Impl::derive(const Scene& scene, const Settings& settings, 
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
-    resources.seen_objects.arrange(f);
+    resources.owned.get<SeenObjects>().arrange(f);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.forced.value());
     f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);

@@ -7,6 +7,7 @@
 #include "renderer/frame/read_images.h"
 #include "renderer/passes/map_depths.h"
 #include "renderer/passes/numeric_health.h"
+#include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 
 namespace si {

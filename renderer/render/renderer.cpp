@@ -8,9 +8,11 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
+#include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/optimisations/lookup_optimisations.h"
+#include "renderer/passes/passes.h"
 #include "renderer/render/pass_progress.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/biases.h"
@@ -78,7 +80,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
 
 }  // namespace
 
-Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // so that nobody restores a program that is gone
     glFinish();       // drivers with threads of their own crash when the process ends with work under way
@@ -99,7 +101,7 @@ FrameResult Renderer::render(const Scene& scene, const Settings& settings, const
     return result;
 }
 
-FrameResult Renderer::Impl::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (request.width < 1 || request.height < 1 || request.width > driver.max_texture_size ||
         request.height > driver.max_texture_size)
         throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn; each side is 1 to {}", request.width,
@@ -122,7 +124,7 @@ FrameResult Renderer::Impl::render(const Scene& scene, const Settings& settings,
     }
 }
 
-bool Renderer::Impl::take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why) {
+bool RendererImpl::take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why) {
     constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
     if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
     map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
@@ -175,7 +177,7 @@ void plan_frame(FrameState& f) {
     add_numeric_health_pass(f);
 }
 
-FrameResult Renderer::Impl::draw(FrameState& f) {
+FrameResult RendererImpl::draw(FrameState& f) {
     FrameResult result;
     result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
                                 f.request.forced.contains(Optimisation::Uncalled));

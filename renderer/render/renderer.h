@@ -5,25 +5,13 @@
 #include <memory>
 #include <string>
 
+#include "renderer/frame/driver_info.h"
 #include "renderer/frame/frame.h"
-#include "renderer/render/polygon_offset.h"
 
 namespace si {
 
 struct Probe;
-
-/// What this driver can do, and what was measured on it.
-struct DriverInfo : RasterTraits {
-    std::string vendor, renderer, version, glsl;
-    int max_texture_size = 0, max_samples = 0;
-    bool polygon_offset_clamp = false, anisotropy = false;
-    double max_anisotropy = 1;
-    std::vector<int> map_samples;   ///< that a multisampled depth texture can have, the most first
-    bool software = false;          ///< a CPU rasteriser
-    bool blocks_as_images = false;  ///< prefers to read single numbers from images rather than uniform blocks
-    std::string clock;              ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
-    double query_share = 0;         ///< query time / wall time of a known pass
-};
+struct RendererImpl;  // renderer/render/renderer_impl.h
 
 class Renderer {
 public:
@@ -75,10 +63,8 @@ public:
     /// True when a shader file on disk changed since the last frame (dev builds).
     bool shaders_changed();
 
-    struct Impl;
-
 private:
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<RendererImpl> impl_;
 };
 
 }  // namespace si

@@ -1,6 +1,7 @@
 // The renderer's inside, shared by drawing, reading back and probing.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -8,7 +9,7 @@
 
 namespace si {
 
-struct Renderer::Impl {
+struct RendererImpl {
     DriverInfo driver;
     gl::MessageLog messages;
     std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
@@ -28,9 +29,9 @@ struct Renderer::Impl {
         std::string why;
     };
     std::optional<MapLimit> map_limit;
-    NumberWatcher watch;  ///< see Renderer::watch_numbers()
+    std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::watch_numbers()
 
-    Impl();
+    RendererImpl();
     /// After the driver refused memory: has maps be half as large. @returns whether that may help
     bool take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why);
     /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
@@ -38,7 +39,6 @@ struct Renderer::Impl {
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// As prepare(), with the depths that are known.
     FrameState derive(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    void upload_blocks(const FrameState& f);
     /// As Renderer::render(), unwatched.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Carries out the plan of a frame.

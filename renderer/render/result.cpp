@@ -5,6 +5,7 @@
 #include <set>
 
 #include "renderer/passes/pages.h"
+#include "renderer/passes/passes.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"

@@ -372,10 +372,6 @@ void measure_animation_bounds(Scene& scene, int animation) {
     }
 }
 
-Bounds light_fit_bounds(const Scene& scene) {
-    return scene.animation_bounds.empty() ? scene.bounds : scene.animation_bounds.transformed(scene.placement);
-}
-
 bool moves(const Scene& scene, int animation) {
     return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
            scene.rig->animations[std::size_t(animation)].duration_s > 0;

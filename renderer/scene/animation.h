@@ -92,9 +92,6 @@ void apply_pose(Scene& scene, int animation, double time_s);
 /// animation: what is known is kept. A copy is posed; this scene's pose stays. -1 forgets what was found.
 void measure_animation_bounds(Scene& scene, int animation);
 
-/// Scene::travel where it is known, else Scene::bounds; world.
-Bounds light_fit_bounds(const Scene& scene);
-
 /// Whether time moves anything: an animation is chosen (scene.animation) and lasts.
 bool moves(const Scene& scene, int animation);
 

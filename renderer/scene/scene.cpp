@@ -513,4 +513,8 @@ void place(Scene& scene, const glm::dmat4& placement) {
     refresh(scene);
 }
 
+Bounds light_fit_bounds(const Scene& scene) {
+    return scene.animation_bounds.empty() ? scene.bounds : scene.animation_bounds.transformed(scene.placement);
+}
+
 }  // namespace si

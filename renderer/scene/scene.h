@@ -189,4 +189,7 @@ std::vector<const Object*> objects_without_floor(const Scene& scene);
 /// cameras and lights with it. What the scene suggests stays as it was.
 void place(Scene& scene, const glm::dmat4& placement);
 
+/// Scene::travel where it is known, else Scene::bounds; world.
+Bounds light_fit_bounds(const Scene& scene);
+
 }  // namespace si

@@ -6,10 +6,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/printable.h"
-#include "renderer/scene/animation.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

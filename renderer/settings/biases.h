@@ -5,8 +5,8 @@
 #include <span>
 #include <string_view>
 
+#include "renderer/gl/raster_traits.h"
 #include "renderer/projection/depth_curve.h"
-#include "renderer/render/polygon_offset.h"
 #include "renderer/settings/param.h"
 
 namespace si {

@@ -7,10 +7,8 @@
 #include <vector>
 
 #include "renderer/base/poisson_disk.h"
-#include "renderer/settings/biases.h"
 #include "renderer/settings/choices_of.h"
 #include "renderer/settings/map_storage.h"
-#include "renderer/settings/paging.h"
 
 namespace si {
 namespace {
@@ -372,8 +370,7 @@ FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
     const int across = taps_across(row, settings), per_axis = across / 2 + 1, taps = across * across;
     const bool bilinear = is_bilinear(row, settings);
     const int gathers = bilinear ? per_axis * per_axis : 0;
-    const bool by_gathers = gathers > 0 && !uses_sampler(settings);
-    return {gathers, taps, by_gathers ? 4 * gathers : (bilinear ? 4 : 1) * taps};
+    return {gathers, taps, (bilinear ? 4 : 1) * taps};
 }
 
 bool owns(const Filter& row, std::string_view key) {
@@ -404,16 +401,6 @@ std::string kernel_label(const Settings& settings) {
                        row.bilinear && !is_bilinear(row, settings) ? " of points" : "");
 }
 
-bool compares_per_texel(const Settings& settings) {
-    return bias_of(settings).per_texel && filter_of(settings).samples == Samples::Depth;
-}
-
-bool uses_sampler(const Settings& settings) {
-    if (draws_pages(settings) || settings.filter.method != int(FilterMethod::Sampler) || is_colour(settings.map.format))
-        return false;
-    return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
-}
-
 int default_filter() {
     static const int row = int(std::ranges::find(kFilters, "pcf", &Filter::key) - std::begin(kFilters));
     return row;
@@ -434,11 +421,6 @@ const Filter& filter_of(const Settings& settings) {
 Reach reach_of(const Settings& settings, double widest_texels) {
     const Filter& row = filter_of(settings);
     return row.reach(row, settings, widest_texels);
-}
-
-FilterCost cost_of(const Settings& settings) {
-    const Filter& row = filter_of(settings);
-    return row.cost(row, settings);
 }
 
 PrefilterBytes prefilter_bytes(const Settings& settings) {

@@ -41,7 +41,7 @@ struct StoredMoments {
 struct FilterCost {
     int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
     int sampler_taps = 1;  ///< texture calls otherwise
-    int texels = 1;        ///< that are fetched, by the method in use
+    int texels = 1;        ///< fetched by the sampler; in cost_of() by the method in use
 };
 
 /// How far a kernel may be from the truth where no edge is in its reach, and why.
@@ -123,12 +123,6 @@ int asked_mip(const Settings& settings);
 /// format: neither too large nor so small that a 32-bit float is flushed to zero. Infinite where none is stored.
 double safe_exponent(const Settings& settings);
 
-/// Whether every texel is compared with a depth of its own: bias.kind would, and the kernel compares depths.
-bool compares_per_texel(const Settings& settings);
-/// Whether a kernel compares in a shadow sampler: where filter.method asks for it, the map's format can, and one depth
-/// serves all texels of a bilinear comparison.
-bool uses_sampler(const Settings& settings);
-
 std::span<const Filter> filters();
 /// Adds a row after the others, for kernels that are not built in; before anything else looks at the settings' table.
 /// Its GLSL comes by gl::add_shader_text().
@@ -137,9 +131,8 @@ std::span<const Choice> filter_choices();
 /// Every row at its own short list of sizes, as --set filter.kernel takes them: pcf3, pcf5, ...
 std::span<const std::string_view> swept_kernels();
 
-/// The row that the settings choose, its reach and its cost under them. Under a given light: reach_under().
+/// The row that the settings choose, and its reach under them. Under a given light: reach_under().
 const Filter& filter_of(const Settings& settings);
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
-FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

@@ -1,6 +1,8 @@
 #include "renderer/settings/fits.h"
 
 #include "renderer/settings/choices_of.h"
+#include "renderer/settings/paging.h"
+#include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
@@ -15,16 +17,14 @@ constexpr FitRow kFits[] = {
      .help = "Only where a caster can shadow anything that faces the light, wherever the camera is; all else is lit. A "
              "ground is drawn but does not widen the map, as it shadows nothing that stands on it. Point lights, wide "
              "cones and suns in perspective: the whole scene.",
-     .narrows = true,
-     .find = fit_casters},
+     .narrows = true},
     {.key = "view",
      .label = "what is seen",
      .help = "As where shadows fall, but only of the surfaces that the camera sees: the finest texels, which change "
              "as the camera moves.",
      .paper = "Brabec, Annen, Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002",
      .reads_camera = true,
-     .narrows = true,
-     .find = fit_view},
+     .narrows = true},
     {.key = "stabilised",
      .label = "stabilised",
      .help = "For suns: the sphere around what the camera sees, whose size stays as it turns and moves, in steps of "
@@ -62,6 +62,24 @@ const FitRow& fit_row(int fit) {
 std::span<const Choice> fit_choices() {
     static const std::vector<Choice> choices = choices_of(fits());
     return choices;
+}
+
+bool is_sliced(const LightSettings& s) {
+    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised) || fit_row(s.fit).warps) &&
+           s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
+           s.projection != int(LightProjection::Perspective);
+}
+
+bool fit_reads_camera(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;
+}
+
+bool fit_reads_depths(const Settings& settings, int light) {
+    const LightSettings& s = settings.lights[std::size_t(light)];
+    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) &&
+           fit_reads_camera(settings, light) && s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) &&
+           s.cast && source_of(settings, std::size_t(light)).needs.map;
 }
 
 }  // namespace si

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "renderer/settings/param.h"
-#include "renderer/view/fits/region.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 
@@ -15,7 +15,6 @@ struct FitRow {
     bool reads_camera = false;  ///< maps change with the camera
     bool warps = false;         ///< maps of suns get a perspective across their rays
     bool narrows = false;       ///< it may leave out of a map what is never in shadow
-    Fit find = fit_scene;       ///< asked for suns without perspective, and for spot lights of one map that have it
 };
 
 /// In the order of LightFit, whose names the program itself knows.
@@ -29,5 +28,13 @@ constexpr bool takes_near_far(const LightSettings& light) {
     return light.near_far == int(NearFar::Manual) ||
            (light.near_far == int(NearFar::Fitted) && light.fit == int(LightFit::Manual));
 }
+
+/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
+bool is_sliced(const LightSettings& settings);
+
+/// Whether the fit that these settings choose for a light depends on the camera.
+bool fit_reads_camera(const Settings& settings, int light);
+/// Whether it goes by the measured depths of what the camera sees.
+bool fit_reads_depths(const Settings& settings, int light);
 
 }  // namespace si

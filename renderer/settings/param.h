@@ -125,8 +125,6 @@ std::vector<SettingRef> all_settings(const Settings& s);
 std::vector<SettingRef> changed_settings(const Settings& s);
 /// The settings in which the two differ, in table order; a missing object override counts as its defaults.
 std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b);
-/// Why the setting is without effect under `s`, or empty.
-std::string_view idle_reason(const Settings& s, const SettingRef& ref);
 
 /// What a number of this setting counts in under `s`; a unit that names another setting is that setting's choice, and
 /// the size of a light is an angle where its rays are parallel.

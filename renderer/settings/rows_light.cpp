@@ -5,7 +5,6 @@
 #include "renderer/settings/rows.h"
 #include "renderer/settings/sources.h"
 #include "renderer/settings/splits.h"
-#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -13,6 +13,7 @@
 #include "app/context/headless_context.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"

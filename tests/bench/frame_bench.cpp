@@ -13,6 +13,7 @@
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/bench/bare.h"
 #include "tests/bench/load_bench.h"
 #include "tests/bench/rotation.h"

@@ -11,6 +11,7 @@
 #include "app/report/report.h"
 #include "renderer/base/error.h"
 #include "renderer/gl/handle.h"
+#include "renderer/optimisations/optimisations.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/rounds.h"

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "app/context/headless_context.h"
+#include "renderer/optimisations/optimisations.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 #include "tests/bench/load_bench.h"

@@ -11,6 +11,7 @@
 #include "app/context/headless_context.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/render/renderer.h"
 #include "tests/support/agreed_scene.h"
 

@@ -14,6 +14,7 @@
 #include "app/context/headless_context.h"
 #include "renderer/reference/embree.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/render/renderer.h"
 #include "tests/bench/median.h"
 #include "tests/bench/rounds.h"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "renderer/optimisations/optimisations.h"
+#include "renderer/frame/optimisation_set.h"
 #include "tests/support/process.h"
 
 namespace si {

@@ -2,6 +2,7 @@
 #include <bit>
 #include <cmath>
 
+#include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"

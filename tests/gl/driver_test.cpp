@@ -4,6 +4,7 @@
 #include <set>
 
 #include "renderer/gl/pass_clock.h"
+#include "renderer/render/polygon_offset.h"
 #include "renderer/settings/map_storage.h"
 #include "tests/gl/frame_fixture.h"
 

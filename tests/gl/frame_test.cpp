@@ -7,8 +7,10 @@
 #include <set>
 
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

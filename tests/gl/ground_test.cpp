@@ -13,6 +13,7 @@
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_geometry.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"

@@ -5,6 +5,7 @@
 #include "app/sweep/case_sessions.h"
 #include "renderer/reference/reference_geometry.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

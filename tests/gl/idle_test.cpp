@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/idle_reason.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

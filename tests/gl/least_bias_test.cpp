@@ -2,6 +2,7 @@
 // on random planes under random lights, for every format, kernel and kind of bias.
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "renderer/inspect/texel_usage.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

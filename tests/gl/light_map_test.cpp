@@ -5,6 +5,7 @@
 
 #include "renderer/reference/light_map_cache.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"

@@ -9,6 +9,7 @@
 #include "renderer/inspect/probe.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
+#include "renderer/settings/idle_reason.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

@@ -6,6 +6,7 @@
 
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -9,7 +9,7 @@ namespace {
 class PlanningTest : public ::testing::Test {
 protected:
     HeadlessContext context;
-    Renderer::Impl renderer;
+    RendererImpl renderer;
     Scene scene = load_scene("boxes");
 
     void TearDown() override {

@@ -10,6 +10,7 @@
 #include "renderer/measure/shimmer.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/hard_case.h"
 
 namespace si::test {

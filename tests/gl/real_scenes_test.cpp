@@ -2,6 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "app/session/session.h"
+#include "renderer/base/directions.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"

@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/optimisations/optimisations.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
 

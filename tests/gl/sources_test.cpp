@@ -6,6 +6,7 @@
 #include "renderer/measure/measured_error.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/settings/idle_reason.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 

@@ -1,6 +1,7 @@
 // Rays of neighbours are traced in packets: each must answer as it does alone.
 #include "renderer/reference/reference_rays.h"
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/builtin.h"
 #include "tests/gl/frame_fixture.h"
 

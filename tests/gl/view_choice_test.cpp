@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "renderer/reference/reference_task.h"
+#include "renderer/render/reference_frames.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/fits.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/ray_truth.h"

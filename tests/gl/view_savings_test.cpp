@@ -5,6 +5,8 @@
 #include "renderer/base/error.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/fits.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

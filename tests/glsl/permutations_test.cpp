@@ -30,6 +30,7 @@
 #include "renderer/base/key.h"
 #include "renderer/gl/shader_source.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"

@@ -3,6 +3,7 @@
 
 #include "renderer/settings/splits.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
 

@@ -5,6 +5,7 @@
 
 #include "renderer/bias/theory.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"

@@ -6,6 +6,7 @@
 #include "app/session/session.h"
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"
 

@@ -10,6 +10,7 @@
 #include "renderer/reference/reference_picture.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/earlier.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"

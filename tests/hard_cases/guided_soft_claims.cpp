@@ -1,4 +1,5 @@
 // What the sentences of the guided presets claim about kernels that sample and penumbrae, counted.
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"

@@ -6,6 +6,8 @@
 #include "app/session/session.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/hard_case.h"
 

@@ -8,6 +8,7 @@
 #include "app/session/session.h"
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/settings/idle_reason.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
 

@@ -2,7 +2,9 @@
 #include <random>
 
 #include "renderer/settings/splits.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/stability.h"

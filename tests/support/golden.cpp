@@ -11,6 +11,7 @@
 #include "renderer/base/error.h"
 #include "renderer/gltf/textures.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"

@@ -5,6 +5,7 @@
 
 #include "app/context/headless_context.h"
 #include "renderer/reference/reference_picture.h"
+#include "renderer/render/reference_frames.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"

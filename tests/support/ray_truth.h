@@ -5,9 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/projection/camera.h"
 #include "renderer/scene/scene.h"
-#include "renderer/view/cameras/make_camera.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si::test {
 

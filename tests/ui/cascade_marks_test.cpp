@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/light_handles.h"

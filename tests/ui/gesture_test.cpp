@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "renderer/base/directions.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/scene_view/light_lines.h"

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/manual_light.h"
 #include "tests/support/box_scene.h"
 #include "ui/state/panels.h"

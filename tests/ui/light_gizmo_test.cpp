@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <imgui.h>
 
+#include "renderer/view/fits/light_fit.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/light_drag.h"

@@ -7,6 +7,7 @@
 
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/scene_view/pick.h"
 #include "ui/state/selection.h"

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/projection/projection.h"
 #include "tests/support/box_scene.h"
 #include "ui/scene_view/camera_outline.h"

@@ -9,6 +9,8 @@
 
 #include "renderer/frame/pane_grid.h"
 #include "renderer/scenes/builtin.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/ui/screen.h"
 #include "ui/widgets/theme.h"
 

@@ -3,6 +3,7 @@
 #include <imgui.h>
 
 #include "renderer/view/cameras/camera_settings.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "tests/ui/screen.h"
 #include "tests/ui/ui_harness.h"
 #include "ui/state/selection.h"

@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/base/directions.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 namespace {

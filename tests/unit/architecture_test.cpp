@@ -1,12 +1,19 @@
 // The walls between the folders, and what must not stand in the sources.
+//
+// An order of folders holds within renderer/, too: a file includes files of its own folder and of those before it. The
+// order is drawn by docs/architecture/folders.dot.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "tests/support/text.h"
@@ -42,6 +49,129 @@ TEST(Architecture, DependenciesPointOneWay) {
     EXPECT_EQ(includers("renderer", "(imgui|GLFW/|EGL/|epoxy/egl|ui/|app/)"), std::vector<std::string>{});
     EXPECT_EQ(includers("ui", "(GLFW/|EGL/|epoxy/|app/)"), std::vector<std::string>{});
     EXPECT_FALSE(includers("app", "(GLFW/|epoxy/egl)").empty()) << "the search itself finds nothing";
+}
+
+/// Folders of renderer/ from low to high.
+constexpr std::array<std::string_view, 23> kFolders = {
+    "base",         "projection", "gl",           "software", "settings",      "scene",
+    "gltf",         "scenes",     "view/lights",  "bias",     "view/bounds",   "view/cascades",
+    "view/culling", "view/fits",  "view/cameras", "frame",    "optimisations", "reference",
+    "passes",       "render",     "inspect",      "measure",  "advise"};
+
+/// An include of one file of renderer/ by another, both as paths below renderer/.
+struct Include {
+    std::string by, of;
+};
+
+std::vector<Include> renderer_includes() {
+    std::vector<Include> out;
+    const fs::path root = fs::path(SI_SOURCE_DIR) / "renderer";
+    for (const fs::path& path : sources("renderer")) {
+        std::istringstream lines(text_of(path));
+        constexpr std::string_view kStart = "#include \"renderer/";
+        for (std::string line; std::getline(lines, line);)
+            if (line.starts_with(kStart))
+                out.push_back({path.lexically_relative(root).generic_string(),
+                               line.substr(kStart.size(), line.find('"', kStart.size()) - kStart.size())});
+    }
+    return out;
+}
+
+/// Returns the place of a file's folder in kFolders, from 0; their count for a folder without a place.
+std::ptrdiff_t rank_of(const std::string& file) {
+    return std::ranges::find(kFolders, fs::path(file).parent_path().generic_string()) - kFolders.begin();
+}
+
+/// Units by name, each with the units that it includes.
+using Units = std::map<std::string, std::set<std::string>>;
+
+/// Returns the first circle that a walk from `unit` along includes meets, from a unit to itself; empty without one.
+/// @param path units on the way from where the walk began
+/// @param done units from which no circle is met
+std::vector<std::string> circle_from(const Units& units, const std::string& unit, std::vector<std::string>& path,
+                                     std::set<std::string>& done) {
+    if (done.contains(unit)) return {};
+    const auto met = std::ranges::find(path, unit);
+    if (met != path.end()) {
+        std::vector<std::string> circle(met, path.end());
+        circle.push_back(unit);
+        return circle;
+    }
+    path.push_back(unit);
+    if (const auto found = units.find(unit); found != units.end())
+        for (const std::string& next : found->second)
+            if (std::vector<std::string> circle = circle_from(units, next, path, done); !circle.empty()) return circle;
+    path.pop_back();
+    done.insert(unit);
+    return {};
+}
+
+/// Returns a circle of units, or nothing.
+std::vector<std::string> circle_of(const Units& units) {
+    std::set<std::string> done;
+    for (const auto& [unit, included] : units) {
+        std::vector<std::string> path;
+        if (std::vector<std::string> circle = circle_from(units, unit, path, done); !circle.empty()) return circle;
+    }
+    return {};
+}
+
+TEST(Architecture, FoldersOfTheRendererHaveAnOrder) {
+    const auto count = std::ptrdiff_t(kFolders.size());
+    for (const std::string_view folder : kFolders)
+        EXPECT_TRUE(fs::is_directory(fs::path(SI_SOURCE_DIR) / "renderer" / folder)) << folder;
+    for (const fs::path& path : sources("renderer"))
+        EXPECT_LT(rank_of(path.lexically_relative(fs::path(SI_SOURCE_DIR) / "renderer").generic_string()), count)
+            << path << ": its folder has no place in kFolders";
+    std::size_t read = 0;
+    for (const Include& include : renderer_includes()) {
+        EXPECT_LE(rank_of(include.of), rank_of(include.by))
+            << "renderer/" << include.by << " includes renderer/" << include.of << " of a higher folder";
+        ++read;
+    }
+    EXPECT_GT(read, 1000u);
+}
+
+/// Folders that can be reached from each of kFolders along arrows.
+using Reach = std::map<std::string, std::set<std::string>>;
+
+/// Returns what each folder reaches in any number of steps. @param arrows one step each
+Reach reach_of(Reach arrows) {
+    // In the order of the folders all that a lower one reaches is known.
+    for (const std::string_view folder : kFolders) {
+        std::set<std::string>& reached = arrows[std::string(folder)];
+        for (const std::string& next : std::set<std::string>(reached))
+            if (const auto found = arrows.find(next); found != arrows.end())
+                reached.insert(found->second.begin(), found->second.end());
+    }
+    return arrows;
+}
+
+// The diagram leaves out arrows that follow from others, so what is reached along arrows is compared.
+TEST(Architecture, DiagramOfFoldersShowsTheIncludes) {
+    Reach drawn, included;
+    const std::string dot = text_of(fs::path(SI_SOURCE_DIR) / "docs/architecture/folders.dot");
+    const std::regex arrow("\"([a-z/]+)\" -> \"([a-z/]+)\"");
+    const auto is_folder = [](const std::string& name) { return std::ranges::find(kFolders, name) != kFolders.end(); };
+    for (std::sregex_iterator it(dot.begin(), dot.end(), arrow), end; it != end; ++it)
+        if (is_folder((*it)[1]) && is_folder((*it)[2])) drawn[(*it)[1]].insert((*it)[2]);
+    const auto folder_of = [](const std::string& file) { return fs::path(file).parent_path().generic_string(); };
+    for (const Include& include : renderer_includes())
+        if (folder_of(include.by) != folder_of(include.of))
+            included[folder_of(include.by)].insert(folder_of(include.of));
+    EXPECT_EQ(reach_of(drawn), reach_of(included));
+}
+
+// A unit is a header with its source: neither is understood without the other.
+TEST(Architecture, UnitsOfTheRendererFormNoCircle) {
+    Units units;
+    const auto unit_of = [](const std::string& file) { return file.substr(0, file.rfind('.')); };
+    for (const Include& include : renderer_includes())
+        if (unit_of(include.by) != unit_of(include.of)) units[unit_of(include.by)].insert(unit_of(include.of));
+    EXPECT_GT(units.size(), 200u);
+    EXPECT_EQ(circle_of(units), std::vector<std::string>{});
+    EXPECT_EQ(circle_of({{"a", {"b", "c"}}, {"b", {"d"}}, {"c", {"d"}}}), std::vector<std::string>{});
+    EXPECT_EQ(circle_of({{"a", {"b"}}, {"b", {"c"}}, {"c", {"b"}}}), (std::vector<std::string>{"b", "c", "b"}));
 }
 
 TEST(Architecture, PanelsCallNoGl) {

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/bias/theory.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -7,6 +7,8 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/idle_reason.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -6,7 +6,9 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/culling/needed_maps.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

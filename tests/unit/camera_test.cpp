@@ -6,6 +6,7 @@
 #include <random>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/scene/extreme_points.h"
 #include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"

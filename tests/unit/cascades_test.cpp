@@ -7,6 +7,9 @@
 #include <set>
 
 #include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -6,6 +6,7 @@
 
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/support/box_scene.h"

@@ -5,9 +5,11 @@
 #include <random>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/bounds/flat_mesh.h"
+#include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/region.h"
 #include "tests/support/ray_truth.h"
 

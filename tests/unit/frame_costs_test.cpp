@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/settings/fits.h"
 #include "tests/support/box_scene.h"
 

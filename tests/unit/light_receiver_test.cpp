@@ -3,6 +3,7 @@
 
 #include "renderer/bias/account.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

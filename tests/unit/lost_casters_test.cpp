@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "renderer/base/angles.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "renderer/scenes/builtin.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/scene/extreme_points.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"

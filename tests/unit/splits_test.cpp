@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/settings/idle_reason.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 
 namespace si {

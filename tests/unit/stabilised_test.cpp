@@ -4,7 +4,9 @@
 
 #include <random>
 
+#include "renderer/base/directions.h"
 #include "renderer/settings/splits.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
 #include "tests/support/box_scene.h"
 

@@ -9,6 +9,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"

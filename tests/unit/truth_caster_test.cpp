@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
 #include "tests/support/traced.h"

@@ -8,6 +8,8 @@
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/param.h"
+#include "renderer/view/cameras/make_camera.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/ray_truth.h"
 #include "tests/support/traced.h"
 

@@ -6,7 +6,9 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/view/bounds/scene_shape.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
+#include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/ray_truth.h"
 

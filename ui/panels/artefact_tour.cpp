@@ -9,6 +9,7 @@
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/settings/overlays.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/editor_ui.h"
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "renderer/measure/artefact_clusters.h"
+#include "renderer/projection/camera.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/combo.h"

@@ -8,6 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/optimisation_times.h"
+#include "renderer/optimisations/optimisations.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"

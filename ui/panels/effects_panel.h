@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "renderer/optimisations/optimisations.h"
+#include "renderer/frame/optimisation_set.h"
 #include "ui/panels/tune.h"
 
 namespace si {

@@ -1,7 +1,9 @@
 // What mouse movements do to the camera and the light: pure functions of Settings.
 #pragma once
 
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 #include "ui/scene_view/picture_view.h"
 
 namespace si {

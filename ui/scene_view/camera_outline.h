@@ -5,7 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
+#include "renderer/projection/light_view.h"
 
 namespace si {
 

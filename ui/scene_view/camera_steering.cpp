@@ -7,6 +7,7 @@
 
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/camera_settings.h"
+#include "renderer/view/cameras/make_camera.h"
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"

@@ -4,8 +4,9 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "renderer/projection/camera.h"
+#include "renderer/projection/depth_span.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/view/fits/manual_light.h"
 #include "ui/state/panels.h"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "renderer/base/directions.h"
 #include "renderer/view/fits/manual_light.h"
 
 namespace si {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 #include "ui/scene_view/picture_view.h"
 
 namespace si {

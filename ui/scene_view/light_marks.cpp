@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "renderer/base/directions.h"
 #include "shaders/shared/colours.h"
 #include "ui/scene_view/light_lines.h"
 #include "ui/state/panels.h"

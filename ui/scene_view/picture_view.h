@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
 
 namespace si {
 

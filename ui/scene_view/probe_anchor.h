@@ -6,7 +6,7 @@
 #include <string>
 
 #include "renderer/frame/frame.h"
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
 
 namespace si {
 

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "renderer/scene/scene.h"
 #include "renderer/view/bounds/half_space.h"
-#include "renderer/view/bounds/scene_shape.h"
 
 namespace si {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/scene/animation.h"
 #include "renderer/view/bounds/convex.h"
 #include "renderer/view/bounds/flat_mesh.h"
 

@@ -11,7 +11,7 @@
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 #include "renderer/view/bounds/half_space.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

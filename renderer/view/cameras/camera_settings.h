@@ -1,8 +1,8 @@
 // Settings that describe a given camera.
 #pragma once
 
+#include "renderer/projection/camera.h"
 #include "renderer/settings/settings.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/bounds/convex.h"
 

@@ -1,7 +1,9 @@
 // How the automatic camera is placed.
 #pragma once
 
-#include "renderer/view/cameras/make_camera.h"
+#include "renderer/projection/camera.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 

@@ -7,9 +7,9 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/finite.h"
-#include "renderer/projection/projection.h"
 #include "renderer/view/cameras/camera_settings.h"
 #include "renderer/view/cameras/framing.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {
@@ -94,40 +94,6 @@ double clamped_fov_rad(double fov_deg) {
 
 }  // namespace
 
-glm::dmat4 Camera::projection() const {
-    const double half = orthographic ? 0.5 * height : std::tan(0.5 * fov_y_rad);
-    return projection_matrix(curve, half * aspect, half);
-}
-
-glm::dmat4 Camera::clip_from_relative(const glm::dvec3& origin) const {
-    return si::clip_from_relative(projection(), axes, eye, origin);
-}
-
-glm::dvec3 Camera::origin() const {
-    const double spacing = std::exp2(std::ceil(std::log2(4 * focus)));
-    return glm::round(eye / spacing) * spacing;
-}
-
-void Camera::pixel_ray(double x, double y, int width, int height_px, glm::dvec3& ray_origin,
-                       glm::dvec3& ray_dir) const {
-    const double half = orthographic ? 0.5 * height : std::tan(0.5 * fov_y_rad);
-    const double vx = ((x + 0.5) / width * 2 - 1) * half * aspect, vy = (1 - (y + 0.5) / height_px * 2) * half;
-    if (orthographic) {
-        ray_origin = eye + axes * glm::dvec3(vx, vy, 0);
-        ray_dir = -axes[2];
-    } else {
-        ray_origin = eye;
-        ray_dir = glm::normalize(axes * glm::dvec3(vx, vy, -1));
-    }
-}
-
-glm::dvec4 Camera::project(const glm::dvec3& world, int width, int height_px) const {
-    const glm::dvec4 clip = projection() * glm::dvec4(glm::transpose(axes) * (world - eye), 1.0);
-    const glm::dvec3 ndc = glm::dvec3(clip) / clip.w;
-    return {(ndc.x + 1) / 2 * width - 0.5, (1 - ndc.y) / 2 * height_px - 0.5, uvd_from_ndc(curve.convention, ndc).z,
-            clip.w};
-}
-
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> as_placed) {
     const CameraSettings& s = settings.camera;
@@ -178,27 +144,6 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
     seen.add(scene.ground_bounds);
     fit_range(c, seen, near, far);
     return c;
-}
-
-CameraSettings camera_settings(const Camera& c) {
-    CameraSettings s;
-    s.source = int(CameraSource::Manual);
-    const glm::dvec3 back = c.axes[2];
-    const double level = std::hypot(back.x, back.z);
-    // Straight up or down the azimuth is free: roll then says everything.
-    s.azimuth = level > 1e-12 ? std::atan2(back.x, back.z) / kDegree : 0;
-    s.elevation = std::atan2(back.y, level) / kDegree;
-    const glm::dmat3 level_axes = orbit_axes(s.azimuth, s.elevation, 0);
-    s.roll = std::atan2(glm::dot(c.axes[0], level_axes[1]), glm::dot(c.axes[0], level_axes[0])) / kDegree;
-    const glm::dvec3 target = c.eye - c.focus * back;
-    s.target_x = target.x;
-    s.target_y = target.y;
-    s.target_z = target.z;
-    s.distance = c.focus;
-    s.fov = c.fov_y_rad / kDegree;
-    s.orthographic = c.orthographic;
-    s.height = c.height;
-    return s;
 }
 
 CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect) {

@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "renderer/projection/camera.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/view/bounds/convex.h"
 #include "renderer/view/bounds/scene_shape.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

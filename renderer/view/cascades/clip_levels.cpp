@@ -4,11 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/base/directions.h"
+#include "renderer/projection/camera.h"
 #include "renderer/projection/projection.h"
 #include "renderer/view/bounds/scene_shape.h"
-#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 namespace {
@@ -61,10 +62,6 @@ SeenExtent seen_extent(const SceneShape& shape, const Camera& camera, const glm:
 }
 
 }  // namespace
-
-double ClipLevel::texel_m() const {
-    return std::exp2(double(exponent));
-}
 
 glm::dvec3 page_origin(const SceneShape& shape) {
     const double step = power_above(shape.radius);

@@ -10,20 +10,12 @@
 
 #include "renderer/projection/light_view.h"
 #include "renderer/projection/view_choice.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 
 struct Camera;
 struct SceneShape;
-
-/// Where a level lies on the light's plane: its texels are 2^exponent m wide, and its first page, at the lower left, is
-/// this page of the grid that starts at the world's origin.
-struct ClipLevel {
-    int exponent = 0;
-    glm::i64vec2 corner{0};
-    double eye_m = 0;  ///< where the views' eyes are along the axis that points to the light, from the world's origin
-    double texel_m() const;
-};
 
 struct ClipLevels {
     std::vector<LightView> views;  ///< finest first; all share axes and depths

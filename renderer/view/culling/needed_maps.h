@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
+#include "renderer/projection/camera.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/scene/scene.h"
-#include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/culling/map_cells.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

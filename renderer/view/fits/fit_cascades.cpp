@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/splits.h"
@@ -104,12 +105,6 @@ void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const C
 }
 
 }  // namespace
-
-bool is_sliced(const LightSettings& s) {
-    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised) || fit_row(s.fit).warps) &&
-           s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
-           s.projection != int(LightProjection::Perspective);
-}
 
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera) {
     const int count = std::clamp(c.settings.cascades, 1, kMaxCascades);

@@ -7,10 +7,10 @@
 #include <span>
 #include <string>
 
+#include "renderer/projection/camera.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/view/bounds/scene_shape.h"
-#include "renderer/view/cameras/make_camera.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 
@@ -66,9 +66,6 @@ void fit_one_view(FittedLight& light, const FitContext& c);
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);
-
-/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
-bool is_sliced(const LightSettings& settings);
 
 /// Maps of a directional light, each for an interval of the camera's depth.
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera);

@@ -1,11 +1,13 @@
 // One map of a sun or of a spot light, orthographic or in perspective.
 #include <cmath>
 
+#include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
 #include "renderer/settings/fits.h"
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/fits/fit_context.h"
 #include "renderer/view/fits/near_far.h"
+#include "renderer/view/fits/region.h"
 
 namespace si {
 namespace {
@@ -90,6 +92,22 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
     finish_view(light, view, c, 1);
 }
 
+/// Returns what finds the region of a fit: asked for suns without perspective, and for spot lights of one map.
+Fit finder_of(int fit) {
+    switch (LightFit(fit)) {
+        case LightFit::Casters:
+            return fit_casters;
+        case LightFit::View:
+            return fit_view;
+        case LightFit::Manual:
+        case LightFit::Scene:
+        case LightFit::Stabilised:
+        case LightFit::Lispsm:
+            break;
+    }
+    return fit_scene;
+}
+
 /// What a fit finds. A ground under the model widens it by no more than shadows that fall on the ground, and are not in
 /// what the model alone needs; nothing where the model alone needs nothing, as the whole scene's map then holds all.
 std::optional<MapRegion> region_of(const FitInput& in, Fit find) {
@@ -122,8 +140,7 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
         const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, Receiving::All};
-        if (const auto region = region_of(input, fit_row(c.settings.fit).find))
-            return fit_region(light, view, c, *region);
+        if (const auto region = region_of(input, finder_of(c.settings.fit))) return fit_region(light, view, c, *region);
     }
     if (perspective) {
         const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;

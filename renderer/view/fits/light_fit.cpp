@@ -8,11 +8,13 @@
 
 #include "renderer/base/finite.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/settings/depth_compare.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/paging.h"
 #include "renderer/settings/sources.h"
 #include "renderer/view/bounds/convex.h"
+#include "renderer/view/cascades/clip_levels.h"
 #include "renderer/view/culling/box_culling.h"
 #include "renderer/view/culling/needed_maps.h"
 #include "renderer/view/fits/fit_context.h"
@@ -128,18 +130,6 @@ bool never_shadows(const FittedLight& light, const Settings& settings) {
                         (b.normal == 0 || (b.normal > 0 && b.normal_source == int(NormalSource::Geometric)));
     return !light.empty.empty() && compares && nearer && !compares_per_texel(settings) && !draws_pages(settings) &&
            settings.map.outside == int(Outside::Lit) && settings.map.compare == int(Compare::LessEqual);
-}
-
-bool fit_reads_camera(const Settings& settings, int light) {
-    const LightSettings& s = settings.lights[std::size_t(light)];
-    return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;
-}
-
-bool fit_reads_depths(const Settings& settings, int light) {
-    const LightSettings& s = settings.lights[std::size_t(light)];
-    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) &&
-           fit_reads_camera(settings, light) && s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) &&
-           s.cast && source_of(settings, std::size_t(light)).needs.map;
 }
 
 double fit_margin_texels(const Settings& settings, int resolution) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/settings/settings.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

@@ -6,9 +6,11 @@
 #include <numbers>
 
 #include "renderer/base/angles.h"
+#include "renderer/base/directions.h"
 #include "renderer/base/finite.h"
 #include "renderer/scene/placement.h"
 #include "renderer/view/fits/fit_context.h"
+#include "renderer/view/fits/light_fit.h"
 
 namespace si {
 namespace {
@@ -91,18 +93,6 @@ void normalise_punctual(std::vector<PlacedLight>& lights, const Settings& settin
 }
 
 }  // namespace
-
-glm::dmat3 orthonormal_basis(const glm::dvec3& n) {
-    const double sign = std::copysign(1.0, n.z);
-    const double a = -1.0 / (sign + n.z);
-    const double b = n.x * n.y * a;
-    return {{1 + sign * n.x * n.x * a, sign * b, -sign * n.x}, {b, sign + n.y * n.y * a, -n.y}, n};
-}
-
-glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg) {
-    const SineCosine az = sine_cosine(azimuth_deg), el = sine_cosine(elevation_deg);
-    return glm::dvec3(el.cosine * az.sine, el.sine, el.cosine * az.cosine) + 0.0;  // no zero has a sign
-}
 
 PlacedLights place_lights(const Scene& scene, const Settings& settings) {
     const auto shape = std::make_shared<const SceneShape>(scene_shape(scene, settings));

@@ -4,10 +4,10 @@
 #include <limits>
 #include <optional>
 
+#include "renderer/projection/camera.h"
 #include "renderer/projection/depth_span.h"
 #include "renderer/projection/light_view.h"
 #include "renderer/view/bounds/scene_shape.h"
-#include "renderer/view/cameras/make_camera.h"
 
 namespace si {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "renderer/settings/filters.h"
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 

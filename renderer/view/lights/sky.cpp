@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <iterator>
 
-#include "renderer/view/fits/light_fit.h"
+#include "renderer/view/lights/light.h"
 
 namespace si {
 namespace {

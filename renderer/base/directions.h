@@ -1,0 +1,16 @@
+// Unit vectors, and bases about them.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace si {
+
+/// A right-handed orthonormal basis whose third column is unit vector n, without branches on near-parallel axes.
+/// Duff et al., Building an Orthonormal Basis, Revisited, JCGT 6(1), 2017.
+glm::dmat3 orthonormal_basis(const glm::dvec3& n);
+
+/// Unit vector of an azimuth (degrees about +y, 0 = +z, 90 = +x) and elevation (degrees above the horizon); exact at
+/// multiples of 90.
+glm::dvec3 direction_from_angles(double azimuth_deg, double elevation_deg);
+
+}  // namespace si
