@@ -4,6 +4,8 @@
 #include <array>
 #include <glm/glm.hpp>
 
+#include "renderer/settings/settings.h"
+
 namespace si {
 
 inline constexpr std::size_t kMapFormats = 6;
@@ -30,9 +32,9 @@ struct RasterTraits {
     std::array<PolygonOffset, kMapFormats> offset{};  ///< by MapFormat
 };
 
-/// Draws planes into a small map of the format (a MapFormat) with and without an offset and reads the differences back:
+/// Draws planes into a small map of the format with and without an offset and reads the differences back:
 /// flat ones at several depths for r, tilted ones in several directions for m. Of what differs by depth or direction
 /// the least counts, and of each reading one step less. Leaves the OpenGL state as it was. Needs a current context.
-PolygonOffset measure_polygon_offset(int map_format);
+PolygonOffset measure_polygon_offset(MapFormat format);
 
 }  // namespace si

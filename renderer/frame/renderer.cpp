@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/held.h"
+#include "renderer/base/index_of.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/pass_progress.h"
 #include "renderer/frame/renderer_impl.h"
@@ -145,7 +146,8 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (std::size_t i = 0; i < infos.size(); ++i)
         if (infos[i].state == PassState::Ran && !f.plan.passes()[i].aid) key.add(infos[i].name);
     std::uint32_t ways = 0;  // in which batches are drawn
-    for (const Batch& b : f.gl.scene->batches()) ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * b.cull);
+    for (const Batch& b : f.gl.scene->batches())
+        ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * index_of(b.cull));
     return key.add(ways).value();
 }
 
@@ -201,7 +203,7 @@ FrameResult Renderer::Impl::draw(FrameState& f) {
 
 const DriverInfo& Renderer::driver() const {
     impl_->pass_clock();
-    for (int format = 0; format < int(kMapFormats); ++format) impl_->calibrate_offset(format);
+    for (std::size_t format = 0; format < kMapFormats; ++format) impl_->calibrate_offset(MapFormat(format));
     return impl_->driver;
 }
 

@@ -45,7 +45,7 @@ struct Renderer::Impl {
     FrameResult draw(FrameState& f);
     gl::PassClock& pass_clock();
     /// Measures the polygon offset of a map format (MapFormat), once.
-    void calibrate_offset(int map_format);
+    void calibrate_offset(MapFormat map_format);
 };
 
 /// Adds the passes of a frame to its plan.

@@ -36,9 +36,9 @@ void describe_panes(const FrameState& f, FrameResult& result) {
 
 void describe_map_view(FrameState& f, FrameResult& result) {
     const ViewSettings& v = f.settings.view;
-    const bool camera = v.map_source == int(MapSource::Camera);
+    const bool camera = v.map_source == MapSource::Camera;
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
-    result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
+    result.shown_map = {v.map_source, v.light, std::clamp(v.face, 0, faces - 1)};
     if (const int channel = shown_channel(f.settings); channel > 0) {
         result.shown_map.channel = channel;
         result.shown_map.name = filter_of(f.settings).moments.names[std::size_t(channel - 1)];

@@ -53,7 +53,7 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
 }
 
 GLenum FrameState::map_format() const {
-    return map_internal_format(MapFormat(settings.map.format));
+    return map_internal_format(settings.map.format);
 }
 
 bool FrameState::shades_by(std::size_t light) const {

@@ -70,9 +70,9 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
 class StoredDepths {
 public:
     StoredDepths(const FloatImage& map, const Settings& settings, int resolution, const DepthCurve& curve)
-        : map_(map), wrap_(MapWrap(settings.map.wrap)), n_(resolution) {
+        : map_(map), wrap_(settings.map.wrap), n_(resolution) {
         const double far_depth = curve.convention.far_depth();
-        border_ = settings.map.outside == int(Outside::Lit) ? far_depth : 1 - far_depth;
+        border_ = settings.map.outside == Outside::Lit ? far_depth : 1 - far_depth;
     }
     double at(glm::ivec2 texel) const {
         if (wrap_ == MapWrap::Repeat) texel = ((texel % n_) + n_) % n_;
@@ -93,7 +93,7 @@ private:
 
 /// A depth as it is compared: with formats that hold nothing else, within [0,1] as samplers do.
 double as_compared(const Settings& s, double depth) {
-    const bool fixed = s.map.format == int(MapFormat::D16) || s.map.format == int(MapFormat::D24);
+    const bool fixed = s.map.format == MapFormat::D16 || s.map.format == MapFormat::D24;
     return fixed ? std::clamp(depth, 0.0, 1.0) : depth;
 }
 
@@ -101,7 +101,7 @@ bool passes(const Settings& s, double own, double stored) {
     // In single precision, as shaders compare; the map's depths are such numbers.
     const float a = float(own), b = float(stored);
     const bool nearer = s.map.reversed_z ? a > b : a < b;
-    return nearer || (s.map.compare == int(Compare::LessEqual) && a == b);
+    return nearer || (s.map.compare == Compare::LessEqual && a == b);
 }
 
 KernelTap::Meets met(const BiasAccount& account, const DepthConvention& convention, double stored, double plane) {
@@ -175,7 +175,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.compared_nearest = as_compared(settings, p.account.compared_at((glm::dvec2(p.texel) + 0.5) / double(n)));
     p.where = place_name(r.place);
     const StoredDepths depths(map, settings, n, view.curve);
-    const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
+    const bool guarded = settings.map.wrap == MapWrap::Range && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;

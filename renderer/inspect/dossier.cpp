@@ -273,7 +273,7 @@ private:
     }
     std::string leaves_out() const {
         const std::string culling =
-            settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
+            settings_.caster.cull != Cull::None ? "culling (caster.cull)" : "an object's own culling";
         return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
                                      : culling + " or the near plane";
     }
@@ -336,8 +336,8 @@ private:
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
     }
     std::string unit_of(std::string_view key) const {
-        if (key == "bias.normal" || settings_.bias.unit == int(BiasUnit::Texels)) return "texels";
-        return settings_.bias.unit == int(BiasUnit::Metres) ? "m" : "of depth";
+        if (key == "bias.normal" || settings_.bias.unit == BiasUnit::Texels) return "texels";
+        return settings_.bias.unit == BiasUnit::Metres ? "m" : "of depth";
     }
 
     /// The least value of one setting under which the surface does not shadow itself, if that puts the pixel right.
@@ -375,7 +375,7 @@ private:
     std::optional<Remedy> remedy() const {
         switch (truth_.cause.artefact) {
             case Artefact::LostCaster:
-                if (settings_.caster.cull != int(Cull::None))
+                if (settings_.caster.cull != Cull::None)
                     return Remedy{{{"caster.cull", "none"}}, "set caster.cull to none"};
                 return {};
             case Artefact::PeterPanningOffset:
@@ -430,9 +430,9 @@ private:
         const double missing = truth_.evidence.curing - d_.has.depth;
         const BiasAccount& a = p_.account;
         const DepthAmount wanted = a.amount(std::max(a.constant, a.slope) + missing);
-        const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
-                                         : settings_.bias.unit == int(BiasUnit::Metres) ? wanted.metres
-                                                                                        : wanted.depth) *
+        const double value = rounded_up((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
+                                         : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
+                                                                                   : wanted.depth) *
                                         (1 + 1e-3));
         if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
         return set("bias.constant", value);

@@ -242,11 +242,11 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                  GL_FLOAT, sizeof drawn, &drawn);
             pixel.visibility = drawn;
         }
-        const int source = f.settings.bias.normal_source;
+        const NormalSource source = f.settings.bias.normal_source;
         const glm::dvec3 mapped(facts.values[2]), vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
-        pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
-                                  : source == int(NormalSource::Shading) ? vertex
-                                                                         : out.normal_ws;
+        pixel.point.bias_normal = source == NormalSource::Mapped    ? mapped
+                                  : source == NormalSource::Shading ? vertex
+                                                                    : out.normal_ws;
         pixel.point.origin_ws = f.origin;
         if (f.gl.fitted[i].casts) {
             if (!seen) seen.emplace(f, place);

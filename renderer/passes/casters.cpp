@@ -21,7 +21,7 @@ namespace {
 
 /// Culling of casters: the object's own choice before the scene's.
 Cull cull_of(const FrameState& f, const Batch& batch) {
-    return batch.cull == int(ObjectCull::Inherit) ? Cull(f.settings.caster.cull) : Cull(batch.cull - 1);
+    return cull_in_force(batch.cull, f.settings.caster.cull);
 }
 
 void set_cull(Cull cull, bool mirrored) {
@@ -353,13 +353,13 @@ bool casts_at_all(const Scene& scene, const Settings& settings, const Object& ob
     if (object.ground) return false;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
-    if (blended && settings.caster.blend == int(BlendCasters::None)) return false;
+    if (blended && settings.caster.blend == BlendCasters::None) return false;
     const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return own == settings.objects.end() || own->second.cast;
 }
 
 bool draws_into_maps(const FrameState& f, const Batch& batch) {
-    return batch.cast && (!batch.blend || f.settings.caster.blend == int(BlendCasters::Mask));
+    return batch.cast && (!batch.blend || f.settings.caster.blend == BlendCasters::Mask);
 }
 
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention) {

@@ -24,7 +24,7 @@ constexpr int kLeastCalls = 64;
 /// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
 /// reference to the format's steps, and depths of stored distances rise but for rounding.
 double depths_margin(const FrameState& f) {
-    const auto format = MapFormat(f.settings.map.format);
+    const auto format = f.settings.map.format;
     if (holds_distances(f.settings.map.format)) return 1e-6;
     if (!f.filter_sampler) return 0;
     return format == MapFormat::D16 ? 2.0 / 65535 : format == MapFormat::D24 ? 2.0 / 16777215 : 0;

@@ -68,10 +68,10 @@ CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps)
     const LookupArea area{.resolution = f.map_resolution,
                           .reach_texels = reach_under(s, fitted, f.map_resolution).read + s.map.blur_texels,
                           .normal_texels = s.bias.normal,
-                          .wrap = MapWrap(s.map.wrap),
+                          .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),
                           .weighs_rim = filter_of(s).samples == Samples::Moments,
-                          .light_alone = !f.separate_visibility && s.shading.composition != int(Composition::DimLit)};
+                          .light_alone = !f.separate_visibility && s.shading.composition != Composition::DimLit};
     SeenFromCamera& known = f.gl.owned.get<SeenFromCamera>();
     const SeenBodies& seen = bodies_seen(f, known);
     SeenFromCamera::OfLight& of_light = known.lights[light];

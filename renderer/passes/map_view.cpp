@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "renderer/base/index_of.h"
 #include "renderer/frame/state.h"
 #include "renderer/inspect/depth_histogram.h"
 #include "renderer/settings/filters.h"
@@ -19,7 +20,7 @@ constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
 
 /// Sets what shaders/lib/shown_depth.glsl reads.
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
-    const bool camera = f.settings.view.map_source == int(MapSource::Camera);
+    const bool camera = f.settings.view.map_source == MapSource::Camera;
     std::vector<gl::Define> extra;
     const int channel = shown_channel(f.settings);
     if (camera) extra.push_back({"FROM_CAMERA", "1"});
@@ -61,7 +62,7 @@ Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "mip"), mip);
         glUniform1i(glGetUniformLocation(id, "channel"), shown_channel(f.settings) - 1);
-        glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != int(MapView::Raw));
+        glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != MapView::Raw);
         FrameState::draw_fullscreen(info);
     };
     return pass;
@@ -97,7 +98,7 @@ Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
 }  // namespace
 
 const DepthCurve* FrameState::shown_curve() const {
-    if (settings.view.map_source == int(MapSource::Camera)) return &camera.curve;
+    if (settings.view.map_source == MapSource::Camera) return &camera.curve;
     const LightView* view = shown_view();
     return view ? &view->curve : nullptr;
 }
@@ -107,13 +108,13 @@ int FrameState::shown_mip() const {
 }
 
 bool FrameState::fits_greys() const {
-    return settings.view.map_fit && settings.view.map != int(MapView::Bands) && shown_curve();
+    return settings.view.map_fit && settings.view.map != MapView::Bands && shown_curve();
 }
 
 glm::vec2 FrameState::grey_range() const {
     const glm::vec2 drawn = gl.owned.get<MapViewTargets>().drawn;
     if (!fits_greys() || drawn.x > drawn.y) return {settings.view.map_black, settings.view.map_white};
-    const auto view = MapView(settings.view.map);
+    const auto view = settings.view.map;
     // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const double row : {0.0, 1.0})
@@ -131,7 +132,7 @@ void add_map_view_passes(FrameState& f) {
     MapViewTargets& t = f.gl.owned.get<MapViewTargets>();
     f.plan.place(Result::MapView, {&t.picture});
     const ViewSettings& v = f.settings.view;
-    const bool camera = v.map_source == int(MapSource::Camera);
+    const bool camera = v.map_source == MapSource::Camera;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     Pass pass;
@@ -167,8 +168,8 @@ void add_map_view_passes(FrameState& f) {
         const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
         const ViewSettings& s = f.settings.view;
         const glm::vec2 greys = f.grey_range();
-        glUniform1i(glGetUniformLocation(id, "mode"), s.map);
-        glUniform1i(glGetUniformLocation(id, "colours"), s.map_colours);
+        glUniform1i(glGetUniformLocation(id, "mode"), index_of(s.map));
+        glUniform1i(glGetUniformLocation(id, "colours"), index_of(s.map_colours));
         glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
         FrameState::draw_fullscreen(info);
     };

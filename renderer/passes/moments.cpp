@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "renderer/base/index_of.h"
 #include "renderer/frame/driver.h"
 #include "renderer/gl/pace.h"
 #include "renderer/passes/casters.h"
@@ -27,8 +28,8 @@ enum class From { Depths, Samples, Moments };
 
 GLenum stored_format(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
-    if (m.summed) return f.settings.filter.sums == int(TableSums::Integer) ? GL_RG32UI : GL_RG32F;
-    const bool wide = f.settings.filter.moment_format == int(MomentFormat::Bits32);
+    if (m.summed) return f.settings.filter.sums == TableSums::Integer ? GL_RG32UI : GL_RG32F;
+    const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
     switch (m.names.size()) {
         case 1:
             return wide ? GL_R32F : GL_R16F;
@@ -120,8 +121,8 @@ private:
         const bool summed = filter_of(f_.settings).moments.summed;
         const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
                                      {{"BLUR_COLUMNS", std::to_string(axis)},
-                                      {"MOMENTS_FROM_SAMPLES", std::to_string(int(From::Samples))},
-                                      {"MOMENTS_FROM_MOMENTS", std::to_string(int(From::Moments))},
+                                      {"MOMENTS_FROM_SAMPLES", std::to_string(index_of(From::Samples))},
+                                      {"MOMENTS_FROM_MOMENTS", std::to_string(index_of(From::Moments))},
                                       {"MOMENTS_FROM", std::to_string(int(from))},
                                       {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
                                       {"BLUR_RADIUS", std::to_string(radius)},

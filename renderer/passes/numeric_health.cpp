@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/base/index_of.h"
 #include "renderer/gl/trouble.h"
 #include "renderer/passes/number_check.h"
 #include "renderer/passes/pages.h"
@@ -30,11 +31,11 @@ constexpr double kLightSlack = 1e-5;
 const std::vector<gl::Define>& fault_defines() {
     static const std::vector<gl::Define> defines = {
         {"HEALTH_FAULTS", std::to_string(kNumberFaults)},
-        {"FAULT_NOT_A_NUMBER", std::to_string(int(NumberFault::NotANumber))},
-        {"FAULT_INFINITE", std::to_string(int(NumberFault::Infinite))},
-        {"FAULT_OUTSIDE_RANGE", std::to_string(int(NumberFault::OutsideRange))},
-        {"FAULT_NEGATIVE_VARIANCE", std::to_string(int(NumberFault::NegativeVariance))},
-        {"FAULT_OVERFLOW", std::to_string(int(NumberFault::Overflow))}};
+        {"FAULT_NOT_A_NUMBER", std::to_string(index_of(NumberFault::NotANumber))},
+        {"FAULT_INFINITE", std::to_string(index_of(NumberFault::Infinite))},
+        {"FAULT_OUTSIDE_RANGE", std::to_string(index_of(NumberFault::OutsideRange))},
+        {"FAULT_NEGATIVE_VARIANCE", std::to_string(index_of(NumberFault::NegativeVariance))},
+        {"FAULT_OVERFLOW", std::to_string(index_of(NumberFault::Overflow))}};
     return defines;
 }
 
@@ -117,7 +118,7 @@ struct HealthTargets {
 /// sums that they are, and of the mip levels that are made of them.
 Demands moment_demands(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
-    const bool wide = f.settings.filter.moment_format == int(MomentFormat::Bits32);
+    const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
     Demands d{.channels = int(m.names.size()), .warped = m.power > 0};
     if (m.summed) return d;
     d.variances = m.power == 2 ? int(m.names.size()) / 2 : m.power == 1 ? 0 : m.names.size() > 1 ? 1 : 0;
@@ -142,7 +143,7 @@ std::vector<Searched> searched_images(const FrameState& f) {
         add(Result::DrawnMaps, "shadow map", depth, true, f.paged);
         if (f.blurs_depths()) add(Result::ShadowMaps, "blurred shadow map", depth, true);
         const StoredMoments& m = filter_of(f.settings).moments;
-        const bool integers = m.summed && f.settings.filter.sums == int(TableSums::Integer);  // always numbers
+        const bool integers = m.summed && f.settings.filter.sums == TableSums::Integer;  // always numbers
         if (filter_of(f.settings).samples == Samples::Moments && !integers)
             add(Result::Moments, m.summed ? "table of sums" : "moments", moment_demands(f), true);
     }

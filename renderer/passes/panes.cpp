@@ -158,10 +158,10 @@ ValueRange FrameState::range_of(const ShownPane& pane) const {
     if (!pane.row()) return {};
     const Overlay& row = *pane.row();
     PaneTargets& t = targets_of(*this, pane);
-    if (v.overlay_range == int(OverlayRange::Manual) && pane.overlay == v.overlay)
+    if (v.overlay_range == OverlayRange::Manual && pane.overlay == v.overlay)
         return {float(v.overlay_min), float(v.overlay_max)};
     const ValueRange declared{float(row.min), float(row.max)};
-    if (v.overlay_range != int(OverlayRange::Fitted) || !row.scalar || t.values.key == 0) return declared;
+    if (v.overlay_range != OverlayRange::Fitted || !row.scalar || t.values.key == 0) return declared;
     if (t.fitted_key != t.values.key) {
         FloatImage values{t.values.width, t.values.height, 4, {}};
         values.data.resize(std::size_t(values.width) * std::size_t(values.height) * 4);

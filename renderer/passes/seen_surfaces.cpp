@@ -21,7 +21,7 @@ void add_seen_surfaces_pass(FrameState& f) {
     pass.writes = {Result::SurfacesSeen};
     pass.idle_reason = "nothing evaluates pixels again";
     // There is an image more also where its normal is without effect.
-    const bool own_normal = f.settings.bias.normal_source != int(NormalSource::Geometric);
+    const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;
     const bool steps = bias_of(f.settings).by_derivatives;
     const std::size_t count = steps ? 5 : own_normal ? 3 : 2;
     pass.key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(count).value();

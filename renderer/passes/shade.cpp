@@ -57,8 +57,8 @@ void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& i
 
 std::vector<gl::Define> look_defines(const FrameState& f) {
     const ShadingSettings& s = f.settings.shading;
-    return {{"SKY_LIGHTS", s.sky == int(SkyLook::Gradient) ? "1" : "0"},
-            {"CURVE_FILMIC", s.curve == int(ToneCurve::Filmic) ? "1" : "0"},
+    return {{"SKY_LIGHTS", s.sky == SkyLook::Gradient ? "1" : "0"},
+            {"CURVE_FILMIC", s.curve == ToneCurve::Filmic ? "1" : "0"},
             {"EXPOSED", s.exposure != 0 ? "1" : "0"},
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
@@ -74,11 +74,11 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
         f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
     // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
-    if (f.settings.shading.composition == int(Composition::DimLit))
+    if (f.settings.shading.composition == Composition::DimLit)
         draw("DIM_PASS"), draw("LIT_PASS");
     else
         draw(nullptr);
-    if (f.settings.shading.sky == int(SkyLook::Gradient)) draw_sky(f, look, info);
+    if (f.settings.shading.sky == SkyLook::Gradient) draw_sky(f, look, info);
     draw_blended(f, look, info);
 }
 

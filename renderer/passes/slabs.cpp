@@ -39,7 +39,7 @@ void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegi
 /// Farthest from the camera first, so that they blend as they lie.
 void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view, const TexelRegion& region) {
     std::vector<TexelSlab> slabs =
-        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, Slabs(f.settings.view.slabs));
+        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, f.settings.view.slabs);
     std::vector<std::pair<double, std::size_t>> order(slabs.size());
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const auto& c = slabs[i].corners;
@@ -103,7 +103,7 @@ Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     if (!f.slabs_shown) {
-        pass.unneeded = f.settings.view.slabs == int(Slabs::None) ? "view.slabs is none" : "the light shown has no map";
+        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "the light shown has no map";
         return pass;
     }
     SlabTargets& s = f.gl.owned.get<SlabTargets>();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/index_of.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/reference/error_task.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
 // The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
-static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 3,
+static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
@@ -81,15 +82,14 @@ bool map_holds_all(const FrameState& f, int number) {
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
     if (!fitted.casts) return true;
-    return fitted.type == LightType::Directional && f.settings.lights[light].fit != int(LightFit::Manual) &&
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit != LightFit::Manual &&
            fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
 bool seams_matter(const FrameState& f, int light) {
     const MapSettings& m = f.settings.map;
-    const bool lit =
-        m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
+    const bool lit = m.outside == Outside::Lit && (m.wrap == MapWrap::Border || m.wrap == MapWrap::Range);
     return !map_holds_all(f, light) || !lit;
 }
 

@@ -51,12 +51,9 @@ std::span<const FitRow> fits() {
     return kFits;
 }
 
-int default_fit() {
-    return int(LightFit::Casters);
-}
-
-const FitRow& fit_row(int fit) {
-    return kFits[std::size_t(fit >= 0 && fit < int(std::size(kFits)) ? fit : int(LightFit::Scene))];
+const FitRow& fit_row(LightFit fit) {
+    const auto row = std::size_t(fit);
+    return kFits[row < std::size(kFits) ? row : std::size_t(LightFit::Scene)];
 }
 
 std::span<const Choice> fit_choices() {

@@ -122,7 +122,7 @@ TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
         if (m.judged[std::size_t(i + width * height / 2)].artefact == Artefact::Acne)
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
-    s.lights[0].type = int(LightType::Directional);
+    s.lights[0].type = LightType::Directional;
     const CureTable table =
         find_cures(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
     ASSERT_FALSE(table.rows.empty());
@@ -137,7 +137,7 @@ TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
             stays |= !*r.pixel_right;
         }
     EXPECT_TRUE(stays) << "not everything helps";
-    s.lights[0].type = int(LightType::Point);
+    s.lights[0].type = LightType::Point;
     const CureTable point = find_cures(renderer, scene, s, width, height, {}, cache);
     const Cure* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
@@ -164,8 +164,8 @@ TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     for (const Kind& kind : kinds) {
         SCOPED_TRACE(testing::Message() << int(kind.type) << " " << int(kind.fit) << " " << int(kind.projection));
         Settings s = test::texel_settings("pcf3", 256, 0);
-        s.lights[0].type = int(kind.type), s.lights[0].fit = int(kind.fit);
-        s.lights[0].projection = int(kind.projection);
+        s.lights[0].type = kind.type, s.lights[0].fit = kind.fit;
+        s.lights[0].projection = kind.projection;
         const MeasuredError m = measure(scene, s);
         const std::vector<CureIdea> ideas = cure_ideas(s, cure_facts(m, s, renderer.driver()));
         const auto tried = [&](auto&& like) {
@@ -173,10 +173,11 @@ TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
                                          [&](const CureIdea& i) { return i.untried.empty() && like(i.settings); });
         };
         for (std::size_t i = 0; i < fits().size(); ++i) {
-            const bool other = int(i) != int(kind.fit) && int(i) != int(LightFit::Manual);
+            const auto fit = LightFit(i);
+            const bool other = fit != kind.fit && fit != LightFit::Manual;
             const bool suits = kind.narrows || (kind.fit == LightFit::Manual && !fits()[i].narrows);
-            const auto count = tried(
-                [&](const Settings& t) { return t.lights[0].fit == int(i) && t.lights[0].fit != s.lights[0].fit; });
+            const auto count =
+                tried([&](const Settings& t) { return t.lights[0].fit == fit && t.lights[0].fit != s.lights[0].fit; });
             EXPECT_EQ(count, other && suits ? 1 : 0) << fits()[i].key;
         }
         for (int n = 2; n <= kMaxCascades; n *= 2)
@@ -209,7 +210,7 @@ TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     for (const char* kernel : {"pcf3", "pcf7"})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s = test::texel_settings(kernel, 512, 0);
-            s.lights[0].type = int(type), s.lights[0].elevation = 35;
+            s.lights[0].type = type, s.lights[0].elevation = 35;
             const MeasuredError before = measure(scene, s);
             ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
             const CureFacts facts = cure_facts(before, s, renderer.driver());
@@ -255,7 +256,7 @@ TEST_F(CuresTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;
-    s.lights[0].fit = int(LightFit::Scene);
+    s.lights[0].fit = LightFit::Scene;
     const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
     const Cure* fit = row(table, "fit: what is seen");
     ASSERT_TRUE(fit);

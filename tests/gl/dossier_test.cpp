@@ -278,7 +278,7 @@ TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
 
     const Scene sheet = test::sheet_over_floor(1.2);
     s = plain("hard", 3);
-    s.caster.cull = int(Cull::Front);
+    s.caster.cull = Cull::Front;
     const auto lost = find(measure(sheet, s), Artefact::LostCaster);
     ASSERT_TRUE(lost);
     const Dossier d = dossier(sheet, s, *lost);
@@ -287,7 +287,7 @@ TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     apply(s, *d.remedy);
     EXPECT_TRUE(dossier(sheet, s, *lost).right);
 
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
     ASSERT_TRUE(outside);

@@ -75,7 +75,7 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
             for (const int resolution : {64, 256}) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
                 Settings s = light_mapped(test::hard_settings(), resolution);
-                s.lights[0].type = int(type);
+                s.lights[0].type = type;
                 s.lights[0].azimuth = place.azimuth, s.lights[0].elevation = place.elevation;
                 s.lights[0].distance = type == LightType::Directional ? 0 : 9;
                 s.lights[0].cone = 80;
@@ -187,7 +187,7 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         const Scene scene = rooms(one_floor, sheet);
         Settings s = light_mapped(test::hard_settings(), 64);
         s.lights[0].azimuth = 90 + kRoomsTurned, s.lights[0].elevation = 55;
-        s.camera.source = int(CameraSource::Manual);
+        s.camera.source = CameraSource::Manual;
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
         s.camera.target_x = target.x, s.camera.target_y = target.y, s.camera.target_z = target.z;
         s.camera.azimuth = 265 + kRoomsTurned, s.camera.elevation = 15, s.camera.distance = 2, s.camera.near = 0.05;

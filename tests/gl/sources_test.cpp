@@ -79,7 +79,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             Settings s = test::hard_settings();
             set_setting(s, "light.source", "blob");
             LightSettings& light = s.lights[0];
-            light.type = int(type), light.azimuth = place.azimuth, light.elevation = place.elevation;
+            light.type = type, light.azimuth = place.azimuth, light.elevation = place.elevation;
             if (type != LightType::Directional) light.distance = 9, light.cone = 90;
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
             test::move_camera(s, place.at);

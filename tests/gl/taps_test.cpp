@@ -162,7 +162,7 @@ TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
 TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("pcf5", 64, 1);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 2;
     FrameRequest maps = picture;
     maps.outputs.shadow_map = true;
@@ -203,7 +203,7 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
             SCOPED_TRACE(std::string(kernel) + " " + wrap);
             Settings s = test::texel_settings(kernel, 96, 0.7);
             set_setting(s, "map.wrap", wrap);
-            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = 4;
             const FrameResult frame = renderer.render(scene, s, request);
             EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Reused);

@@ -44,9 +44,9 @@ Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, d
     set_setting(s, "light.fit", fit);
     s.map.resolution = kResolution;
     LightSettings& l = s.lights[0];
-    l.cascades = cascades, l.azimuth = azimuth, l.elevation = elevation, l.split = int(Split::Logarithmic);
+    l.cascades = cascades, l.azimuth = azimuth, l.elevation = elevation, l.split = Split::Logarithmic;
     CameraSettings& c = s.camera;
-    c.source = int(CameraSource::Manual);
+    c.source = CameraSource::Manual;
     c.target_x = at.x - 10, c.target_y = at.y + 1, c.target_z = at.z - 5, c.distance = 9, c.elevation = 12;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1, 1);

@@ -125,7 +125,7 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
         place_scene(scene, placement.matrix());
         Settings s;
         s.map.resolution = 64;
-        s.lights[0].type = int(type), s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
+        s.lights[0].type = type, s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
         if (type == LightType::Point) s.lights[0].distance = 6;
         ASSERT_TRUE(place_settings(s, placement) || placement.scale == 4);
         TruthCache cache;
@@ -209,7 +209,7 @@ TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
         for (LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s;
             s.map.resolution = 256;
-            s.lights[0].type = int(type), s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
+            s.lights[0].type = type, s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
             const Shot a = shoot(baked, s), b = shoot(placed, s);
             EXPECT_GT(shadow_share(a), 0.02);
             EXPECT_LE(differing_share(a, b), 5e-4) << int(type);

@@ -81,7 +81,7 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
     const int kind = s.bias.kind;
     s.bias = no_bias();
     s.bias.kind = kind;
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     // Both axes of the map may rise; the sub-pixel grid's share and the depth's step come on top.
     const double kappa = std::max(reach_under(s, light, s.map.resolution).bias, 0.5) + 0.1;
     s.bias.constant = kappa * glm::root_two<double>() * steepest_tan + 1;
@@ -89,12 +89,12 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
 
 Settings settings_of(const Case& c, int resolution) {
     Settings s = hard_settings();
-    s.lights[0].type = int(c.light);
+    s.lights[0].type = c.light;
     s.lights[0].distance = c.light == LightType::Directional ? 0 : 9;
     s.lights[0].cone = 80;
     s.lights[0].size = c.light == LightType::Directional ? 0.5 : 0.05;
     s.map.resolution = resolution;
-    s.map.format = int(c.format);
+    s.map.format = c.format;
     s.map.reversed_z = c.reversed;
     set_setting(s, "filter.kernel", c.kernel);
     set_setting(s, "bias.kind", c.bias);
@@ -423,7 +423,7 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         Settings s = overhead(GetParam());
         s.map.resolution = 1024;
         s.bias.constant = 1;
-        s.lights[0].type = int(light.type);
+        s.lights[0].type = light.type;
         s.lights[0].size = light.size;
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
         s.lights[0].cone = 80;

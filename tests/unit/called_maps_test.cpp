@@ -177,7 +177,7 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
             const Scene& scene = scenes[round / 2 % 2];
             const std::vector<std::vector<Cluster>>& clusters = of_scenes[round / 2 % 2];
             Settings s = settings_of(kind.sets);
-            s.camera.source = int(CameraSource::Manual);
+            s.camera.source = CameraSource::Manual;
             s.camera.azimuth = random.in(0, 360), s.camera.elevation = random.in(-10, 80);
             s.camera.distance = random.in(0.3, 9), s.camera.fov = random.in(15, 70);
             s.camera.target_x = random.in(-3, 3), s.camera.target_z = random.in(-3, 3);
@@ -191,7 +191,7 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
             const LookupArea area{.resolution = 512,
                                   .reach_texels = 20,
                                   .normal_texels = 4,
-                                  .wrap = MapWrap(s.map.wrap),
+                                  .wrap = s.map.wrap,
                                   .light_alone = light_alone};
             const CalledMaps called = called_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());

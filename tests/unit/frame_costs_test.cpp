@@ -23,7 +23,7 @@ TEST(FrameCosts, TheCameraMovesInEveryFrameAndNothingElse) {
     const Scene scene = load_scene("boxes");
     for (const CameraSource source : {CameraSource::Automatic, CameraSource::Manual, CameraSource::Light}) {
         Settings s;
-        s.camera.source = int(source), s.camera.azimuth = 359.9;
+        s.camera.source = source, s.camera.azimuth = 359.9;
         const std::vector<Settings> frames = motion(scene, s, CostCase::Camera);
         ASSERT_GT(frames.size(), 1u);
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -46,7 +46,7 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s;
             s.light_count = 2, s.view.light = 1;
-            s.lights[1].type = int(type), s.lights[1].elevation = elevation;
+            s.lights[1].type = type, s.lights[1].elevation = elevation;
             const std::vector<Settings> frames = motion(scene, s, CostCase::Light);
             ASSERT_GT(frames.size(), 1u);
             for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -65,7 +65,7 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
 TEST(FrameCosts, TheCameraThatLooksThroughTheLightStaysWhereItWas) {
     const Scene scene = load_scene("boxes");
     Settings s;
-    s.camera.source = int(CameraSource::Light);
+    s.camera.source = CameraSource::Light;
     const std::vector<Settings> frames = motion(scene, s, CostCase::Light);
     for (const Settings& f : frames) EXPECT_EQ(make_camera(scene, f, 1.5).eye, make_camera(scene, frames[0], 1.5).eye);
 }
