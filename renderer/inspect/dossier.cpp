@@ -45,7 +45,7 @@ private:
     Dossier d_;
 
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
-    bool sees_surface() const { return p_.casts && p_.where != "behind"; }
+    bool sees_surface() const { return p_.casts && p_.place != MapPlace::Behind; }
     bool dark() const { return p_.visibility < 0.5; }
     bool faint_acne() const { return truth_.cause.faint; }
 
@@ -107,12 +107,12 @@ private:
                             : fmt::format("wrong: {}, should be {}; {}", is, truth_.lit ? "lit" : "in shadow",
                                           p_.fitted.reason);
         }
-        if (p_.where == "beyond shadows")
+        if (p_.place == MapPlace::BeyondShadows)
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
         if (truth_.evidence.place == CauseEvidence::kOutside)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", place_name(p_.place),
                                dark() ? "in shadow" : "lit",
                                d_.right ? "and so it is in truth"
                                : dark() ? "should be lit"

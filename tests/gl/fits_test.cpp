@@ -216,7 +216,7 @@ TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
             if (!probe.hit || !faces_light(probe.lights[0].n_dot_l)) continue;
             const Probe::PerLight& p = probe.lights[0];
             const bool reads = coordinates.data[4 * std::size_t(y * 240 + x) + 3] > 0;
-            EXPECT_EQ(p.where == "beyond shadows", !reads) << x << " " << y << " " << p.where;
+            EXPECT_EQ(p.place == MapPlace::BeyondShadows, !reads) << x << " " << y << " " << place_name(p.place);
             (reads ? inside : beyond) += 1;
             if (reads) continue;
             EXPECT_EQ(p.visibility, 1);

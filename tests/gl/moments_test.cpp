@@ -229,7 +229,7 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
         for (int y = 30; y < 85; y += 6)
             for (int x = 40; x < 130; x += 13) {
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
-                if (!p.hit || p.lights[0].where != "inside" || p.lights[0].n_dot_l < 1e-3) continue;
+                if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l < 1e-3) continue;
                 const Probe::PerLight& l = p.lights[0];
                 const LightView& view = l.fitted.views[std::size_t(l.face)];
                 if (!shares.contains(l.face))

@@ -173,7 +173,7 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
         for (int y = 10; y < 115; y += 9)
             for (int x = 5; x < 155; x += 11) {
                 const Probe p = renderer.probe(scene, s, picture, x, y);
-                if (!p.hit || p.lights[0].where == "behind") continue;
+                if (!p.hit || p.lights[0].place == MapPlace::Behind) continue;
                 const int n = p.map_resolution;
                 for (const KernelTap& t : p.lights[0].taps) {
                     glm::ivec2 at = t.texel;

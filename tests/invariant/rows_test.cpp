@@ -210,7 +210,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
     for (int y = 22; y < 110 && (partly < 3 || told < 12); y += 7)
         for (int x = 33; x < 140; x += 9) {
             const Probe p = hard_renderer().probe(scene, s, picture, x, y);
-            if (!p.hit || p.lights[0].where != "inside" || p.lights[0].n_dot_l <= 1e-3) continue;
+            if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l <= 1e-3) continue;
             const Probe::PerLight& l = p.lights[0];
             if (!row.linear) {
                 ASSERT_TRUE(l.taps.empty()) << "its result is no sum of comparisons";

@@ -344,7 +344,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
                 if (p.casts && p.light == shown_light(state.settings) && p.face == shown_face(state.settings, result) &&
-                    p.where == "inside")
+                    p.place == MapPlace::Inside)
                     mark_taps(rect, p);
         mark_finding(state, result, shown);
         if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);

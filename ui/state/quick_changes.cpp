@@ -32,7 +32,7 @@ std::optional<TexelPlace> probed_place(const EditorState& state, const EditorFra
     const int n = frame.result->map_resolution;
     if (!state.probe_pixel || !frame.probe || !frame.probe->hit || n <= 0) return {};
     for (const Probe::PerLight& p : frame.probe->lights)
-        if (p.light == shown_light(state.settings) && p.where == "inside")
+        if (p.light == shown_light(state.settings) && p.place == MapPlace::Inside)
             return TexelPlace{p.light, p.face, (p.texel.x + 0.5) / n, (p.texel.y + 0.5) / n};
     return {};
 }
