@@ -10,6 +10,8 @@
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/passes/lookup_savings.h"
+#include "renderer/passes/scene_findings.h"
+#include "renderer/passes/seen_depths.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/truth_picture.h"
 #include "renderer/settings/biases.h"
@@ -390,6 +392,7 @@ std::uint64_t next_number() {
 }  // namespace
 
 Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
+    resources.found = std::make_shared<SceneFindings>();
     resources.empty_vao = gl::VertexArray::create("no vertices");
     resources.map_nearest = gl::Sampler::create("shadow map, nearest");
     resources.map_compare = gl::Sampler::create("shadow map, comparison");

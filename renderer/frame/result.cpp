@@ -5,7 +5,6 @@
 #include <set>
 
 #include "renderer/frame/renderer_impl.h"
-#include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 
@@ -16,14 +15,14 @@ Image image_of(const gl::Target& t) {
     return {t.texture.id(), t.width, t.height};
 }
 
-void describe_panes(const FrameState& f, FrameResult& result) {
+void describe_panes(const FrameState& f, PanePasses& panes, FrameResult& result) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
         Pane pane{.overlay = shown.overlay, .lacks_truth = shown.lacks_truth};
         if (o.colour) pane.picture = image_of(f.result(f.picture_of(shown)));
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.result(f.values_of(shown)));
-            const ValueRange range = f.range_of(shown);
+            const ValueRange range = panes.range_of(f, shown);
             pane.overlay_min = range.min, pane.overlay_max = range.max;
         }
         result.panes.push_back(pane);
@@ -34,7 +33,7 @@ void describe_panes(const FrameState& f, FrameResult& result) {
     result.overlay_min = first.overlay_min, result.overlay_max = first.overlay_max;
 }
 
-void describe_map_view(FrameState& f, FrameResult& result) {
+void describe_map_view(FrameState& f, const MapViewPasses& map_view, FrameResult& result) {
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == MapSource::Camera;
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
@@ -48,13 +47,13 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
     result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
-    const glm::vec2 greys = f.grey_range();
+    const glm::vec2 greys = map_view.grey_range(f);
     result.map_black = greys.x, result.map_white = greys.y;
 }
 
 }  // namespace
 
-void describe_frame(FrameState& f, FrameResult& result) {
+void Renderer::Impl::describe_frame(FrameState& f, FrameResult& result) {
     std::set<Result> made;
     for (std::size_t i = 0; i < result.passes.size(); ++i)
         if (result.passes[i].state != PassState::Skipped)
@@ -62,11 +61,11 @@ void describe_frame(FrameState& f, FrameResult& result) {
     const auto put = [&](Result of, Image& image) {
         if (made.contains(of)) image = image_of(f.result(of));
     };
-    describe_panes(f, result);
-    if (made.contains(Result::MapView)) describe_map_view(f, result);
-    if (made.contains(Result::Visibility)) result.visibility = visibility_image(f, f.settings.view.light);
-    if (made.contains(Result::Error)) result.error = live_error(f);
-    if (made.contains(Result::Precision)) result.precision = found_precision(f);
+    describe_panes(f, passes.panes, result);
+    if (made.contains(Result::MapView)) describe_map_view(f, passes.map_view, result);
+    if (made.contains(Result::Visibility)) result.visibility = passes.visibility.image_of(f.settings.view.light);
+    if (made.contains(Result::Error)) result.error = passes.truth.error();
+    if (made.contains(Result::Precision)) result.precision = passes.precision.found();
     if (made.contains(Result::Evidence)) {
         for (std::size_t i = 0; i < result.evidence.size(); ++i)
             result.evidence[i] = image_of(f.result(Result::Evidence, i));
@@ -80,7 +79,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     put(Result::MapCoordinates, result.map_coordinates);
     if (f.paged && made.contains(Result::ShadowMaps)) {
         const PassInfo* pages = result.pass("pages of shadow maps");
-        result.pages = page_facts(f.gl, pages && pages->state == PassState::Ran);
+        result.pages = passes.pages.facts(pages && pages->state == PassState::Ran);
         if (result.pages->coarser > 0)
             f.notes.push_back(
                 fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "

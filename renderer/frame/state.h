@@ -12,7 +12,6 @@
 #include "renderer/base/key.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/owned.h"
 #include "renderer/frame/plan.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/frame/scene_gpu.h"
@@ -40,7 +39,9 @@ struct SeenDepths {
     PassInfo info;
 };
 
-/// What outlives a frame and is nobody's own: programs, blocks, samplers, the scene, fitted lights.
+struct SceneFindings;
+
+/// What outlives a frame and is no pass's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
     gl::ProgramCache programs;
     Blocks blocks;
@@ -48,7 +49,8 @@ struct Resources {
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
     SeenObjects seen_objects;
-    Owned owned;  ///< what single passes keep
+    gl::Target camera_depth;               ///< of the picture's size; its key is of the surfaces that are in it
+    std::shared_ptr<SceneFindings> found;  ///< what passes find of the scene once
     PlacedLights placed;
     std::vector<FittedLight> as_placed;  ///< fitted without a camera
     std::uint64_t as_placed_key = 0;
@@ -127,9 +129,8 @@ struct FrameState {
     const DepthCurve* shown_curve() const;
     /// The mip level of the moment that the map viewer shows.
     int shown_mip() const;
-    /// Whether the map viewer's greys follow what is drawn (view.map_fit), and which greys it uses.
+    /// Whether the map viewer's greys follow what is drawn (view.map_fit).
     bool fits_greys() const;
-    glm::vec2 grey_range() const;
     /// Of the surfaces that the camera sees, in the size of the picture.
     Key surfaces_key() const;
     /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
@@ -141,8 +142,6 @@ struct FrameState {
     /// The results that are a pane's finished picture and its overlay's values.
     ResultRef picture_of(const ShownPane& pane) const;
     ResultRef values_of(const ShownPane& pane) const;
-    /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
-    ValueRange range_of(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.
@@ -167,62 +166,5 @@ struct FrameState {
     /// Draws no more than these pixels of it.
     static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
 };
-
-/// Writes what rays found into a light's layer of a visibility texture of the frame's size.
-void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
-/// Defines for shaders that read the truth (lib/truth.glsl).
-std::vector<gl::Define> truth_defines(const FrameState& f);
-/// What a pass reads that evaluates the kernel.
-std::vector<ResultRef> lookup_reads(const FrameState& f);
-
-/// Says that shaders compare the depths of these.
-void place_compared_maps(FrameState& f, const gl::Target& maps);
-
-// One function per pass; each appends itself to the plan and says where its results will lie. (renderer/passes/)
-void add_light_depth_passes(FrameState& f);
-/// Of virtual maps, in place of the former: which pages look-ups may read, and those drawn that are not kept.
-void add_page_passes(FrameState& f);
-void add_depth_blur_pass(FrameState& f);
-/// Functions of the maps' depths, averaged, for kernels that read those.
-void add_moments_pass(FrameState& f);
-void add_camera_depth_pass(FrameState& f);
-/// Draws the camera's depth and reads back its bounds, before the frame has a plan.
-std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info);
-void add_surface_ids_pass(FrameState& f);
-void add_shadow_volume_passes(FrameState& f);
-/// A soft disc below each caster, for lights whose source that is.
-void add_blob_pass(FrameState& f);
-/// Uploads what was baked, for lights whose source is a light map.
-void add_light_map_pass(FrameState& f);
-/// Binds the buffers by which shaders find a surface in it.
-void bind_light_map(const FrameState& f);
-void add_visibility_pass(FrameState& f);
-/// One light's layer of the visibility as a plain texture.
-Image visibility_image(const FrameState& f, int light);
-/// Draws the maps again where what is compared is not what a caster's surface is.
-void add_unfiltered_map_pass(FrameState& f);
-/// The surface of every pixel, kept while the camera rests.
-void add_seen_surfaces_pass(FrameState& f);
-/// Binds what draws those of other pixels.
-void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
-/// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
-void add_truth_passes(FrameState& f);
-std::shared_ptr<const LiveError> live_error(const FrameState& f);
-/// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.
-void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info);
-void add_true_shade_pass(FrameState& f);
-void add_shade_pass(FrameState& f);
-/// Holds where the shown light's map is looked up against double precision.
-void add_precision_pass(FrameState& f);
-std::shared_ptr<const Precision> found_precision(const FrameState& f);
-void add_pane_passes(FrameState& f);
-void add_map_coordinates_pass(FrameState& f);
-/// Which texels of the shown map the kernels of all pixels fetch, exactly.
-void add_texels_read_pass(FrameState& f);
-void add_map_view_passes(FrameState& f);
-/// Searches all that the frame made so far, maps and visibility, for what is no number.
-void add_numeric_health_pass(FrameState& f);
-/// Of one pane, over its picture so far. The caller names it and what it reads and writes.
-Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane);
 
 }  // namespace si

@@ -204,7 +204,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     const SurfaceIds ids = read_surface_ids(frame.surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
-    plan_frame(f);
+    impl_->plan_frame(f);
     impl_->upload_blocks(f);
     Probe out;
     out.x = x, out.y = y;

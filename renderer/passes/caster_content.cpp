@@ -1,24 +1,10 @@
 #include "renderer/passes/caster_content.h"
 
 #include "renderer/passes/casters.h"
-#include "renderer/passes/of_meshes.h"
+#include "renderer/passes/scene_findings.h"
 
 namespace si {
 namespace {
-
-/// Of a rigid mesh; 0: not found yet.
-struct RigidContent {
-    std::uint64_t opaque = 0, masked = 0;
-};
-
-struct KnownContent {
-    struct OfTexture {
-        SameTexture texture;
-        std::uint64_t content = 0;  ///< 0: not found yet
-    };
-    CasterContent casters;
-    std::vector<OfTexture> textures;
-};
 
 std::uint64_t content_of(const Mesh& mesh, bool masked) {
     Key key;
@@ -43,7 +29,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
     const Mesh& mesh = f.scene.meshes[number];
     std::uint64_t* known = &deformed[number];
     if (!mesh.deformer) {
-        RigidContent& rigid = f.gl.owned.get<OfMeshes<RigidContent>>().of(f.scene, number);
+        RigidContent& rigid = f.gl.found->rigid_content.of(f.scene, number);
         known = masked ? &rigid.masked : &rigid.opaque;
     }
     if (*known == 0) *known = content_of(mesh, masked);
@@ -53,7 +39,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
 }  // namespace
 
 const CasterContent& caster_content(const FrameState& f) {
-    KnownContent& known = f.gl.owned.get<KnownContent>();
+    KnownContent& known = f.gl.found->content;
     CasterContent& casters = known.casters;
     const std::uint64_t key =
         Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();

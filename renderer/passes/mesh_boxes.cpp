@@ -1,19 +1,12 @@
 #include "renderer/passes/mesh_boxes.h"
 
-#include <optional>
-
-#include "renderer/passes/of_meshes.h"
+#include "renderer/passes/scene_findings.h"
 
 namespace si {
 namespace {
 
-struct BoxesOfMesh {
-    std::vector<Cluster> clusters;
-    std::optional<std::vector<Bounds>> runs;
-};
-
 BoxesOfMesh& boxes_of(const FrameState& f, std::size_t mesh) {
-    return f.gl.owned.get<OfMeshes<BoxesOfMesh>>().of(f.scene, mesh);
+    return f.gl.found->boxes.of(f.scene, mesh);
 }
 
 }  // namespace

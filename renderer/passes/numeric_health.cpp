@@ -76,42 +76,6 @@ struct FaultRecord {
 };
 static_assert(sizeof(FaultRecord) == 16);
 
-/// The pages of one map in a pool whose tiles are read back.
-struct SearchedPages {
-    NumberFinding place;
-    std::vector<PlacedPage> pages;
-};
-
-struct PoolTiles {
-    gl::Buffer read_back;
-    glm::ivec2 tiles{0};  ///< across and up
-    int page = 0;         ///< texels along a side of one
-    std::vector<SearchedPages> layers;
-};
-
-struct HealthTargets {
-    gl::Target tiles, found;  ///< RGBA32UI, a layer a kind of fault
-    gl::Buffer read_back;     ///< of `found`
-    GLsync done = nullptr;
-    std::vector<NumberFinding> places;  ///< one a column of `found`
-    std::optional<PoolTiles> pool;
-    NumericHealth so_far;  ///< found by the CPU
-    std::shared_ptr<const NumericHealth> health;
-
-    HealthTargets() = default;
-    HealthTargets(HealthTargets&&) = delete;
-    HealthTargets& operator=(HealthTargets&& other) noexcept {
-        tiles = std::move(other.tiles), found = std::move(other.found), read_back = std::move(other.read_back);
-        std::swap(done, other.done);
-        places = std::move(other.places), pool = std::move(other.pool);
-        so_far = std::move(other.so_far), health = std::move(other.health);
-        return *this;
-    }
-    ~HealthTargets() {
-        if (done) glDeleteSync(done);
-    }
-};
-
 // What is searched ----------------------------------------------------------------------------------------------------
 
 /// How far a variance may fall below 0 by rounding: of the mean square and the mean's square as they are stored, of the
@@ -213,7 +177,7 @@ std::vector<gl::Define> search_defines(const Searched& s) {
 
 class FaultSearch {
 public:
-    FaultSearch(const FrameState& f, HealthTargets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
+    FaultSearch(const FrameState& f, NumericHealthPass::Targets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
     /// Finds the faults of each tile of a layer.
     glm::ivec2 search(const Searched& s, const SearchedLayer& layer, int tile) {
@@ -260,7 +224,7 @@ private:
     }
 
     const FrameState& f_;
-    HealthTargets& t_;
+    NumericHealthPass::Targets& t_;
     PassInfo& info_;
 };
 
@@ -281,8 +245,8 @@ std::vector<FaultRecord> records_of(const gl::Buffer& buffer, std::size_t count)
     return out;
 }
 
-PoolTiles pool_tiles(const FrameState& f, const Searched& s) {
-    const ReadPages read = pages_read(f.gl);
+PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searched& s) {
+    const ReadPages read = pages.read();
     PoolTiles out{.read_back = {}, .page = read.texels, .layers = {}};
     std::map<int, std::size_t> of_layer;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
@@ -298,7 +262,7 @@ PoolTiles pool_tiles(const FrameState& f, const Searched& s) {
 
 // All of it -----------------------------------------------------------------------------------------------------------
 
-void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
+void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPass::Targets& t, PassInfo& info) {
     t.health = nullptr, t.so_far = {}, t.places.clear(), t.pool.reset();
     check_blocks(f, t.so_far);
     const std::vector<Searched> images = searched_images(f);
@@ -318,7 +282,7 @@ void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
         const Searched& s = images[i];
         if (const auto& spoils = gl::trouble_seam().spoils) spoils(s.name, s.image->texture.id());
         if (s.of_pages) {
-            PoolTiles pool = pool_tiles(f, s);
+            PoolTiles pool = pool_tiles(f, pages, s);
             const glm::ivec2 size(s.image->width, s.image->height);
             // The tiles of a pool are its pages, of which those that nothing reads hold anything.
             search.search(s, {.place = {}, .layer = 0, .size = size}, std::max(pool.page, 1));
@@ -382,8 +346,8 @@ void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<cons
 
 }  // namespace
 
-std::shared_ptr<const NumericHealth> read_numeric_health(Resources& resources, bool wait) {
-    HealthTargets& t = resources.owned.get<HealthTargets>();
+std::shared_ptr<const NumericHealth> NumericHealthPass::read(bool wait) {
+    Targets& t = targets_;
     if (t.health || !t.done) return t.health;
     const GLenum state = glClientWaitSync(t.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);
     if (state == GL_TIMEOUT_EXPIRED) return nullptr;
@@ -405,7 +369,7 @@ std::shared_ptr<const NumericHealth> read_numeric_health(Resources& resources, b
     return t.health;
 }
 
-void add_numeric_health_pass(FrameState& f) {
+void NumericHealthPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "numeric health";
     pass.category = PassCategory::Tool;
@@ -415,17 +379,21 @@ void add_numeric_health_pass(FrameState& f) {
     pass.idle_reason = "not needed: the numbers are not checked";
     if (!f.request.outputs.health) {
         // Frames without a picture are drawn beside one that is shown, which may still want what was found.
-        if (f.request.outputs.colour) f.plan.release([&f] { f.gl.owned.drop<HealthTargets>(); });
+        if (f.request.outputs.colour) f.plan.release([this] { targets_ = Targets(); });
         f.plan.add(std::move(pass));
         return;
     }
-    HealthTargets& t = f.gl.owned.get<HealthTargets>();
+    Targets& t = targets_;
     f.plan.place(Result::Health, {&t.found});
     pass.key =
         Key().add(f.geometry_key).add(f.camera_key).add(f.lights_key).add(f.gl.programs.source().generation()).value();
     pass.cached = &t.found.key;
-    pass.run = [&f, &t](PassInfo& info) { search_frame(f, t, info); };
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void NumericHealthPass::run(const FrameState& f, PassInfo& info) {
+    search_frame(f, pages_, targets_, info);
 }
 
 }  // namespace si

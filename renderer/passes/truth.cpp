@@ -1,4 +1,6 @@
 // The traced truth on the GPU: uploaded, each pixel judged by it, the judgements summed up.
+#include "renderer/passes/truth.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include "renderer/base/index_of.h"
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/passes/camera_pass.h"
+#include "renderer/passes/moments.h"
 #include "renderer/reference/error_task.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/truth_picture.h"
@@ -24,19 +27,7 @@ static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
-struct TruthTargets {
-    gl::Target truth, more_truth;  ///< of the truth picture
-    gl::Target judged;             ///< RG32F, see judgement() in lib/truth.glsl
-    gl::Target marks;              ///< depths MARK_* of shared/judged.h
-    std::uint64_t causes_key = 0;  ///< of `judged` with the causes in it
-    gl::Target error_tiles;        ///< RGBA32F, see error_tiles.frag.glsl
-    std::array<gl::Target, kEvidenceImages> evidence;
-    std::shared_ptr<const LiveError> error;  ///< of the error tiles
-};
-
-TruthTargets& targets(const FrameState& f) {
-    return f.gl.owned.get<TruthTargets>();
-}
+using TruthTargets = TruthPasses::Targets;
 
 /// What PixelState is for the shader; rows stay from the top.
 void upload(const TracedTruth& traced, TruthTargets& to) {
@@ -63,15 +54,15 @@ void upload(const TracedTruth& traced, TruthTargets& to) {
     put(to.more_truth, "more of the truth", more);
 }
 
-Pass upload_pass(FrameState& f) {
+Pass upload_pass(FrameState& f, TruthTargets& t) {
     Pass pass;
     pass.name = "truth uploaded";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::Truth};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.truth_content;
-    pass.cached = &targets(f).truth.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, targets(f)); };
+    pass.cached = &t.truth.key;
+    pass.run = [&f, &t](PassInfo&) { upload(f.request.truth->traced, t); };
     return pass;
 }
 
@@ -112,14 +103,13 @@ std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
     return out;
 }
 
-Pass compare_pass(FrameState& f) {
+Pass compare_pass(FrameState& f, TruthTargets& t) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Truth};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    TruthTargets& t = targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.judged.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -142,7 +132,7 @@ Pass compare_pass(FrameState& f) {
 
 /// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
 /// branch.
-Pass causes_pass(FrameState& f) {
+Pass causes_pass(FrameState& f, TruthTargets& t) {
     Pass pass;
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
@@ -151,7 +141,6 @@ Pass causes_pass(FrameState& f) {
                                          Result::UnfilteredMap, Result::Truth});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    TruthTargets& t = targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -181,7 +170,7 @@ Pass causes_pass(FrameState& f) {
     return pass;
 }
 
-Pass evidence_pass(FrameState& f) {
+Pass evidence_pass(FrameState& f, TruthTargets& t) {
     Pass pass;
     pass.name = "trials of every pixel";
     pass.category = PassCategory::Tool;
@@ -191,9 +180,9 @@ Pass evidence_pass(FrameState& f) {
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
     pass.key = f.shown_light_key().add(f.truth.met).value();
-    pass.cached = &targets(f).evidence[0].key;
-    pass.run = [&f](PassInfo& info) {
-        CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
+    pass.cached = &t.evidence[0].key;
+    pass.run = [&f, &t](PassInfo& info) {
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, t.evidence);
         pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.truth.met, info);
     };
@@ -230,7 +219,7 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     return sums;
 }
 
-Pass sums_pass(FrameState& f) {
+Pass sums_pass(FrameState& f, TruthTargets& t) {
     Pass pass;
     pass.name = "errors summed up";
     pass.category = PassCategory::Tool;
@@ -238,11 +227,11 @@ Pass sums_pass(FrameState& f) {
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
-    pass.cached = &targets(f).error_tiles.key;
-    pass.run = [&f](PassInfo& info) {
+    pass.cached = &t.error_tiles.key;
+    pass.run = [&f, &t](PassInfo& info) {
         const Truth& truth = *f.request.truth->traced.truth;
         const int across = (truth.width + kTile - 1) / kTile, down = (truth.height + kTile - 1) / kTile;
-        gl::Target& tiles = targets(f).error_tiles;
+        gl::Target& tiles = t.error_tiles;
         tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
         const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
@@ -250,7 +239,7 @@ Pass sums_pass(FrameState& f) {
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
-        targets(f).error = std::make_shared<const LiveError>(
+        t.error = std::make_shared<const LiveError>(
             metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), truth));
     };
     return pass;
@@ -278,19 +267,15 @@ std::vector<gl::Define> truth_defines(const FrameState& f) {
     return out;
 }
 
-std::shared_ptr<const LiveError> live_error(const FrameState& f) {
-    return targets(f).error;
-}
-
-void add_truth_passes(FrameState& f) {
-    TruthTargets& t = targets(f);
+void TruthPasses::declare(FrameState& f) {
+    Targets& t = targets_;
     f.plan.place(Result::Truth, {&t.truth, shared::UNIT_TRUTH});
     f.plan.place(Result::Truth, {&t.more_truth, shared::UNIT_MORE_TRUTH});
     f.plan.place(Result::Compared, {&t.judged});
     f.plan.place(Result::Judged, {&t.judged, shared::UNIT_JUDGED});
     f.plan.place(Result::Error, {&t.error_tiles});
     for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
-    std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
+    std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};
     for (Pass& pass : passes) {
         if (!f.truth.met) {
             pass.unneeded = kUntraced;
@@ -299,7 +284,7 @@ void add_truth_passes(FrameState& f) {
         }
         f.plan.add(std::move(pass));
     }
-    f.plan.add(evidence_pass(f));
+    f.plan.add(evidence_pass(f, t));
 }
 
 void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info) {
