@@ -63,4 +63,8 @@ private:
     std::bitset<kSavings> bits_;
 };
 
+/// Reason why no bounds of the maps are found (Saving::EarlyOut) while the maps change.
+inline constexpr std::string_view kBoundsWaitForMaps =
+    "the maps are drawn anew: finding bounds would take longer than it spares";
+
 }  // namespace si

@@ -84,8 +84,7 @@ std::string why_no_bounds(const FrameState& f) {
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "how far the kernel reaches differs over a warped map";
     // Finding them takes a fifth to a third of a frame in which PCSS or 64 taps look up a map of 2048 texels a side.
-    if (f.request.force || !f.plan.holds(Result::ShadowMaps))
-        return "the maps are drawn anew: finding bounds would take longer than it spares";
+    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kBoundsWaitForMaps);
     return {};
 }
 
