@@ -7,6 +7,7 @@
 #include "app/context/headless_context.h"
 #include "app/report/report.h"
 #include "app/sweep/progress_line.h"
+#include "renderer/base/index_of.h"
 #include "renderer/measure/pipelines.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/param.h"
@@ -46,8 +47,8 @@ Json spread_json(const PrecisionSpread& s) {
 Json errors_json(const std::vector<PipelineError>& errors) {
     Json out = Json::array();
     for (const PipelineError& e : errors)
-        out.push_back({{"map.origin", word_of("map.origin", int(e.origin))},
-                       {"map.transform", word_of("map.transform", int(e.transform))},
+        out.push_back({{"map.origin", word_of("map.origin", index_of(e.origin))},
+                       {"map.transform", word_of("map.transform", index_of(e.transform))},
                        {"pixels", e.pixels},
                        {"texels", spread_json(e.texels)},
                        {"ulp", spread_json(e.ulps)},
@@ -58,8 +59,8 @@ Json errors_json(const std::vector<PipelineError>& errors) {
 void print_errors(const std::vector<PipelineError>& errors, const std::string& before) {
     for (const PipelineError& e : errors)
         fmt::print("{}{:<10} {:<10} {:>10.3g} {:>10.3g} {:>10.3g}   {:>9.3g} {:>9.3g} {:>9.3g}   {:>7}\n", before,
-                   word_of("map.origin", int(e.origin)), word_of("map.transform", int(e.transform)), e.texels.median,
-                   e.texels.p99, e.texels.worst, e.ulps.median, e.ulps.p99, e.ulps.worst, e.flips);
+                   word_of("map.origin", index_of(e.origin)), word_of("map.transform", index_of(e.transform)),
+                   e.texels.median, e.texels.p99, e.texels.worst, e.ulps.median, e.ulps.p99, e.ulps.worst, e.flips);
 }
 
 void print_head(const std::string& before) {

@@ -49,12 +49,13 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
         fmt::print(": visibility {:.4g}\n  {}\n", p.visibility, p.verdict);
         return;
     }
-    const char* const than = s.map.reversed_z ? (s.map.compare == int(Compare::Less) ? ">" : ">=")
-                                              : (s.map.compare == int(Compare::Less) ? "<" : "<=");
+    const char* const than = s.map.reversed_z ? (s.map.compare == Compare::Less ? ">" : ">=")
+                                              : (s.map.compare == Compare::Less ? "<" : "<=");
     fmt::print(", {}\n", p.view.empty() ? "its only map" : p.view);
     fmt::print("  1 light clip space   ({:.6g}, {:.6g}, {:.6g}, w {:.6g})\n", p.clip.x, p.clip.y, p.clip.z, p.clip.w);
     fmt::print("  2 divided by w       ({:.6g}, {:.6g}, {:.6g})\n", p.ndc.x, p.ndc.y, p.ndc.z);
-    fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", p.uvd.x, p.uvd.y, p.uvd.z, p.where);
+    fmt::print("  3 in [0,1]           u {:.6g}  v {:.6g}  depth {:.8g}   ({})\n", p.uvd.x, p.uvd.y, p.uvd.z,
+               place_name(p.place));
     fmt::print("  4 own depth          {:.8g}   = {:.6g} m from the light along its axis\n", p.own, p.own_m);
     fmt::print("  5 N·L                {:.6g}\n", p.n_dot_l);
     fmt::print("  6 bias               {:.6g} of depth = {:.4g} texels = {:.4g} m; normal offset {:.4g} m\n",
@@ -64,8 +65,8 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
                p.texel.x, p.texel.y, p.texel_m);
     const bool lit =
         s.map.reversed_z
-            ? (s.map.compare == int(Compare::Less) ? p.compared_nearest > p.stored : p.compared_nearest >= p.stored)
-            : (s.map.compare == int(Compare::Less) ? p.compared_nearest < p.stored : p.compared_nearest <= p.stored);
+            ? (s.map.compare == Compare::Less ? p.compared_nearest > p.stored : p.compared_nearest >= p.stored)
+            : (s.map.compare == Compare::Less ? p.compared_nearest < p.stored : p.compared_nearest <= p.stored);
     fmt::print("  9 nearest texel      {:.8g} {} {:.8g} is {}\n", p.compared_nearest, than, p.stored,
                lit ? "true: lit" : "false: in shadow");
     fmt::print(" 10 kernel             visibility {:.4g}\n", p.visibility);

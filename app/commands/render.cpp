@@ -54,7 +54,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
                      const Settings* preset, FrameResult& frame) {
     ReferenceCache references;
     Settings settings = session.settings;
-    settings.view.panes = int(Panes::One);
+    settings.view.panes = Panes::One;
     request.outputs.true_colour = preset == nullptr;
     frame = render_with_reference(renderer, session.scene, settings, request, references, tracing_workers());
     const ByteImage a = renderer.read_colour(frame.colour);
@@ -106,7 +106,9 @@ void run_render(const RenderOptions& options) {
     Session session = open_session(options.session);
     // Asked for by name, the plain picture is plain; else the settings decide on overlays, panes and slabs.
     if (options.view_given && view.key == "shaded") {
-        session.settings.view.overlay = session.settings.view.panes = session.settings.view.slabs = 0;
+        session.settings.view.overlay = 0;
+        session.settings.view.panes = Panes::One;
+        session.settings.view.slabs = Slabs::None;
     }
     if (view.overlay > 0) session.settings.view.overlay = view.overlay;
 

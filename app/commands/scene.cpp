@@ -49,14 +49,13 @@ Json textures_json(const Scene& scene) {
 Json lights_json(const Scene& scene) {
     Json list = Json::array();
     for (const SceneLight& l : scene.lights) {
-        Json json = {{"name", l.name}, {"type", kLights[std::size_t(std::clamp(l.type, 0, 2))]}};
+        Json json = {{"name", l.name}, {"type", kLights[std::size_t(l.type)]}};
         json["position"] = vector_json(glm::dvec3(l.world[3]));
-        if (l.type != int(LightType::Point))
-            json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
-        if (l.type == int(LightType::Spot)) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
+        if (l.type != LightType::Point) json["shines_along"] = vector_json(-glm::normalize(glm::dvec3(l.world[2])));
+        if (l.type == LightType::Spot) json["cone_deg"] = 2 * l.outer_cone_rad * 180 / std::numbers::pi;
         json["colour"] = vector_json(l.colour);
         json["intensity"] = l.intensity;
-        if (l.type != int(LightType::Directional)) json["range"] = l.range > 0 ? Json(l.range) : Json();
+        if (l.type != LightType::Directional) json["range"] = l.range > 0 ? Json(l.range) : Json();
         list.push_back(std::move(json));
     }
     return list;

@@ -27,7 +27,7 @@ using Json = nlohmann::ordered_json;
 
 Json bias_json(const BiasSettings& b) {
     static constexpr const char* kUnits[] = {"depth", "texels", "metres"};
-    return {{"unit", kUnits[b.unit]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};
+    return {{"unit", kUnits[std::size_t(b.unit)]}, {"constant", b.constant}, {"slope", b.slope}, {"normal", b.normal}};
 }
 
 Json trial_json(const BiasTrial& t) {

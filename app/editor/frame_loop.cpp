@@ -127,7 +127,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.light_maps = reference_.light_maps();
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
-    if (state.against.view != ComparisonView::Off) settings.view.panes = int(Panes::One);
+    if (state.against.view != ComparisonView::Off) settings.view.panes = Panes::One;
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.forced == request_.forced &&
@@ -177,7 +177,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
 bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& actions) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
-    if (view.slabs != int(Slabs::None) || state.against.view != ComparisonView::Off || state.pinned) return false;
+    if (view.slabs != Slabs::None || state.against.view != ComparisonView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
     request.timing = false;
@@ -252,7 +252,7 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
 
 void FrameLoop::save_map(const Scene& scene, const Settings& settings, const std::string& path) {
     require_writable(path);
-    const bool camera = settings.view.map_source == int(MapSource::Camera);
+    const bool camera = settings.view.map_source == MapSource::Camera;
     const View view = find_view(camera ? "camera-depth" : "shadow-map");
     check_view_file(view, path);
     FrameRequest request = request_;

@@ -72,7 +72,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
         return;
     }
     Settings settings = other_settings(state.settings, comparison->settings);
-    settings.view.panes = int(Panes::One);
+    settings.view.panes = Panes::One;
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_reference_ == request.reference &&
                       other_traced_ == request.traced && other_light_maps_ == request.light_maps &&

@@ -15,12 +15,12 @@ constexpr int kHistogramBins = 200;
 /// The range of the histogram: all that can be stored, or, when the greys are fitted, what they span with some room.
 DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, const FrameResult& result) {
     double lo = 0, hi = 1;
-    if (v.map_fit && v.map != int(MapView::Bands) && result.map_white > result.map_black) {
+    if (v.map_fit && v.map != MapView::Bands && result.map_white > result.map_black) {
         const double room = 0.08 * (result.map_white - result.map_black);
         lo = result.map_black - room;
         hi = result.map_white + room;
     }
-    return depth_histogram(depth, result.map_view_curve, MapView(v.map), kHistogramBins, lo, hi);
+    return depth_histogram(depth, result.map_view_curve, v.map, kHistogramBins, lo, hi);
 }
 
 /// What the texels that a given camera reads depend on.

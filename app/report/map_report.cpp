@@ -16,7 +16,7 @@ Json histogram_json(const DepthHistogram& h) {
 }  // namespace
 
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request) {
-    settings.view.map_source = static_cast<int>(MapSource::Light);
+    settings.view.map_source = MapSource::Light;
     settings.view.map_channel = 0;
     request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true, .texels_read = true};
     request.timing = request.force = false;

@@ -88,7 +88,7 @@ Json per_light_json(const Probe::PerLight& p) {
                  {"texel_m", p.texel_m},
                  {"compared", p.compared},
                  {"visibility", p.visibility},
-                 {"where", p.where},
+                 {"where", place_name(p.place)},
                  {"verdict", p.verdict}};
     if (!p.casts) return json;
     json["bias"] = account_json(p.account);

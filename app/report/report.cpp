@@ -64,7 +64,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     for (const LostCaster& lost : lost_casters(session.scene, session.settings, light)) {
         const Object& object = session.scene.objects[std::size_t(lost.object)];
         json["lost_casters"].push_back({{"object", session.scene.nodes[std::size_t(object.node)].path},
-                                        {"culled", lost.cull == int(Cull::Front) ? "front" : "back"},
+                                        {"culled", lost.cull == Cull::Front ? "front" : "back"},
                                         {"triangles", lost.triangles}});
     }
     if (light.views.empty()) return json;

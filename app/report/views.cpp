@@ -33,7 +33,7 @@ void require_map(const Settings& settings, const FrameResult& frame) {
 void write_depth(Renderer& renderer, const Settings& settings, const FrameResult& frame, const std::string& path) {
     if (lower_extension(path) == ".png") return write_png(path, renderer.read_colour(frame.map_view));
     FloatImage depth = renderer.read_map_view_depth(frame);
-    if (frame.shown_map.channel == 0 && settings.view.map == static_cast<int>(MapView::Linear)) {
+    if (frame.shown_map.channel == 0 && settings.view.map == MapView::Linear) {
         for (std::size_t i = 0; i < depth.data.size(); ++i) {
             const double row = row_of_image(depth, int(i / std::size_t(depth.width)));
             depth.data[i] = float(frame.map_view_curve.at_row(row).distance(depth.data[i]));
@@ -124,10 +124,9 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     const bool floats = lower_extension(path) == ".pfm";
     if (view.overlay > 0) settings.view.overlay = view.overlay;
     // Only the picture itself has panes: whatever is asked for by another name is one picture.
-    if (view.key != "shaded") settings.view.panes = static_cast<int>(Panes::One);
+    if (view.key != "shaded") settings.view.panes = Panes::One;
     const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
-    if (depth)
-        settings.view.map_source = static_cast<int>(view.key == "camera-depth" ? MapSource::Camera : MapSource::Light);
+    if (depth) settings.view.map_source = view.key == "camera-depth" ? MapSource::Camera : MapSource::Light;
     request.outputs = {.colour = false};
     if (view.key == "visibility") {
         request.outputs.visibility = true;

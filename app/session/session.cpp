@@ -104,7 +104,7 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     for (const HiddenObject& h : scene.hidden) hidden.insert(scene.nodes[std::size_t(h.object.node)].path);
     hide_objects(scene, {});  // the ground is the last of all
     std::string remark;
-    const bool grounded = settings.ground == int(Ground::Auto) && !scene.file_scenes.empty();
+    const bool grounded = settings.ground == Ground::Auto && !scene.file_scenes.empty();
     if (!grounded) remove_ground(scene);
     if (!scene.rig || scene.rig->animations.empty()) {
         if (settings.animation != SceneSettings{}.animation || settings.time != SceneSettings{}.time ||
@@ -173,7 +173,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
     check_objects(scene, out.settings, {}, left_out);
     check_camera(scene, out.settings.camera, left_out);
     out.notes = sanitise(out.settings);
-    const auto by_hand = [](const Settings& settings) { return settings.camera.source == int(CameraSource::Manual); };
+    const auto by_hand = [](const Settings& settings) { return settings.camera.source == CameraSource::Manual; };
     if (another && by_hand(plan.preset->settings) && by_hand(out.settings))
         out.notes.push_back(
             fmt::format("{} was saved with the scene {}, where its camera stood: camera.source=auto shows all of {}",

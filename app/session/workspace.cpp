@@ -15,6 +15,7 @@
 #include "app/base/json_text.h"
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "renderer/base/index_of.h"
 
 namespace si {
 namespace {
@@ -58,7 +59,7 @@ WorkspaceData from_json(const Json& json) {
     take(layout, "map_height", d.layout.map_height, 0.05, 0.95);
     take(layout, "map_inset", d.layout.map_inset, 4, 400);
     int place = int(d.layout.map_place);
-    take(layout, "map_place", place, 0, int(MapSpot::Hidden));
+    take(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
     d.layout.map_place = MapSpot(place);
     d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
     d.layout.desktop_dialogs = layout.value("desktop_dialogs", Json()) != Json(false);

@@ -99,7 +99,7 @@ void cascade_overlap(const Settings& s, const AdviceFacts& f, const Offer& offer
 void measured_depths(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || !fit_reads_depths(s, f.light)) return;
     Settings boxes = s;
-    shown(boxes, f).depth_bounds = int(DepthBounds::Boxes);
+    shown(boxes, f).depth_bounds = DepthBounds::Boxes;
     offer("the depths that cascades go by are measured in every frame: the boxes of what is seen say nearly the same",
           std::move(boxes), f.light);
 }
@@ -109,10 +109,10 @@ void unread_texels(const Settings& s, const AdviceFacts& f, const Offer& offer) 
     if ((f.fitted()->type == LightType::Directional) == f.fitted()->is_perspective()) return;
     const double halvings = std::floor(std::log2(std::sqrt(1 / f.read_share)) + 1e-9);
     Settings tight = s;
-    shown(tight, f).fit = int(LightFit::View);
+    shown(tight, f).fit = LightFit::View;
     tight.map.resolution = std::max(64, int(f.map_resolution / std::exp2(halvings)));
     const std::string read = fmt::format("{:.2g} % of the map's texels are read", 100 * f.read_share);
-    if (shown(s, f).fit == int(LightFit::View)) return;
+    if (shown(s, f).fit == LightFit::View) return;
     offer(fmt::format("{}: a tighter fit gives the same sharpness at {}² instead of {}²", read, tight.map.resolution,
                       f.map_resolution),
           tight, f.light);
@@ -176,7 +176,7 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         Settings least = s;
         least.bias = least_bias_of(f.needs, family);
         const double now = amount_of(s.bias, family), need = amount_of(least.bias, family);
-        const bool in_use = family == family_in_use(s.bias) && s.bias.unit == int(BiasUnit::Texels);
+        const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
         if (!(need < most_of(family))) continue;  // none that there is clears them
         if (acne > 0)
             offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_word(family),
@@ -199,12 +199,12 @@ void polygon_offset(const Settings& s, const AdviceFacts& f, const Offer& offer)
 }
 
 void sixteen_bits(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || f.fitted()->is_perspective() || s.map.format == int(MapFormat::D16)) return;
+    if (!has_map(f) || f.fitted()->is_perspective() || s.map.format == MapFormat::D16) return;
     const MapLimits& limits = f.fitted()->limits;
     const double step_m = limits.depth_m / 65535;
     if (!(step_m > 0) || step_m > 0.1 * limits.texel_m) return;
     Settings coarse = s;
-    coarse.map.format = int(MapFormat::D16);
+    coarse.map.format = MapFormat::D16;
     offer(fmt::format("{} of depth in 16 bits are steps of {}, 1/{:.0f} of a texel: no more is needed",
                       metres_text(limits.depth_m), metres_text(step_m), limits.texel_m / step_m),
           std::move(coarse), f.light);
@@ -227,7 +227,7 @@ void whole_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     Settings whole = s;
     whole.map.paged = false;
     whole.map.resolution = n;
-    shown(whole, f).fit = int(LightFit::View);
+    shown(whole, f).fit = LightFit::View;
     offer(fmt::format("the pages that are read hold {}: one map of {}² holds as many",
                       texels_text(double(f.paged_texels)), n),
           std::move(whole), f.light);
@@ -249,9 +249,9 @@ void map_samples(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 }
 
 void gathers(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || s.filter.method == int(FilterMethod::Automatic) || cost_of(s).gathers == 0) return;
+    if (!has_map(f) || s.filter.method == FilterMethod::Automatic || cost_of(s).gathers == 0) return;
     Settings automatic = s;
-    automatic.filter.method = int(FilterMethod::Automatic);
+    automatic.filter.method = FilterMethod::Automatic;
     offer(fmt::format("{} by {} texture calls a pixel; gathers give the same picture by {}", kernel_label(s),
                       cost_of(s).sampler_taps, cost_of(automatic).gathers),
           std::move(automatic), f.light);

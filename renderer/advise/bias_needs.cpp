@@ -36,11 +36,11 @@ double share_of(std::vector<double> values, double share) {
 
 BiasSettings in_texels(double constant, double slope, double normal) {
     BiasSettings b;
-    b.unit = int(BiasUnit::Texels);
+    b.unit = BiasUnit::Texels;
     b.constant = constant;
     b.slope = slope;
     b.normal = normal;
-    b.normal_source = int(NormalSource::Geometric);
+    b.normal_source = NormalSource::Geometric;
     return b;
 }
 

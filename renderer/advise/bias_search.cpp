@@ -142,7 +142,7 @@ std::string bias_text(const BiasSettings& b) {
     add("bias.slope", b.slope);
     add("bias.constant", b.constant);
     if (text.empty()) return "no bias";
-    return text + (b.unit == int(BiasUnit::Texels) ? " texels" : b.unit == int(BiasUnit::Metres) ? " m" : "");
+    return text + (b.unit == BiasUnit::Texels ? " texels" : b.unit == BiasUnit::Metres ? " m" : "");
 }
 
 }  // namespace si

@@ -66,8 +66,8 @@ std::string in_a_sentence(std::string_view label) {
 }
 
 void cast_from_both_sides(Settings& s) {
-    s.caster.cull = int(Cull::None);
-    for (auto& [path, object] : s.objects) object.cull = int(ObjectCull::Inherit);
+    s.caster.cull = Cull::None;
+    for (auto& [path, object] : s.objects) object.cull = ObjectCull::Inherit;
 }
 
 /// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
@@ -76,14 +76,15 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
     const auto light = std::size_t(f.light);
     const FittedLight& fitted = f.lights[light];
     const bool sun = fitted.type == LightType::Directional;
-    const bool by_hand = base.lights[light].fit == int(LightFit::Manual);
+    const bool by_hand = base.lights[light].fit == LightFit::Manual;
     // Fits are asked for maps whose rays are the light's own.
     const bool narrows = fitted.views.size() == 1 && sun != fitted.is_perspective();
     for (std::size_t i = 0; i < fits().size(); ++i) {
         const FitRow& row = fits()[i];
-        if (int(i) == int(LightFit::Manual) || int(i) == base.lights[light].fit) continue;
+        const auto fit = static_cast<LightFit>(i);
+        if (fit == LightFit::Manual || fit == base.lights[light].fit) continue;
         if (row.narrows ? !narrows : !narrows && !by_hand) continue;
-        idea(fmt::format("fit: {}", row.label), [&](Settings& s) { s.lights[light].fit = int(i); });
+        idea(fmt::format("fit: {}", row.label), [&](Settings& s) { s.lights[light].fit = fit; });
     }
     if (!narrows && fitted.views.size() == 1)
         idea(
@@ -91,8 +92,7 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
     if (fitted.chooser.choice == ViewChoice::Face)
         idea(
             "tighter fit", [](Settings&) {}, "six faces hold all directions");
-    idea("the light's own projection",
-         [&](Settings& s) { s.lights[light].projection = int(LightProjection::Automatic); });
+    idea("the light's own projection", [&](Settings& s) { s.lights[light].projection = LightProjection::Automatic; });
     if (!sun || by_hand || fitted.is_perspective()) return;
     for (int n = 2; n <= kMaxCascades; n *= 2)
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });

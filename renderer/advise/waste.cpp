@@ -113,10 +113,10 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
         maps_without("several samples a texel", [](Settings& s) { s.map.samples = 1; });
     }
     if (casts_with(scene, settings, AlphaMode::Blend))
-        maps_without("shadows of blended casters", [](Settings& s) { s.caster.blend = int(BlendCasters::None); });
-    without("sky and its ambient light", [](Settings& s) { s.shading.sky = int(SkyLook::Plain); });
+        maps_without("shadows of blended casters", [](Settings& s) { s.caster.blend = BlendCasters::None; });
+    without("sky and its ambient light", [](Settings& s) { s.shading.sky = SkyLook::Plain; });
     without("tone curve", [](Settings& s) {
-        s.shading.curve = int(ToneCurve::Plain);
+        s.shading.curve = ToneCurve::Plain;
         s.shading.exposure = 0;
     });
     return out;
@@ -167,7 +167,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
     };
     if (std::ranges::any_of(shown.passes, has_slabs)) {
         Trial& trial = out.emplace_back("stored-depth quads", settings);
-        trial.settings.view.slabs = int(Slabs::None);
+        trial.settings.view.slabs = Slabs::None;
         trial.by = ComparedBy::Shown;
     }
     return out;
@@ -254,7 +254,7 @@ private:
         };
         add(setting_trials(scene_, measured_, whole));
         add(scene_trials(scene_, measured_, whole));
-        const bool shows = settings_.view.slabs != int(Slabs::None) ||
+        const bool shows = settings_.view.slabs != Slabs::None ||
                            std::ranges::any_of(pane_overlays(settings_.view), [](int n) { return n > 0; });
         if (shows) {
             const FrameResult shown = draw(scene_, settings_, request_);

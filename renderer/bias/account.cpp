@@ -55,7 +55,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .z = r.tap_m,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
                 .per_texel = a.plane.gradient / double(resolution),
-                .quantum = depth_quantum(MapFormat(settings.map.format), view.curve, r.uvd.z)};
+                .quantum = depth_quantum(settings.map.format, view.curve, r.uvd.z)};
     const double kappa = reach_under(settings, light, resolution).bias;
     const double extent = extent_m(light, r, resolution, p);
     a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,

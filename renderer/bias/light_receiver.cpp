@@ -7,6 +7,25 @@
 
 namespace si {
 
+std::string_view place_name(std::optional<MapPlace> place) {
+    if (!place) return "no map";
+    switch (*place) {
+        case MapPlace::Inside:
+            return "inside";
+        case MapPlace::BeforeNear:
+            return "before near";
+        case MapPlace::Sides:
+            return "sides";
+        case MapPlace::BeyondFar:
+            return "beyond far";
+        case MapPlace::Behind:
+            return "behind";
+        case MapPlace::OutsideCasterRegion:
+            return "beyond shadows";
+    }
+    return "";
+}
+
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
                              const glm::dvec3& bias_normal) {

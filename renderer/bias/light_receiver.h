@@ -2,6 +2,8 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
+#include <string_view>
 
 #include "renderer/settings/settings.h"
 #include "renderer/view/lights/light.h"
@@ -14,8 +16,18 @@ inline bool faces_light(double n_dot_l) {
     return n_dot_l > double(shared::FACES_AWAY_COSINE);
 }
 
-/// OutsideCasterRegion: where nothing can cast one, as the light's fit has found.
-enum class MapPlace { Inside, BeforeNear, Sides, BeyondFar, Behind, OutsideCasterRegion };
+/// Place of a surface point relative to a light's map.
+enum class MapPlace {
+    Inside,
+    BeforeNear,           ///< nearer to the light than the near plane
+    Sides,                ///< outside of the map's square
+    BeyondFar,            ///< farther from the light than the far plane
+    Behind,               ///< behind the light
+    OutsideCasterRegion,  ///< outside the caster region: the light's fit has found that nothing can cast a shadow there
+};
+
+/// Returns the place as the probe prints it; "no map" for a light without one.
+std::string_view place_name(std::optional<MapPlace> place);
 
 struct LightReceiver {
     std::size_t view = 0;        ///< of the light's

@@ -42,7 +42,7 @@ double depth_quantum(MapFormat format, double depth) {
 }
 
 double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
-    if (!holds_distances(int(format))) return depth_quantum(format, depth);
+    if (!holds_distances(format)) return depth_quantum(format, depth);
     const MapFormat kept = format == MapFormat::Linear16 ? MapFormat::D16 : MapFormat::D32F;
     if (!curve.perspective) return depth_quantum(kept, depth);
     const double z = curve.distance(depth), range = curve.far - curve.near;

@@ -20,9 +20,9 @@ namespace {
 
 /// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
 void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
-    const GLint wrap = map.wrap == int(MapWrap::Border)   ? GL_CLAMP_TO_BORDER
-                       : map.wrap == int(MapWrap::Repeat) ? GL_REPEAT
-                                                          : GL_CLAMP_TO_EDGE;
+    const GLint wrap = map.wrap == MapWrap::Border   ? GL_CLAMP_TO_BORDER
+                       : map.wrap == MapWrap::Repeat ? GL_REPEAT
+                                                     : GL_CLAMP_TO_EDGE;
     const glm::vec4 colour(border);
     glSamplerParameteri(sampler, GL_TEXTURE_WRAP_S, wrap);
     glSamplerParameteri(sampler, GL_TEXTURE_WRAP_T, wrap);
@@ -33,17 +33,17 @@ void set_samplers(const FrameState& f) {
     const MapSettings& m = f.settings.map;
     const bool bilinear = is_bilinear(filter_of(f.settings), f.settings);
     const float far_depth = m.reversed_z ? 0.f : 1.f;
-    const float border = m.outside == int(Outside::Lit) ? far_depth : 1.f - far_depth;
+    const float border = m.outside == Outside::Lit ? far_depth : 1.f - far_depth;
     for (const GLuint sampler : {f.gl.map_nearest.id(), f.gl.map_compare.id()}) {
         set_map_wrap(sampler, m, border);
         const bool compare = sampler == f.gl.map_compare.id();
         glSamplerParameteri(sampler, GL_TEXTURE_MIN_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
         glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
     }
-    const bool less = m.compare == int(Compare::Less);
+    const bool less = m.compare == Compare::Less;
     // The border's moments are the kernel's: lib/moments.glsl blends them in.
     MapSettings held = m;
-    if (m.wrap == int(MapWrap::Border)) held.wrap = int(MapWrap::Clamp);
+    if (m.wrap == MapWrap::Border) held.wrap = MapWrap::Clamp;
     const GLuint blended = f.gl.map_blended.id();
     set_map_wrap(blended, held, 0);
     glSamplerParameteri(blended, GL_TEXTURE_MIN_FILTER, f.settings.filter.mips ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);

@@ -14,10 +14,10 @@ std::optional<PaneGrid::Place> PaneGrid::at(glm::ivec2 pixel) const {
     return std::nullopt;
 }
 
-PaneGrid pane_grid(int panes, int width, int height, int gap) {
+PaneGrid pane_grid(Panes panes, int width, int height, int gap) {
     PaneGrid grid;
-    grid.columns = panes == int(Panes::One) ? 1 : 2;
-    grid.rows = panes == int(Panes::Four) ? 2 : 1;
+    grid.columns = panes == Panes::One ? 1 : 2;
+    grid.rows = panes == Panes::Four ? 2 : 1;
     grid.gap = gap;
     grid.width = std::max(1, (width - gap * (grid.columns - 1)) / grid.columns);
     grid.height = std::max(1, (height - gap * (grid.rows - 1)) / grid.rows);

@@ -4,6 +4,8 @@
 #include <glm/glm.hpp>
 #include <optional>
 
+#include "renderer/settings/settings.h"
+
 namespace si {
 
 /// Where each pane lies in a picture of several; the panes are of one size, with a gap between them. Pixels, row 0 at
@@ -23,6 +25,6 @@ struct PaneGrid {
 };
 
 /// The grid of view.panes (a Panes value) in a picture of `width` x `height`. A pane is at least one pixel large.
-PaneGrid pane_grid(int panes, int width, int height, int gap = 0);
+PaneGrid pane_grid(Panes panes, int width, int height, int gap = 0);
 
 }  // namespace si

@@ -269,7 +269,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
 
 void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     Key key;
-    const bool blend_casts = settings.caster.blend == int(BlendCasters::Mask);
+    const bool blend_casts = settings.caster.blend == BlendCasters::Mask;
     key.add(scene.id).add(settings.shading.textures).add(blend_casts);
     for (const auto& [path, o] : settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
     if (key.value() == arrangement_.value()) return;
@@ -280,7 +280,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         bool blend, masked;
         int size;
         GLuint texture, finest_texture, normal_texture;
-        int mesh, cull;
+        int mesh;
+        ObjectCull cull;
         bool cast, mirrored;
         /// What instances of one batch have in common.
         auto batch() const {

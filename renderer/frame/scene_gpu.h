@@ -28,9 +28,9 @@ struct Batch {
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
-    bool closed = false;      ///< see check_watertight()
-    bool ground = false;      ///< Object::ground
-    int cull = 0;             ///< ObjectCull
+    bool closed = false;  ///< see check_watertight()
+    bool ground = false;  ///< Object::ground
+    ObjectCull cull = ObjectCull::Inherit;
     glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
     std::uint64_t triangles() const { return std::uint64_t(index_count) / 3 * std::uint64_t(instances); }
 };

@@ -54,7 +54,7 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
 }
 
 GLenum FrameState::map_format() const {
-    return map_internal_format(MapFormat(settings.map.format));
+    return map_internal_format(settings.map.format);
 }
 
 bool FrameState::shades_by(std::size_t light) const {
@@ -160,6 +160,37 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
         info.triangles += batch.triangles();
         previous = &batch;
     }
+}
+
+bool FrameState::blurs_depths() const {
+    return settings.map.blur_texels > 0 && view_count > 0;
+}
+
+bool FrameState::has_contacts(std::size_t light) const {
+    return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
+}
+
+ResultRef FrameState::picture_of(const ShownPane& pane) const {
+    if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
+    return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
+}
+
+ResultRef FrameState::values_of(const ShownPane& pane) const {
+    return ResultRef{Result::Overlay, pane.slot};
+}
+
+const DepthCurve* FrameState::shown_curve() const {
+    if (settings.view.map_source == MapSource::Camera) return &camera.curve;
+    const LightView* view = shown_view();
+    return view ? &view->curve : nullptr;
+}
+
+int FrameState::shown_mip() const {
+    return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
+}
+
+bool FrameState::fits_greys() const {
+    return settings.view.map_fit && settings.view.map != MapView::Bands && shown_curve();
 }
 
 }  // namespace si

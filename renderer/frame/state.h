@@ -12,7 +12,6 @@
 #include "renderer/base/key.h"
 #include "renderer/frame/driver_info.h"
 #include "renderer/frame/frame.h"
-#include "renderer/frame/owned.h"
 #include "renderer/frame/plan.h"
 #include "renderer/frame/scene_gpu.h"
 #include "renderer/frame/value_range.h"
@@ -45,14 +44,19 @@ struct Blocks {
     TexelBuffer disk{"places of disks"};  ///< of kernels that sample a circle
 };
 
-/// What outlives a frame and is nobody's own: programs, blocks, samplers, the scene, fitted lights.
+struct SceneFindings;
+struct CasterFindings;
+
+/// What outlives a frame and is no pass's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
     gl::ProgramCache programs;
     Blocks blocks;
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
-    Owned owned;  ///< what single passes keep
+    gl::Target camera_depth;               ///< of the picture's size; its key is of the surfaces that are in it
+    std::shared_ptr<SceneFindings> found;             ///< see optimisations/scene_findings.h
+    std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
     std::vector<FittedLight> as_placed;  ///< fitted without a camera
     std::uint64_t as_placed_key = 0;
@@ -131,9 +135,8 @@ struct FrameState {
     const DepthCurve* shown_curve() const;
     /// The mip level of the moment that the map viewer shows.
     int shown_mip() const;
-    /// Whether the map viewer's greys follow what is drawn (view.map_fit), and which greys it uses.
+    /// Whether the map viewer's greys follow what is drawn (view.map_fit).
     bool fits_greys() const;
-    glm::vec2 grey_range() const;
     /// Of the surfaces that the camera sees, in the size of the picture.
     Key surfaces_key() const;
     /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
@@ -145,8 +148,6 @@ struct FrameState {
     /// The results that are a pane's finished picture and its overlay's values.
     ResultRef picture_of(const ShownPane& pane) const;
     ResultRef values_of(const ShownPane& pane) const;
-    /// The colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
-    ValueRange range_of(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.

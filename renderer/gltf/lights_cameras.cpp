@@ -55,11 +55,11 @@ bool read_type(const Json& json, SceneLight& light) {
     const Json* type = member(json, "type");
     if (!type || !type->is_string()) return false;
     if (*type == "directional")
-        light.type = static_cast<int>(LightType::Directional);
+        light.type = LightType::Directional;
     else if (*type == "spot")
-        light.type = static_cast<int>(LightType::Spot);
+        light.type = LightType::Spot;
     else if (*type == "point")
-        light.type = static_cast<int>(LightType::Point);
+        light.type = LightType::Point;
     else
         return false;
     return true;
@@ -114,11 +114,11 @@ void place_light(Context& context, const Json& root, const Json& node, const Pla
     if (!range) context.warn(place, "the light's range is invalid; it is unlimited");
     light.range = range.value_or(0);
     if (!read_colour(*json, light)) context.warn(place, "the light's color is invalid; white is used");
-    if (light.type == static_cast<int>(LightType::Spot) && !read_cone(*json, light)) {
+    if (light.type == LightType::Spot && !read_cone(*json, light)) {
         context.warn(place, "the light's cone is invalid; 45 degrees are used");
         light.inner_cone_rad = 0;
     }
-    if (light.type != static_cast<int>(LightType::Point) && !(glm::length(glm::dvec3(world[2])) > 0)) {
+    if (light.type != LightType::Point && !(glm::length(glm::dvec3(world[2])) > 0)) {
         context.warn(place, "the light's node is scaled to 0, it has no direction; ignored");
         return;
     }

@@ -279,11 +279,12 @@ void Writer::add_lights() {
     for (const SceneLight& l : scene_.lights) {
         Json light = Json::object();
         if (!l.name.empty()) light["name"] = l.name;
-        light["type"] = kTypes[std::clamp(l.type, 0, 2)];
+        light["type"] = kTypes[std::size_t(l.type)];
         light["color"] = {l.colour.r, l.colour.g, l.colour.b};
         light["intensity"] = l.intensity;
         if (l.range > 0) light["range"] = l.range;
-        if (l.type == 1) light["spot"] = {{"innerConeAngle", l.inner_cone_rad}, {"outerConeAngle", l.outer_cone_rad}};
+        if (l.type == LightType::Spot)
+            light["spot"] = {{"innerConeAngle", l.inner_cone_rad}, {"outerConeAngle", l.outer_cone_rad}};
         Json node = {{"name", l.name.empty() ? "Light" : l.name}};
         node["extensions"]["KHR_lights_punctual"]["light"] = lights.size();
         set_matrix(node, l.world);

@@ -11,24 +11,6 @@
 namespace si {
 namespace {
 
-std::string_view place_name(MapPlace place) {
-    switch (place) {
-        case MapPlace::Inside:
-            return "inside";
-        case MapPlace::BeforeNear:
-            return "before near";
-        case MapPlace::Sides:
-            return "sides";
-        case MapPlace::BeyondFar:
-            return "beyond far";
-        case MapPlace::Behind:
-            return "behind";
-        case MapPlace::OutsideCasterRegion:
-            return "beyond shadows";
-    }
-    return "";
-}
-
 /// Why no light comes to a place, whatever stands between; empty when some does.
 std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
     if (light.type == LightType::Directional) return {};
@@ -46,9 +28,10 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     if (!faces_light(p.n_dot_l))
         return fmt::format("no shadow test: the surface faces away (N·L = {}{:.2f})", p.n_dot_l <= -0.005 ? "−" : "",
                            std::abs(p.n_dot_l));
-    if (p.where == "behind") return "outside the map: behind the light";
-    if (p.where == "beyond shadows") return "lit: where light.fit has found that nothing can cast a shadow";
-    if (p.where == "beyond far" && settings.map.far_guard)
+    if (p.place == MapPlace::Behind) return "outside the map: behind the light";
+    if (p.place == MapPlace::OutsideCasterRegion)
+        return "lit: where light.fit has found that nothing can cast a shadow";
+    if (p.place == MapPlace::BeyondFar && settings.map.far_guard)
         return fmt::format("{}: beyond the light's far plane, the far-plane test decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
@@ -70,9 +53,9 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
 class StoredDepths {
 public:
     StoredDepths(const FloatImage& map, const Settings& settings, int resolution, const DepthCurve& curve)
-        : map_(map), wrap_(MapWrap(settings.map.wrap)), n_(resolution) {
+        : map_(map), wrap_(settings.map.wrap), n_(resolution) {
         const double far_depth = curve.convention.far_depth();
-        border_ = settings.map.outside == int(Outside::Lit) ? far_depth : 1 - far_depth;
+        border_ = settings.map.outside == Outside::Lit ? far_depth : 1 - far_depth;
     }
     double at(glm::ivec2 texel) const {
         if (wrap_ == MapWrap::Repeat) texel = ((texel % n_) + n_) % n_;
@@ -93,7 +76,7 @@ private:
 
 /// A depth as it is compared: with formats that hold nothing else, within [0,1] as samplers do.
 double as_compared(const Settings& s, double depth) {
-    const bool fixed = s.map.format == int(MapFormat::D16) || s.map.format == int(MapFormat::D24);
+    const bool fixed = s.map.format == MapFormat::D16 || s.map.format == MapFormat::D24;
     return fixed ? std::clamp(depth, 0.0, 1.0) : depth;
 }
 
@@ -101,7 +84,7 @@ bool passes(const Settings& s, double own, double stored) {
     // In single precision, as shaders compare; the map's depths are such numbers.
     const float a = float(own), b = float(stored);
     const bool nearer = s.map.reversed_z ? a > b : a < b;
-    return nearer || (s.map.compare == int(Compare::LessEqual) && a == b);
+    return nearer || (s.map.compare == Compare::LessEqual && a == b);
 }
 
 KernelTap::Meets met(const BiasBreakdown& account, const DepthConvention& convention, double stored, double plane) {
@@ -151,7 +134,6 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.kernel = pixel.kernel;
     const std::string dark = unreached(light, p.point.position_ws);
     if (!light.casts) {
-        p.where = "no map";
         p.verdict = dark.empty() ? (p.visibility < 0.5 ? "dark: " : "lit: ") + light.reason : dark;
         return p;
     }
@@ -184,9 +166,9 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
     p.compared_nearest = as_compared(settings, p.account.compared_depth_at((glm::dvec2(p.texel) + 0.5) / double(n)));
-    p.where = place_name(r.place);
+    p.place = r.place;
     const StoredDepths depths(map, settings, n, view.curve);
-    const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
+    const bool guarded = settings.map.wrap == MapWrap::Range && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored);
     p.stored_linear = linear(p.stored_m);

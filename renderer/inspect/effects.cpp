@@ -241,7 +241,7 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
         effect.saving = Optimisation::Fused;
-    const bool waits_for_maps = pass.reason.starts_with("the maps are drawn anew");
+    const bool waits_for_maps = pass.reason == kBoundsWaitForMaps;
     if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
         effect.saving = Optimisation::EarlyOut;
     out.push_back(std::move(effect));

@@ -204,10 +204,10 @@ void look_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     out.push_back(part_of(pass, "ground", ground,
                           ground ? "scene.ground is auto, and the file has no large level surface: a disc receives the "
                                    "shadows"
-                          : f.settings.scene.ground == int(Ground::Off)
+                          : f.settings.scene.ground == Ground::Off
                               ? "scene.ground is off"
                               : "the scene has what its shadows fall on, or is none of a file"));
-    const bool sky = s.sky == int(SkyLook::Gradient), filmic = s.curve == int(ToneCurve::Filmic);
+    const bool sky = s.sky == SkyLook::Gradient, filmic = s.curve == ToneCurve::Filmic;
     out.push_back(part_of(pass, "sky and its ambient light", sky,
                           sky ? "shading.sky is gradient: where nothing stands is sky, and what is turned up gets "
                                 "light from it, what is turned down from the ground"

@@ -40,25 +40,25 @@ bool all_culled(const Mesh& mesh, const glm::dvec4& light, Cull cull) {
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light) {
     std::vector<LostCaster> lost;
     if (!light.casts || light.views.empty()) return lost;
-    if (settings.caster.cull == int(Cull::None) && settings.objects.empty()) return lost;
+    if (settings.caster.cull == Cull::None && settings.objects.empty()) return lost;
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
         if (mesh.indices.empty() || object.ground) continue;
-        Cull cull = Cull(settings.caster.cull);
+        Cull cull = settings.caster.cull;
         if (!settings.objects.empty()) {
             const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
             if (own != settings.objects.end()) {
                 if (!own->second.cast) continue;
-                if (own->second.cull != int(ObjectCull::Inherit)) cull = Cull(own->second.cull - 1);
+                cull = cull_in_force(own->second.cull, cull);
             }
         }
         if (cull == Cull::None) continue;
         const bool blend = mesh.material >= 0 && scene.materials[std::size_t(mesh.material)].alpha == AlphaMode::Blend;
-        if (blend && settings.caster.blend != int(BlendCasters::Mask)) continue;
+        if (blend && settings.caster.blend != BlendCasters::Mask) continue;
         glm::dvec4 place;
         if (!light_in_object_space(light, object.world, place)) continue;
-        if (all_culled(mesh, place, cull)) lost.push_back({int(i), int(cull), mesh.indices.size() / 3});
+        if (all_culled(mesh, place, cull)) lost.push_back({int(i), cull, mesh.indices.size() / 3});
     }
     return lost;
 }
@@ -69,7 +69,7 @@ std::vector<std::string> lost_caster_notes(const Scene& scene, const std::vector
         const std::string& path = scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;
         notes.push_back(fmt::format(
             "{} casts no shadow: {}-face culling removes all of its {} triangles; object.{}.cull=none keeps them", path,
-            lost[i].cull == int(Cull::Front) ? "front" : "back", lost[i].triangles, path));
+            lost[i].cull == Cull::Front ? "front" : "back", lost[i].triangles, path));
     }
     if (lost.size() > most)
         notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - most));

@@ -14,7 +14,7 @@ namespace si {
 
 struct LostCaster {
     int object = 0;             ///< index into Scene::objects
-    int cull = 0;               ///< Cull in force for it
+    Cull cull = Cull::None;     ///< in force for it
     std::size_t triangles = 0;  ///< all of them face the way that is culled
 };
 

@@ -46,7 +46,7 @@ private:
     PixelDiagnosis d_;
 
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
-    bool sees_surface() const { return p_.casts && p_.where != "behind"; }
+    bool sees_surface() const { return p_.casts && p_.place != MapPlace::Behind; }
     bool dark() const { return p_.visibility < 0.5; }
     bool faint_acne() const { return reference_.cause.faint; }
 
@@ -108,12 +108,12 @@ private:
                             : fmt::format("wrong: {}, should be {}; {}", is, reference_.lit ? "lit" : "in shadow",
                                           p_.fitted.reason);
         }
-        if (p_.where == "beyond shadows")
+        if (p_.place == MapPlace::OutsideCasterRegion)
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
         if (reference_.evidence.place == CauseEvidence::kOutside)
-            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
+            return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", place_name(p_.place),
                                dark() ? "in shadow" : "lit",
                                d_.right ? "and so it is in truth"
                                : dark() ? "should be lit"
@@ -274,7 +274,7 @@ private:
     }
     std::string leaves_out() const {
         const std::string culling =
-            settings_.caster.cull != int(Cull::None) ? "culling (caster.cull)" : "an object's own culling";
+            settings_.caster.cull != Cull::None ? "culling (caster.cull)" : "an object's own culling";
         return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
                                      : culling + " or the near plane";
     }
@@ -337,8 +337,8 @@ private:
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
     }
     std::string unit_of(std::string_view key) const {
-        if (key == "bias.normal" || settings_.bias.unit == int(BiasUnit::Texels)) return "texels";
-        return settings_.bias.unit == int(BiasUnit::Metres) ? "m" : "of depth";
+        if (key == "bias.normal" || settings_.bias.unit == BiasUnit::Texels) return "texels";
+        return settings_.bias.unit == BiasUnit::Metres ? "m" : "of depth";
     }
 
     /// The least value of one setting under which the surface does not shadow itself, if that puts the pixel right.
@@ -376,7 +376,7 @@ private:
     std::optional<SuggestedFix> fix() const {
         switch (reference_.cause.artefact) {
             case Artefact::LostCaster:
-                if (settings_.caster.cull != int(Cull::None))
+                if (settings_.caster.cull != Cull::None)
                     return SuggestedFix{{{"caster.cull", "none"}}, "set caster.cull to none"};
                 return {};
             case Artefact::PeterPanningOffset:
@@ -431,9 +431,9 @@ private:
         const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasBreakdown& a = p_.account;
         const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);
-        const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
-                                         : settings_.bias.unit == int(BiasUnit::Metres) ? wanted.metres
-                                                                                        : wanted.depth) *
+        const double value = rounded_up((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
+                                         : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
+                                                                                   : wanted.depth) *
                                         (1 + 1e-3));
         if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
         return set("bias.constant", value);

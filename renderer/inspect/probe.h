@@ -4,6 +4,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -95,8 +96,8 @@ struct Probe {
         double visibility = 1;   ///< what the renderer's filter computed, another cascade blended in
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
         CauseContext causes;
-        std::string where;    ///< inside, sides, beyond far, behind, before near
-        std::string verdict;  ///< a sentence
+        std::optional<MapPlace> place;  ///< nothing: the light has no map
+        std::string verdict;            ///< a sentence
     };
     std::vector<PerLight> lights;
 };

@@ -208,7 +208,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     const SurfaceIds ids = read_surface_ids(frame.surface_ids);
     FrameState f = impl_->prepare(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
-    plan_frame(f);
+    impl_->plan_frame(f);
     upload_blocks(f);
     Probe out;
     out.x = x;
@@ -248,11 +248,11 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                                  GL_FLOAT, sizeof drawn, &drawn);
             pixel.visibility = drawn;
         }
-        const int source = f.settings.bias.normal_source;
+        const NormalSource source = f.settings.bias.normal_source;
         const glm::dvec3 mapped(facts.values[2]), vertex(facts.values[3].y, facts.values[3].z, facts.values[3].w);
-        pixel.point.bias_normal = source == int(NormalSource::Mapped)    ? mapped
-                                  : source == int(NormalSource::Shading) ? vertex
-                                                                         : out.normal_ws;
+        pixel.point.bias_normal = source == NormalSource::Mapped    ? mapped
+                                  : source == NormalSource::Shading ? vertex
+                                                                    : out.normal_ws;
         pixel.point.origin_ws = f.origin;
         if (f.gl.fitted[i].casts) {
             if (!seen) seen.emplace(f, place);

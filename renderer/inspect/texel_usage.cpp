@@ -139,7 +139,7 @@ double exact_utilisation(const FloatImage& texels_read) {
 }
 
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer) {
-    return TexelUsage(map_coordinates, resolution, reach_of(settings).read, MapWrap(settings.map.wrap), layer);
+    return TexelUsage(map_coordinates, resolution, reach_of(settings).read, settings.map.wrap, layer);
 }
 
 }  // namespace si

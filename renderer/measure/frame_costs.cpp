@@ -54,7 +54,7 @@ std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settin
     std::vector<Settings> frames;
     Settings start = settings;
     // Written out, so that it can be turned, and stays where it is while a light moves.
-    if (cost == CostCase::Camera || settings.camera.source == int(CameraSource::Light))
+    if (cost == CostCase::Camera || settings.camera.source == CameraSource::Light)
         start.camera = manual_camera(scene, settings, aspect);
     const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
     for (const int steps : kSwing) {

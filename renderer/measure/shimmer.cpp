@@ -101,10 +101,10 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings) {
     std::vector<ShimmerVariant> out{{"as-set", "As set", settings}};
     const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
-    if (settings.lights[light].type != int(LightType::Directional)) return out;  // only suns have maps that follow
+    if (settings.lights[light].type != LightType::Directional) return out;  // only suns have maps that follow
     for (const bool snap : {true, false}) {
         Settings s = settings;
-        s.lights[light].fit = int(LightFit::Stabilised);
+        s.lights[light].fit = LightFit::Stabilised;
         s.lights[light].snap = snap;
         out.push_back({snap ? "snapped" : "unsnapped", snap ? "Stabilised, whole texels" : "Stabilised, unsnapped", s});
     }

@@ -25,7 +25,7 @@ constexpr int kLeastCalls = 64;
 /// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
 /// reference to the format's steps, and depths of stored distances rise but for rounding.
 double depths_margin(const FrameState& f) {
-    const auto format = MapFormat(f.settings.map.format);
+    const auto format = f.settings.map.format;
     if (holds_distances(f.settings.map.format)) return 1e-6;
     if (!f.filter_sampler) return 0;
     return format == MapFormat::D16 ? 2.0 / 65535 : format == MapFormat::D24 ? 2.0 / 16777215 : 0;
@@ -85,8 +85,7 @@ std::string why_no_bounds(const FrameState& f) {
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "how far the kernel reaches differs over a warped map";
     // Finding them takes a fifth to a third of a frame in which PCSS or 64 taps look up a map of 2048 texels a side.
-    if (f.request.force || !f.plan.holds(Result::ShadowMaps))
-        return "the maps are drawn anew: finding bounds would take longer than it spares";
+    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kBoundsWaitForMaps);
     return {};
 }
 

@@ -21,8 +21,6 @@ void choose_taps(FrameState& f, bool asks_bounds);
 
 /// How many cells beside a block hold texels that the kernel may read from it.
 int bounds_reach_cells(const FrameState& f, const FittedLight& light);
-/// Between which planes the maps' depths lie within the kernel's reach of each block.
-void add_map_bounds_pass(FrameState& f);
 
 /// Texels a side of a block. Blocks are made of cells, of which each is as many texels a side as a block has cells.
 inline constexpr int kBoundsBlock = 16, kBoundsCell = 4;

@@ -1,16 +1,13 @@
 // Nearest and farthest depth within the kernel's reach of each block of the shadow maps: where both lie on one side of
 // a receiver, a look-up needs no taps. Exact, unlike taps that stand for others.
+#include "renderer/passes/map_bounds.h"
+
 #include <fmt/format.h>
 
 #include "renderer/optimisations/lookup_optimisations.h"
 
 namespace si {
 namespace {
-
-struct BoundsTargets {
-    gl::Target bounds;  ///< RGBA32F, a layer a view
-    gl::Target cells;   ///< of one view, of cells alone
-};
 
 void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int step, int layer, int reach,
                PassInfo& info) {
@@ -24,7 +21,7 @@ void draw_step(const FrameState& f, const gl::Target& into, int into_layer, int 
     FrameState::draw_fullscreen(info);
 }
 
-void find_bounds(const FrameState& f, BoundsTargets& t, PassInfo& info) {
+void find_bounds(const FrameState& f, MapBoundsPass::Targets& t, PassInfo& info) {
     const int cells = (f.map_resolution + kBoundsCell - 1) / kBoundsCell;
     const int blocks = (cells + kBoundsCell - 1) / kBoundsCell;
     t.bounds.ensure("bounds of shadow maps", GL_RGBA32F, blocks, blocks, f.map_layers());
@@ -44,7 +41,7 @@ void find_bounds(const FrameState& f, BoundsTargets& t, PassInfo& info) {
 
 }  // namespace
 
-void add_map_bounds_pass(FrameState& f) {
+void MapBoundsPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "map bounds";
     pass.category = PassCategory::Maps;
@@ -55,22 +52,23 @@ void add_map_bounds_pass(FrameState& f) {
     pass.unneeded = why_no_bounds(f);
     choose_taps(f, pass.unneeded.empty());
     if (!pass.unneeded.empty()) {
-        f.plan.release([&f] { f.gl.owned.drop<BoundsTargets>(); });
+        f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
     }
-    BoundsTargets& t = f.gl.owned.get<BoundsTargets>();
-    f.plan.place(Result::MapBounds, {&t.bounds, shared::UNIT_MAP_BOUNDS});
+    f.plan.place(Result::MapBounds, {&targets_.bounds, shared::UNIT_MAP_BOUNDS});
     Key key;
     key.add(f.settings.map.wrap).add(f.gl.programs.source().generation()).add(f.maps_extent);
     for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? bounds_reach_cells(f, light) : 0);
     pass.key = key.value();
-    pass.cached = &t.bounds.key;
-    pass.run = [&f, &t](PassInfo& info) {
-        find_bounds(f, t, info);
-        info.reason += fmt::format("; depths within the kernel's reach of blocks of {0} x {0} texels", kBoundsBlock);
-    };
+    pass.cached = &targets_.bounds.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void MapBoundsPass::run(const FrameState& f, PassInfo& info) {
+    find_bounds(f, targets_, info);
+    info.reason += fmt::format("; depths within the kernel's reach of blocks of {0} x {0} texels", kBoundsBlock);
 }
 
 }  // namespace si

@@ -3,26 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <utility>
 
 #include "renderer/optimisations/mesh_boxes.h"
+#include "renderer/optimisations/scene_findings.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/lights/kernel_reach.h"
 
 namespace si {
 namespace {
-
-struct SeenFromCamera {
-    std::uint64_t key = 0;
-    std::optional<SeenBodies> bodies;
-    struct OfLight {
-        std::uint64_t key = 0;
-        NeededMaps called;
-    };
-    std::array<OfLight, kMaxLights> lights;
-};
 
 const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
     const std::uint64_t key = f.surfaces_key().value();
@@ -69,11 +58,11 @@ NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps) 
     const LookupArea area{.resolution = f.map_resolution,
                           .reach_texels = reach_under(s, fitted, f.map_resolution).read + s.map.blur_texels,
                           .normal_texels = s.bias.normal,
-                          .wrap = MapWrap(s.map.wrap),
+                          .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),
                           .weighs_rim = filter_of(s).samples == Samples::Moments,
-                          .light_alone = !f.separate_visibility && s.shading.composition != int(Composition::DimLit)};
-    SeenFromCamera& known = f.gl.owned.get<SeenFromCamera>();
+                          .light_alone = !f.separate_visibility && s.shading.composition != Composition::DimLit};
+    SeenFromCamera& known = f.gl.found->seen;
     const SeenBodies& seen = bodies_seen(f, known);
     SeenFromCamera::OfLight& of_light = known.lights[light];
     Key key;

@@ -1,19 +1,12 @@
 #include "renderer/optimisations/mesh_boxes.h"
 
-#include <optional>
-
-#include "renderer/scene/per_mesh.h"
+#include "renderer/optimisations/scene_findings.h"
 
 namespace si {
 namespace {
 
-struct BoxesOfMesh {
-    std::vector<Cluster> clusters;
-    std::optional<std::vector<Bounds>> runs;
-};
-
 BoxesOfMesh& boxes_of(const FrameState& f, std::size_t mesh) {
-    return f.gl.owned.get<OfMeshes<BoxesOfMesh>>().of(f.scene, mesh);
+    return f.gl.found->boxes.of(f.scene, mesh);
 }
 
 }  // namespace

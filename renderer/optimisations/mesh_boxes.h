@@ -1,12 +1,20 @@
 // Boxes about parts of meshes, found when first asked for.
 #pragma once
 
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "renderer/frame/state.h"
 #include "renderer/scene/clusters.h"
 
 namespace si {
+
+/// Boxes of one mesh.
+struct BoxesOfMesh {
+    std::vector<Cluster> clusters;
+    std::optional<std::vector<Bounds>> runs;
+};
 
 /// See build_clusters(); none of a mesh that changes with the pose.
 std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);

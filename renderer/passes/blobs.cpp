@@ -1,4 +1,6 @@
 // A soft disc below each caster, along the light, for lights whose source that is.
+#include "renderer/passes/blobs.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,10 +14,6 @@ namespace si {
 namespace {
 
 constexpr double kWidest = 0.25;  ///< of the scene's radius: wider casters are what others stand on
-
-struct Blobs {
-    gl::Target lit;  ///< R16F, a layer a light: what the blobs leave of it
-};
 
 bool draws_blobs(const FrameState& f, std::size_t light) {
     return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
@@ -89,16 +87,15 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
 
 }  // namespace
 
-void add_blob_pass(FrameState& f) {
+void BlobPass::declare(FrameState& f) {
     std::vector<int> lights;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (draws_blobs(f, i)) lights.push_back(int(i));
     if (lights.empty()) {
-        f.plan.release([&f] { f.gl.owned.drop<Blobs>(); });
+        f.plan.release([this] { lit_ = {}; });
         return;
     }
-    Blobs& t = f.gl.owned.get<Blobs>();
-    f.plan.place(Result::Blobs, {&t.lit, shared::UNIT_BLOBS});
+    f.plan.place(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
     Pass pass;
     pass.name = "blobs";
     pass.category = PassCategory::Maps;
@@ -108,12 +105,14 @@ void add_blob_pass(FrameState& f) {
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);
     for (const int light : lights) key.add(light);
     pass.key = key.value();
-    pass.cached = &t.lit.key;
-    pass.run = [&f, &t, lights](PassInfo& info) {
-        t.lit.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
-        for (const int light : lights) draw_light(f, t.lit, light, info);
-    };
+    pass.cached = &lit_.key;
+    pass.run = [this, &f, lights](PassInfo& info) { run(f, lights, info); };
     f.plan.add(std::move(pass));
+}
+
+void BlobPass::run(const FrameState& f, const std::vector<int>& lights, PassInfo& info) {
+    lit_.ensure("blobs", GL_R16F, f.request.width, f.request.height, int(f.gl.fitted.size()));
+    for (const int light : lights) draw_light(f, lit_, light, info);
 }
 
 }  // namespace si

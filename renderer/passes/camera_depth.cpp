@@ -1,18 +1,16 @@
 // The camera's depth: brought by the first pass from the camera, or by itself for what reads it, the map viewer and the
 // texel slabs.
+#include "renderer/passes/camera_depth.h"
+
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
 
 namespace si {
 namespace {
 
-struct CameraDepth {
-    gl::Target depth;  ///< its key is of the surfaces that are in it
-};
-
 /// As large as the picture; of unknown contents where a frame is to be drawn anew.
 gl::Target& camera_depth(FrameState& f) {
-    gl::Target& depth = f.gl.owned.get<CameraDepth>().depth;
+    gl::Target& depth = f.gl.camera_depth;
     depth.ensure("camera depth", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
     if (f.request.force && !f.camera_depth_renewed) depth.key = 0;
     f.camera_depth_renewed = true;
@@ -37,7 +35,7 @@ CameraPass::CameraPass(FrameState& f, std::string_view label, const gl::Target& 
 
 void CameraPass::begin() {
     f_.begin_camera_pass(framebuffer_.id());
-    gl::Target& depth = f_.gl.owned.get<CameraDepth>().depth;
+    gl::Target& depth = f_.gl.camera_depth;
     if (const std::uint64_t key = f_.surfaces_key().value(); depth.key != key) {
         const float far_depth = float(f_.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
@@ -55,8 +53,8 @@ CameraPass& CameraPass::clear(const glm::uvec4& value) {
     return *this;
 }
 
-void add_camera_depth_pass(FrameState& f) {
-    gl::Target& depth = f.gl.owned.get<CameraDepth>().depth;
+void CameraDepthPass::declare(FrameState& f) {
+    gl::Target& depth = f.gl.camera_depth;
     f.plan.place(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
     Pass pass;
     pass.name = "camera depth";
@@ -64,8 +62,12 @@ void add_camera_depth_pass(FrameState& f) {
     pass.idle_reason = "nothing reads it: each pass from the camera brings its own depth test";
     pass.key = f.surfaces_key().value();
     pass.cached = &depth.key;
-    pass.run = [&f](PassInfo& info) { CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info); };
+    pass.run = [&f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void CameraDepthPass::run(FrameState& f, PassInfo& info) {
+    CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info);
 }
 
 }  // namespace si

@@ -1,24 +1,10 @@
 #include "renderer/passes/caster_content.h"
 
 #include "renderer/passes/casters.h"
-#include "renderer/scene/per_mesh.h"
+#include "renderer/passes/caster_findings.h"
 
 namespace si {
 namespace {
-
-/// Of a rigid mesh; 0: not found yet.
-struct RigidContent {
-    std::uint64_t opaque = 0, masked = 0;
-};
-
-struct KnownContent {
-    struct OfTexture {
-        TextureIdentity texture;
-        std::uint64_t content = 0;  ///< 0: not found yet
-    };
-    CasterContent casters;
-    std::vector<OfTexture> textures;
-};
 
 std::uint64_t content_of(const Mesh& mesh, bool masked) {
     Key key;
@@ -47,7 +33,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
     const Mesh& mesh = f.scene.meshes[number];
     std::uint64_t* known = &deformed[number];
     if (!mesh.deformer) {
-        RigidContent& rigid = f.gl.owned.get<OfMeshes<RigidContent>>().of(f.scene, number);
+        RigidContent& rigid = f.gl.caster_findings->rigid_content.of(f.scene, number);
         known = masked ? &rigid.masked : &rigid.opaque;
     }
     if (*known == 0) *known = content_of(mesh, masked);
@@ -57,7 +43,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
 }  // namespace
 
 const CasterContent& caster_content(const FrameState& f) {
-    KnownContent& known = f.gl.owned.get<KnownContent>();
+    KnownContent& known = f.gl.caster_findings->content;
     CasterContent& casters = known.casters;
     const std::uint64_t key =
         Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "renderer/frame/state.h"
+#include "renderer/scene/part_identity.h"
 
 namespace si {
 
@@ -13,6 +14,20 @@ struct CasterContent {
     /// By instance as SceneGpu orders them, a key of all that its depths in a map come of, but for the settings that
     /// are alike for all (ReadBy::Maps); 0: it never casts.
     std::vector<std::uint64_t> of;
+};
+
+/// Of a rigid mesh; 0: not found yet.
+struct RigidContent {
+    std::uint64_t opaque = 0, masked = 0;
+};
+
+struct KnownContent {
+    struct OfTexture {
+        TextureIdentity texture;
+        std::uint64_t content = 0;  ///< 0: not found yet
+    };
+    CasterContent casters;
+    std::vector<OfTexture> textures;
 };
 
 /// Found once for each arrangement of a scene; meshes and textures that poses share once for all of these.

@@ -10,9 +10,9 @@
 
 #include "renderer/frame/driver.h"
 #include "renderer/optimisations/mesh_boxes.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
-#include "renderer/scene/per_mesh.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/view/culling/box_culling.h"
 
@@ -21,7 +21,7 @@ namespace {
 
 /// Culling of casters: the object's own choice before the scene's.
 Cull cull_of(const FrameState& f, const Batch& batch) {
-    return batch.cull == int(ObjectCull::Inherit) ? Cull(f.settings.caster.cull) : Cull(batch.cull - 1);
+    return cull_in_force(batch.cull, f.settings.caster.cull);
 }
 
 void set_cull(Cull cull, bool mirrored) {
@@ -49,15 +49,6 @@ void set_raster_bias(const FrameState& f, bool reversed) {
         glPolygonOffset(sign * float(b.raster_slope), sign * float(b.raster_units));
 }
 
-/// Sides of a mesh, one of each direction.
-struct Side {
-    glm::dvec3 normal, corner;
-};
-/// Of a mesh, found when first asked for.
-struct SidesOfMesh {
-    std::vector<Side> sides;  ///< none: there are very many, all of them small
-    double least_height = 0;  ///< of its triangles that have an area
-};
 constexpr std::size_t kMostSides = 1024;
 
 /// Sine of the angle to a ray below which a side is taken to be seen edge-on.
@@ -78,7 +69,7 @@ constexpr double kBeforeShare = 1e-3;
 constexpr double kCasterRoomTexels = 2;
 
 SidesOfMesh sides_of(const Mesh& mesh) {
-    std::map<std::array<int, 3>, Side> sides;
+    std::map<std::array<int, 3>, MeshSide> sides;
     double least_height = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
         const glm::dvec3 a = mesh.positions[mesh.indices[i]], ab = glm::dvec3(mesh.positions[mesh.indices[i + 1]]) - a,
@@ -88,7 +79,7 @@ SidesOfMesh sides_of(const Mesh& mesh) {
         if (longest > 0) least_height = std::min(least_height, length / longest);
         if (!(length > 0)) continue;
         const glm::ivec3 steps(glm::round(n / length * 1e5));
-        sides.try_emplace({steps.x, steps.y, steps.z}, Side{n / length, a});
+        sides.try_emplace({steps.x, steps.y, steps.z}, MeshSide{n / length, a});
     }
     SidesOfMesh out;
     if (sides.size() > kMostSides) return out;
@@ -98,7 +89,7 @@ SidesOfMesh sides_of(const Mesh& mesh) {
 }
 
 const SidesOfMesh& sides_of(FrameState& f, std::size_t mesh) {
-    auto& sides = f.gl.owned.get<OfMeshes<std::optional<SidesOfMesh>>>().of(f.scene, mesh);
+    auto& sides = f.gl.caster_findings->sides.of(f.scene, mesh);
     if (!sides) sides = sides_of(f.scene.meshes[mesh]);
     return *sides;
 }
@@ -284,7 +275,7 @@ private:
         glm::dmat4 world = object.world;
         world[3] -= glm::dvec4(view_.origin, 0);
         const glm::dvec4 from = glm::inverse(world) * rays_from_;
-        for (const Side& side : sides_of(f_, std::size_t(object.mesh)).sides) {
+        for (const MeshSide& side : sides_of(f_, std::size_t(object.mesh)).sides) {
             const glm::dvec3 ray = glm::dvec3(from) - side.corner * from.w;
             if (!(std::abs(glm::dot(side.normal, ray)) > kEdgeOn * glm::length(ray))) return true;
         }
@@ -314,7 +305,7 @@ private:
         const double beside = std::ldexp(kStepsBeside, -f_.driver.subpixel_bits) + kFloatSide * view_.resolution;
         const double least_tangent = beside * glm::length(z) / (texels * before);
         const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
-        return std::ranges::all_of(mesh.sides, [&](const Side& side) {
+        return std::ranges::all_of(mesh.sides, [&](const MeshSide& side) {
             const double sine = std::abs(glm::dot(glm::normalize(side.normal * back), ray));
             return sine > least_sine && sine > least_tangent * std::sqrt(std::max(1 - sine * sine, 0.0));
         });
@@ -360,13 +351,13 @@ bool casts_at_all(const Scene& scene, const Settings& settings, const Object& ob
     if (object.ground) return false;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
-    if (blended && settings.caster.blend == int(BlendCasters::None)) return false;
+    if (blended && settings.caster.blend == BlendCasters::None) return false;
     const auto own = settings.objects.find(scene.nodes[std::size_t(object.node)].path);
     return own == settings.objects.end() || own->second.cast;
 }
 
 bool draws_into_maps(const FrameState& f, const Batch& batch) {
-    return batch.cast && (!batch.blend || f.settings.caster.blend == int(BlendCasters::Mask));
+    return batch.cast && (!batch.blend || f.settings.caster.blend == BlendCasters::Mask);
 }
 
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention) {

@@ -1,20 +1,20 @@
 // Blurs the stored depths themselves: wrong on purpose. The comparison then tests against a surface between occluder
 // and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
+#include "renderer/passes/depth_blur.h"
+
 #include <fmt/format.h>
 
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/light_depth.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {
 namespace {
 
-struct BlurredMaps {
-    gl::Target maps, rows;  ///< as the maps are laid out, and one layer along x only
-};
-
 /// Both axes of one layer: rows of the map into `rows`, columns of that into the blurred map.
-void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows, int layer, PassInfo& info) {
+void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Framebuffer& rows, int layer,
+                PassInfo& info) {
     const int n = f.map_resolution;
     const bool colour = is_colour(f.settings.map.format);
     const auto draw = [&](GLuint framebuffer, const char* columns) {
@@ -41,7 +41,7 @@ void blur_layer(FrameState& f, const BlurredMaps& t, const gl::Framebuffer& rows
 
 }  // namespace
 
-void add_depth_blur_pass(FrameState& f) {
+void DepthBlurPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "depth blur";
     pass.category = PassCategory::Maps;
@@ -51,26 +51,28 @@ void add_depth_blur_pass(FrameState& f) {
     const int radius = f.settings.map.blur_texels;
     if (!f.blurs_depths()) {
         pass.unneeded = radius == 0 ? "map.blur_texels is 0: depths stay as drawn" : "no light has a shadow map";
-        f.plan.release([&f] { f.gl.owned.drop<BlurredMaps>(); });
+        f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
     }
-    BlurredMaps& t = f.gl.owned.get<BlurredMaps>();
-    place_compared_maps(f, t.maps);
+    place_compared_maps(f, targets_.maps);
     pass.key = f.with_settings({}, ReadBy::DepthBlur).add(f.maps_extent).value();
-    pass.cached = &t.maps.key;
-    pass.run = [&f, &t, radius](PassInfo& info) {
-        const int n = f.map_resolution;
-        t.maps.ensure("blurred shadow maps", f.map_format(), n, n, f.map_layers());
-        t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
-        const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
-        for (int layer = 0; layer < f.view_count; ++layer)
-            if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
-        if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that nothing reads"))
-            info.parts.push_back(std::move(*part));
-        info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
-    };
+    pass.cached = &targets_.maps.key;
+    pass.run = [this, &f, radius](PassInfo& info) { run(f, radius, info); };
     f.plan.add(std::move(pass));
+}
+
+void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
+    Targets& t = targets_;
+    const int n = f.map_resolution;
+    t.maps.ensure("blurred shadow maps", f.map_format(), n, n, f.map_layers());
+    t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
+    const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
+    for (int layer = 0; layer < f.view_count; ++layer)
+        if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
+    if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that nothing reads"))
+        info.parts.push_back(std::move(*part));
+    info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
 }
 
 }  // namespace si

@@ -1,11 +1,12 @@
 // The scene's depth as each light sees it.
+#include "renderer/passes/light_depth.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <utility>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/optimisations/static_casters.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/pages.h"
@@ -21,33 +22,16 @@ std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
 }
 
-/// What of a light is drawn apart from what moves.
-struct StaticOfLight {
-    StaticCasters casters;
-    std::uint64_t geometry = 0;  ///< that was drawn last
-    std::uint64_t views = 0;     ///< key of that map but for its casters
-};
-
-struct DrawnMaps {
-    gl::Target maps, unfiltered;                   ///< a layer a view
-    gl::Target static_casters;                     ///< the same of the casters that rest; none where nothing moves
-    gl::Target depth;                              ///< beside a colour map, of one view
-    std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
-    /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
-    std::array<std::vector<MapCells>, kMaxLights> held;
-    std::array<StaticOfLight, kMaxLights> at_rest;
-};
-
 /// @returns whether what they held is lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
-/// @param map one of the DrawnMaps
+/// @param map one of `t`
 /// @param emptied nothing is drawn into it
-SkippedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight& light, const LightView& view,
-                         int layer, PassInfo& info, const CasterChoice& which = {}, bool emptied = false) {
-    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, const FittedLight& light,
+                         const LightView& view, int layer, PassInfo& info, const CasterChoice& which = {},
+                         bool emptied = false) {
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
     if (colour)
@@ -68,12 +52,13 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
 }
 
 /// Draws one of a light's views, and says what was left out of it.
-SkippedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
+SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view, const MapCells& called,
+                         PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     const SkippedCasters spared =
-        draw_view(f, f.gl.owned.get<DrawnMaps>().maps, l, l.views[view], f.first_view[light] + int(view), info,
-                  {.called = &called}, f.request.emptied == MapOfLight{int(light), int(view)});
+        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.called = &called},
+                  f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
@@ -128,10 +113,6 @@ PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
 }
 
 }  // namespace
-
-bool FrameState::blurs_depths() const {
-    return settings.map.blur_texels > 0 && view_count > 0;
-}
 
 void place_compared_maps(FrameState& f, const gl::Target& maps) {
     f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
@@ -269,9 +250,8 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
 
 /// Draws one of a light's views as a copy of what rests with what moved over it.
 /// @param of what the light's map is made of so far
-SkippedCasters draw_over_static(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
-                                const StaticWork& work, StaticView& of, PassInfo& info) {
-    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view,
+                                const MapCells& called, const StaticWork& work, StaticView& of, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
@@ -281,14 +261,14 @@ SkippedCasters draw_over_static(FrameState& f, std::size_t light, std::size_t vi
         // One that is drawn again is drawn whole: what is called for goes with what moves.
         of.holds = of.drawn ? MapCells::whole() : called;
         of.below = false;
-        spared = draw_view(f, t.static_casters, l, l.views[view], layer, info,
+        spared = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
                            {.called = &of.holds, .only = &work.static_casters});
         of.drawn = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
     of.over = {};
     of.below = true;
-    const SkippedCasters over = draw_view(f, t.maps, l, l.views[view], layer, info,
+    const SkippedCasters over = draw_view(f, t, t.maps, l, l.views[view], layer, info,
                                           {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
@@ -336,9 +316,9 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
         else if (apart)
-            count(draw_over_static(f, i, v, work.holds[v], static_casters, views[v], info));
+            count(draw_over_static(f, t, i, v, work.holds[v], static_casters, views[v], info));
         else
-            count(draw_part(f, i, v, work.holds[v], info));
+            count(draw_part(f, t, i, v, work.holds[v], info));
     }
     t.held[i] = work.holds;
     if (apart || !static_casters.reason.empty()) info.parts.push_back(static_part(f, i, static_casters));
@@ -365,9 +345,9 @@ bool keeps_static(const FrameState& f, const DrawnMaps& t) {
 
 }  // namespace
 
-void add_light_depth_passes(FrameState& f) {
+void LightDepthPasses::declare(FrameState& f) {
     f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
-    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+    DrawnMaps& t = maps_;
     if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
     if (f.paged) return;
     f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
@@ -412,15 +392,15 @@ void add_light_depth_passes(FrameState& f) {
                     .unneeded = "there are no lights"});
 }
 
-void add_unfiltered_map_pass(FrameState& f) {
-    DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
+void UnfilteredMapPass::declare(FrameState& f) {
+    DrawnMaps& t = light_depth_.maps();
     Pass pass;
     pass.name = "unfiltered map";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
-    if (f.paged) return add_unfiltered_pages_pass(f, std::move(pass));
+    if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.draws_unfiltered();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
@@ -431,16 +411,19 @@ void add_unfiltered_map_pass(FrameState& f) {
     } else {
         pass.key = Key().add("unfiltered").value();
         pass.cached = &t.unfiltered.key;
-        pass.run = [&f, &t](PassInfo& info) {
-            ensure_maps(f, t.unfiltered, "unfiltered shadow maps");
-            for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
-                const FittedLight& l = f.gl.fitted[i];
-                for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
-                    draw_view(f, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
-            }
-        };
+        pass.run = [this, &f](PassInfo& info) { run(f, info); };
     }
     f.plan.add(std::move(pass));
+}
+
+void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {
+    DrawnMaps& t = light_depth_.maps();
+    ensure_maps(f, t.unfiltered, "unfiltered shadow maps");
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const FittedLight& l = f.gl.fitted[i];
+        for (std::size_t v = 0; l.casts && v < l.views.size(); ++v)
+            draw_view(f, t, t.unfiltered, l, l.views[v], f.first_view[i] + int(v), info);
+    }
 }
 
 }  // namespace si

@@ -1,22 +1,16 @@
 // Baked light maps on the GPU: an atlas with a layer a light, and where in it each triangle lies.
-#include "renderer/reference/light_map.h"
+#include "renderer/passes/light_map.h"
 
 #include <fmt/format.h>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/frame/state.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/passes.h"
+#include "renderer/reference/light_map.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
-
-struct LightMapTargets {
-    gl::Target atlas;  ///< R8, a layer for each light that has one
-    gl::Sampler bilinear;
-    gl::Buffer objects, triangles, charts;  ///< as sources/light_map.glsl reads them
-};
 
 /// std430, see sources/light_map.glsl.
 struct ChartRow {
@@ -32,8 +26,8 @@ gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
     return buffer;
 }
 
-/// The first 16 bytes are the way from the frame's origin, which bind_light_map() fills in.
-void upload_layout(LightMapTargets& t, const LightMapLayout& layout) {
+/// The first 16 bytes are the way from the frame's origin, which LightMapPass::bind() fills in.
+void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
     std::vector<glm::uvec2> objects(2);
     for (const auto& part : layout.objects) objects.emplace_back(part.first, part.count);
     t.objects = buffer_of("objects of the light map", objects);
@@ -60,15 +54,15 @@ std::string described(const LightMap& map) {
 
 }  // namespace
 
-void add_light_map_pass(FrameState& f) {
+void LightMapPass::declare(FrameState& f) {
     std::vector<const LightMap*> maps;
     for (const LightMap* map : f.light_map_of_light)
         if (map) maps.push_back(map);
     if (maps.empty()) {
-        f.plan.release([&f] { f.gl.owned.drop<LightMapTargets>(); });
+        f.plan.release([this] { targets_ = {}; });
         return;
     }
-    LightMapTargets& t = f.gl.owned.get<LightMapTargets>();
+    Targets& t = targets_;
     if (!t.bilinear) {
         t.bilinear = gl::Sampler::create("light map");
         for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
@@ -86,22 +80,24 @@ void add_light_map_pass(FrameState& f) {
     for (const LightMap* map : maps) key.add(map->version);
     pass.key = key.value();
     pass.cached = &t.atlas.key;
-    pass.run = [&t, maps](PassInfo& info) {
-        const LightMapLayout& layout = *maps[0]->layout;
-        t.atlas.ensure("light map", GL_R8, layout.side, layout.side, int(maps.size()));
-        glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        for (std::size_t i = 0; i < maps.size(); ++i) {
-            glTextureSubImage3D(t.atlas.texture.id(), 0, 0, 0, GLint(i), layout.side, layout.side, 1, GL_RED,
-                                GL_UNSIGNED_BYTE, maps[i]->texels.data());
-            info.reason += fmt::format("; {}", described(*maps[i]));
-        }
-        upload_layout(t, layout);
-    };
+    pass.run = [this, maps](PassInfo& info) { run(maps, info); };
     f.plan.add(std::move(pass));
 }
 
-void bind_light_map(const FrameState& f) {
-    const LightMapTargets& t = f.gl.owned.get<LightMapTargets>();
+void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info) {
+    const LightMapLayout& layout = *maps[0]->layout;
+    targets_.atlas.ensure("light map", GL_R8, layout.side, layout.side, int(maps.size()));
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    for (std::size_t i = 0; i < maps.size(); ++i) {
+        glTextureSubImage3D(targets_.atlas.texture.id(), 0, 0, 0, GLint(i), layout.side, layout.side, 1, GL_RED,
+                            GL_UNSIGNED_BYTE, maps[i]->texels.data());
+        info.reason += fmt::format("; {}", described(*maps[i]));
+    }
+    upload_layout(targets_, layout);
+}
+
+void LightMapPass::bind(const FrameState& f) const {
+    const Targets& t = targets_;
     glm::dvec3 centre(0);
     for (const LightMap* map : f.light_map_of_light)
         if (map) centre = map->layout->centre;

@@ -1,19 +1,13 @@
 // Where in the shown light's map each pixel's kernel is centred.
+#include "renderer/passes/map_coordinates.h"
+
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
 
 namespace si {
-namespace {
 
-struct CoordinateTargets {
-    gl::Target coordinates;
-};
-
-}  // namespace
-
-void add_map_coordinates_pass(FrameState& f) {
-    gl::Target& coordinates = f.gl.owned.get<CoordinateTargets>().coordinates;
-    f.plan.place(Result::MapCoordinates, {&coordinates});
+void MapCoordinatesPass::declare(FrameState& f) {
+    f.plan.place(Result::MapCoordinates, {&coordinates_});
     Pass pass;
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
@@ -25,13 +19,15 @@ void add_map_coordinates_pass(FrameState& f) {
         return;
     }
     pass.key = f.shown_light_key().value();
-    pass.cached = &coordinates.key;
-    pass.run = [&f, &coordinates](PassInfo& info) {
-        CameraPass(f, "map coordinates", GL_RGBA32F, coordinates)
-            .clear(glm::vec4(0))
-            .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
-    };
+    pass.cached = &coordinates_.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void MapCoordinatesPass::run(FrameState& f, PassInfo& info) {
+    CameraPass(f, "map coordinates", GL_RGBA32F, coordinates_)
+        .clear(glm::vec4(0))
+        .draw("passes/map_coordinates.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
 }
 
 }  // namespace si

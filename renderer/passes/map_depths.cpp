@@ -17,11 +17,11 @@ std::vector<float> read_whole(const gl::Target& maps, int layer, glm::ivec2 firs
 
 }  // namespace
 
-std::vector<float> read_map_depths(Resources& resources, const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
-                                   glm::ivec2 size) {
+std::vector<float> read_map_depths(const PagePasses& pages, const gl::Target& maps, const MapLayer& of,
+                                   glm::ivec2 first, glm::ivec2 size) {
     const float empty = float(of.curve.convention.far_depth());
     std::vector<float> out =
-        of.paged ? read_paged_depths(resources, of.layer, first, size, empty) : read_whole(maps, of.layer, first, size);
+        of.paged ? pages.read_depths(of.layer, first, size, empty) : read_whole(maps, of.layer, first, size);
     if (of.holds_distances)
         for (float& d : out) d = float(of.curve.depth_of_share(double(d)));
     return out;

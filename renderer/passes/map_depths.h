@@ -7,6 +7,8 @@
 
 namespace si {
 
+class PagePasses;
+
 /// Which layer of the shadow maps is whose, and how they are kept.
 struct MapLayer {
     DepthCurve curve;
@@ -15,7 +17,7 @@ struct MapLayer {
 };
 
 /// Depths of a part of a layer of the maps, bottom row first, whatever the maps are kept in.
-std::vector<float> read_map_depths(Resources& resources, const gl::Target& maps, const MapLayer& of, glm::ivec2 first,
-                                   glm::ivec2 size);
+std::vector<float> read_map_depths(const PagePasses& pages, const gl::Target& maps, const MapLayer& of,
+                                   glm::ivec2 first, glm::ivec2 size);
 
 }  // namespace si

@@ -1,26 +1,23 @@
 // A depth image as a picture for people: a shadow map, or the camera's depth.
+#include "renderer/passes/map_view.h"
+
 #include <algorithm>
 #include <limits>
 
+#include "renderer/base/index_of.h"
 #include "renderer/frame/depth_histogram.h"
-#include "renderer/frame/state.h"
 #include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 
 namespace si {
 namespace {
 
-struct MapViewTargets {
-    gl::Target picture, range, channel;
-    glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth, as `range` has them
-};
-
 constexpr int kLargestPicture = 4096;
 constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
 
 /// Sets what shaders/lib/shown_depth.glsl reads.
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
-    const bool camera = f.settings.view.map_source == int(MapSource::Camera);
+    const bool camera = f.settings.view.map_source == MapSource::Camera;
     std::vector<gl::Define> extra;
     const int channel = shown_channel(f.settings);
     if (camera) extra.push_back({"FROM_CAMERA", "1"});
@@ -38,7 +35,7 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
 }
 
 /// One moment of the map shown as a number a texel, or the share of the range that alone would have it.
-Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
+Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) {
     f.plan.place(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
     Pass pass;
     pass.name = "map channel";
@@ -62,13 +59,13 @@ Pass channel_pass(FrameState& f, MapViewTargets& t, Key key, int layer) {
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "mip"), mip);
         glUniform1i(glGetUniformLocation(id, "channel"), shown_channel(f.settings) - 1);
-        glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != int(MapView::Raw));
+        glUniform1i(glGetUniformLocation(id, "as_share"), f.settings.view.map != MapView::Raw);
         FrameState::draw_fullscreen(info);
     };
     return pass;
 }
 
-Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
+Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int layer) {
     f.plan.place(Result::DepthRange, {&t.range});
     Pass pass;
     pass.name = "drawn depth range";
@@ -97,33 +94,19 @@ Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
 
 }  // namespace
 
-const DepthCurve* FrameState::shown_curve() const {
-    if (settings.view.map_source == int(MapSource::Camera)) return &camera.curve;
-    const LightView* view = shown_view();
-    return view ? &view->curve : nullptr;
-}
-
-int FrameState::shown_mip() const {
-    return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
-}
-
-bool FrameState::fits_greys() const {
-    return settings.view.map_fit && settings.view.map != int(MapView::Bands) && shown_curve();
-}
-
-glm::vec2 FrameState::grey_range() const {
-    const glm::vec2 drawn = gl.owned.get<MapViewTargets>().drawn;
-    if (!fits_greys() || drawn.x > drawn.y) return {settings.view.map_black, settings.view.map_white};
-    const auto view = MapView(settings.view.map);
+glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
+    const glm::vec2 drawn = targets_.drawn;
+    const ViewSettings& s = f.settings.view;
+    if (!f.fits_greys() || drawn.x > drawn.y) return {s.map_black, s.map_white};
     // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const double row : {0.0, 1.0})
         for (const float stored : {drawn.x, drawn.y}) {
-            const double value = shown_depth(stored, *shown_curve(), view, row);
+            const double value = shown_depth(stored, *f.shown_curve(), s.map, row);
             lo = std::min(lo, value);
             hi = std::max(hi, value);
         }
-    if (shown_channel(settings) > 0) {
+    if (shown_channel(f.settings) > 0) {
         lo = drawn.x;
         hi = drawn.y;
     }
@@ -135,11 +118,11 @@ glm::vec2 FrameState::grey_range() const {
     return {lo, hi};
 }
 
-void add_map_view_passes(FrameState& f) {
-    MapViewTargets& t = f.gl.owned.get<MapViewTargets>();
+void MapViewPasses::declare(FrameState& f) {
+    Targets& t = targets_;
     f.plan.place(Result::MapView, {&t.picture});
     const ViewSettings& v = f.settings.view;
-    const bool camera = v.map_source == int(MapSource::Camera);
+    const bool camera = v.map_source == MapSource::Camera;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     Pass pass;
@@ -165,22 +148,24 @@ void add_map_view_passes(FrameState& f) {
     f.plan.add(std::move(range));
     pass.key = f.with_settings(shown, ReadBy::MapView).value();
     pass.cached = &t.picture.key;
-    pass.run = [&f, &t, camera, layer](PassInfo& info) {
-        glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
-        if (const int most = std::max(size.x, size.y); most > kLargestPicture)
-            size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
-        t.picture.ensure("map viewer", GL_RGBA8, size.x, size.y);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("map viewer", &t.picture, nullptr);
-        f.begin_fullscreen_pass(framebuffer.id(), size.x, size.y);
-        const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
-        const ViewSettings& s = f.settings.view;
-        const glm::vec2 greys = f.grey_range();
-        glUniform1i(glGetUniformLocation(id, "mode"), s.map);
-        glUniform1i(glGetUniformLocation(id, "colours"), s.map_colours);
-        glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
-        FrameState::draw_fullscreen(info);
-    };
+    pass.run = [this, &f, camera, layer](PassInfo& info) { run(f, camera, layer, info); };
     f.plan.add(std::move(pass));
+}
+
+void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {
+    glm::ivec2 size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
+    if (const int most = std::max(size.x, size.y); most > kLargestPicture)
+        size = glm::max(size * kLargestPicture / most, glm::ivec2(1));
+    targets_.picture.ensure("map viewer", GL_RGBA8, size.x, size.y);
+    const gl::Framebuffer framebuffer = gl::make_framebuffer("map viewer", &targets_.picture, nullptr);
+    f.begin_fullscreen_pass(framebuffer.id(), size.x, size.y);
+    const GLuint id = use_program(f, "passes/map_view.frag.glsl", layer);
+    const ViewSettings& s = f.settings.view;
+    const glm::vec2 greys = grey_range(f);
+    glUniform1i(glGetUniformLocation(id, "mode"), index_of(s.map));
+    glUniform1i(glGetUniformLocation(id, "colours"), index_of(s.map_colours));
+    glUniform4f(glGetUniformLocation(id, "range"), greys.x, greys.y, float(s.band_low), float(s.band_high));
+    FrameState::draw_fullscreen(info);
 }
 
 }  // namespace si

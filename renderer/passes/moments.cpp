@@ -1,10 +1,13 @@
 // Functions of the maps' depths, averaged about each texel, for the kernels that read those in place of depths.
+#include "renderer/passes/moments.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <span>
 #include <utility>
 
+#include "renderer/base/index_of.h"
 #include "renderer/frame/driver.h"
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/map_extents.h"
@@ -17,19 +20,13 @@
 namespace si {
 namespace {
 
-struct MomentTargets {
-    gl::Target moments;   ///< a layer a view
-    gl::Target steps[2];  ///< one layer between two draws
-    gl::Target samples;   ///< one view's map with several samples a texel
-};
-
 /// Where a draw's moments come from, as passes/moments.frag.glsl names it.
 enum class From { Depths, Samples, Moments };
 
 GLenum stored_format(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
-    if (m.summed) return f.settings.filter.sums == int(TableSums::Integer) ? GL_RG32UI : GL_RG32F;
-    const bool wide = f.settings.filter.moment_format == int(MomentFormat::Bits32);
+    if (m.summed) return f.settings.filter.sums == TableSums::Integer ? GL_RG32UI : GL_RG32F;
+    const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
     switch (m.names.size()) {
         case 1:
             return wide ? GL_R32F : GL_R16F;
@@ -50,7 +47,7 @@ GLenum step_format(const FrameState& f) {
 /// Makes one view's layer of the moments, step by step.
 class LayerMaker {
 public:
-    LayerMaker(FrameState& f, MomentTargets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
+    LayerMaker(FrameState& f, MomentsPass::Targets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
     /// @param held what of the view's map is drawn
     void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
@@ -82,7 +79,7 @@ public:
 
 private:
     FrameState& f_;
-    MomentTargets& t_;
+    MomentsPass::Targets& t_;
     PassInfo& info_;
     const LightView* view_ = nullptr;
     std::vector<TexelRect> texels_;  ///< that the map holds
@@ -125,8 +122,8 @@ private:
         const bool summed = filter_of(f_.settings).moments.summed;
         const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/moments.frag.glsl",
                                      {{"BLUR_COLUMNS", std::to_string(axis)},
-                                      {"MOMENTS_FROM_SAMPLES", std::to_string(int(From::Samples))},
-                                      {"MOMENTS_FROM_MOMENTS", std::to_string(int(From::Moments))},
+                                      {"MOMENTS_FROM_SAMPLES", std::to_string(index_of(From::Samples))},
+                                      {"MOMENTS_FROM_MOMENTS", std::to_string(index_of(From::Moments))},
                                       {"MOMENTS_FROM", std::to_string(int(from))},
                                       {"MOMENTS_AS_SUMS", summed ? "1" : "0"},
                                       {"BLUR_RADIUS", std::to_string(radius)},
@@ -187,7 +184,7 @@ std::vector<ResultRef> lookup_reads(const FrameState& f) {
     return {Result::ShadowMaps, Result::MapBounds};
 }
 
-void add_moments_pass(FrameState& f) {
+void MomentsPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "moments";
     pass.reads = {Result::ShadowMaps};
@@ -197,35 +194,37 @@ void add_moments_pass(FrameState& f) {
     if (!samples_moments(f)) {
         pass.unneeded =
             f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not averages of them";
-        f.plan.release([&f] { f.gl.owned.drop<MomentTargets>(); });
+        f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
     }
-    MomentTargets& t = f.gl.owned.get<MomentTargets>();
     const bool summed = filter_of(f.settings).moments.summed;
     // Tables of sums are fetched texel by texel.
-    f.plan.place(Result::Moments, {&t.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
+    f.plan.place(Result::Moments, {&targets_.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
     pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).add(f.maps_extent).value();
-    pass.cached = &t.moments.key;
-    pass.run = [&f, &t](PassInfo& info) {
-        const int n = f.map_resolution;
-        const bool mips = keeps_mips(f.settings);
-        const int levels = mips ? gl::mip_levels(n) : 1;
-        t.moments.ensure("moments", stored_format(f), n, n, f.map_layers(), {.levels = levels});
-        if (!LayerMaker::sampled(f)) t.samples = {};
-        LayerMaker maker(f, t, info);
-        for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
-            const FittedLight& light = f.gl.fitted[i];
-            for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-                if (const auto layer = std::size_t(f.first_view[i]) + v; !f.layers_held[layer].empty())
-                    maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
-        }
-        if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-        if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
-            info.parts.push_back(std::move(*part));
-        info.reason += description(f);
-    };
+    pass.cached = &targets_.moments.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void MomentsPass::run(FrameState& f, PassInfo& info) {
+    Targets& t = targets_;
+    const int n = f.map_resolution;
+    const bool mips = keeps_mips(f.settings);
+    const int levels = mips ? gl::mip_levels(n) : 1;
+    t.moments.ensure("moments", stored_format(f), n, n, f.map_layers(), {.levels = levels});
+    if (!LayerMaker::sampled(f)) t.samples = {};
+    LayerMaker maker(f, t, info);
+    for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
+        const FittedLight& light = f.gl.fitted[i];
+        for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
+            if (const auto layer = std::size_t(f.first_view[i]) + v; !f.layers_held[layer].empty())
+                maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
+    }
+    if (mips) glGenerateTextureMipmap(t.moments.texture.id());
+    if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
+        info.parts.push_back(std::move(*part));
+    info.reason += description(f);
 }
 
 }  // namespace si

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/base/index_of.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/number_check.h"
 #include "renderer/passes/pages.h"
@@ -31,11 +32,11 @@ constexpr double kLightSlack = 1e-5;
 const std::vector<gl::Define>& fault_defines() {
     static const std::vector<gl::Define> defines = {
         {"HEALTH_FAULTS", std::to_string(kNumberFaults)},
-        {"FAULT_NOT_A_NUMBER", std::to_string(int(NumberFault::NotANumber))},
-        {"FAULT_INFINITE", std::to_string(int(NumberFault::Infinite))},
-        {"FAULT_OUTSIDE_RANGE", std::to_string(int(NumberFault::OutsideRange))},
-        {"FAULT_NEGATIVE_VARIANCE", std::to_string(int(NumberFault::NegativeVariance))},
-        {"FAULT_OVERFLOW", std::to_string(int(NumberFault::Overflow))}};
+        {"FAULT_NOT_A_NUMBER", std::to_string(index_of(NumberFault::NotANumber))},
+        {"FAULT_INFINITE", std::to_string(index_of(NumberFault::Infinite))},
+        {"FAULT_OUTSIDE_RANGE", std::to_string(index_of(NumberFault::OutsideRange))},
+        {"FAULT_NEGATIVE_VARIANCE", std::to_string(index_of(NumberFault::NegativeVariance))},
+        {"FAULT_OVERFLOW", std::to_string(index_of(NumberFault::Overflow))}};
     return defines;
 }
 
@@ -76,53 +77,13 @@ struct FaultRecord {
 };
 static_assert(sizeof(FaultRecord) == 16);
 
-/// The pages of one map in a pool whose tiles are read back.
-struct SearchedPages {
-    NumberFinding place;
-    std::vector<PlacedPage> pages;
-};
-
-struct PoolTiles {
-    gl::Buffer read_back;
-    glm::ivec2 tiles{0};  ///< across and up
-    int page = 0;         ///< texels along a side of one
-    std::vector<SearchedPages> layers;
-};
-
-struct HealthTargets {
-    gl::Target tiles, found;  ///< RGBA32UI, a layer a kind of fault
-    gl::Buffer read_back;     ///< of `found`
-    GLsync done = nullptr;
-    std::vector<NumberFinding> places;  ///< one a column of `found`
-    std::optional<PoolTiles> pool;
-    NumericHealth so_far;  ///< found by the CPU
-    std::shared_ptr<const NumericHealth> health;
-
-    HealthTargets() = default;
-    HealthTargets(HealthTargets&&) = delete;
-    HealthTargets& operator=(HealthTargets&& other) noexcept {
-        tiles = std::move(other.tiles);
-        found = std::move(other.found);
-        read_back = std::move(other.read_back);
-        std::swap(done, other.done);
-        places = std::move(other.places);
-        pool = std::move(other.pool);
-        so_far = std::move(other.so_far);
-        health = std::move(other.health);
-        return *this;
-    }
-    ~HealthTargets() {
-        if (done) glDeleteSync(done);
-    }
-};
-
 // What is searched ----------------------------------------------------------------------------------------------------
 
 /// How far a variance may fall below 0 by rounding: of the mean square and the mean's square as they are stored, of the
 /// sums that they are, and of the mip levels that are made of them.
 Demands moment_demands(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
-    const bool wide = f.settings.filter.moment_format == int(MomentFormat::Bits32);
+    const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
     Demands d{.channels = int(m.names.size()), .warped = m.power > 0};
     if (m.summed) return d;
     d.variances = m.power == 2 ? int(m.names.size()) / 2 : m.power == 1 ? 0 : m.names.size() > 1 ? 1 : 0;
@@ -147,7 +108,7 @@ std::vector<Searched> searched_images(const FrameState& f) {
         add(Result::DrawnMaps, "shadow map", depth, true, f.paged);
         if (f.blurs_depths()) add(Result::ShadowMaps, "blurred shadow map", depth, true);
         const StoredMoments& m = filter_of(f.settings).moments;
-        const bool integers = m.summed && f.settings.filter.sums == int(TableSums::Integer);  // always numbers
+        const bool integers = m.summed && f.settings.filter.sums == TableSums::Integer;  // always numbers
         if (filter_of(f.settings).samples == Samples::Moments && !integers)
             add(Result::Moments, m.summed ? "table of sums" : "moments", moment_demands(f), true);
     }
@@ -217,7 +178,7 @@ std::vector<gl::Define> search_defines(const Searched& s) {
 
 class FaultSearch {
 public:
-    FaultSearch(const FrameState& f, HealthTargets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
+    FaultSearch(const FrameState& f, NumericHealthPass::Targets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
     /// Finds the faults of each tile of a layer.
     glm::ivec2 search(const Searched& s, const SearchedLayer& layer, int tile) {
@@ -264,7 +225,7 @@ private:
     }
 
     const FrameState& f_;
-    HealthTargets& t_;
+    NumericHealthPass::Targets& t_;
     PassInfo& info_;
 };
 
@@ -285,8 +246,8 @@ std::vector<FaultRecord> records_of(const gl::Buffer& buffer, std::size_t count)
     return out;
 }
 
-PoolTiles pool_tiles(const FrameState& f, const Searched& s) {
-    const ReadPages read = pages_read(f.gl);
+PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searched& s) {
+    const ReadPages read = pages.read();
     PoolTiles out{.read_back = {}, .page = read.texels, .layers = {}};
     std::map<int, std::size_t> of_layer;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
@@ -302,7 +263,7 @@ PoolTiles pool_tiles(const FrameState& f, const Searched& s) {
 
 // All of it -----------------------------------------------------------------------------------------------------------
 
-void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
+void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPass::Targets& t, PassInfo& info) {
     t.health = nullptr;
     t.so_far = {};
     t.places.clear();
@@ -326,7 +287,7 @@ void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
         if (const auto& corrupt_image = gl::fault_injection().corrupt_image)
             corrupt_image(s.name, s.image->texture.id());
         if (s.of_pages) {
-            PoolTiles pool = pool_tiles(f, s);
+            PoolTiles pool = pool_tiles(f, pages, s);
             const glm::ivec2 size(s.image->width, s.image->height);
             // The tiles of a pool are its pages, of which those that nothing reads hold anything.
             search.search(s, {.place = {}, .layer = 0, .size = size}, std::max(pool.page, 1));
@@ -395,8 +356,8 @@ void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<cons
 
 }  // namespace
 
-std::shared_ptr<const NumericHealth> read_numeric_health(Resources& resources, bool wait) {
-    HealthTargets& t = resources.owned.get<HealthTargets>();
+std::shared_ptr<const NumericHealth> NumericHealthPass::read(bool wait) {
+    Targets& t = targets_;
     if (t.health || !t.done) return t.health;
     const GLenum state = glClientWaitSync(t.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);
     if (state == GL_TIMEOUT_EXPIRED) return nullptr;
@@ -420,7 +381,7 @@ std::shared_ptr<const NumericHealth> read_numeric_health(Resources& resources, b
     return t.health;
 }
 
-void add_numeric_health_pass(FrameState& f) {
+void NumericHealthPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "numeric health";
     pass.category = PassCategory::Tool;
@@ -430,17 +391,21 @@ void add_numeric_health_pass(FrameState& f) {
     pass.idle_reason = "not needed: the numbers are not checked";
     if (!f.request.outputs.health) {
         // Frames without a picture are drawn beside one that is shown, which may still want what was found.
-        if (f.request.outputs.colour) f.plan.release([&f] { f.gl.owned.drop<HealthTargets>(); });
+        if (f.request.outputs.colour) f.plan.release([this] { targets_ = Targets(); });
         f.plan.add(std::move(pass));
         return;
     }
-    HealthTargets& t = f.gl.owned.get<HealthTargets>();
+    Targets& t = targets_;
     f.plan.place(Result::Health, {&t.found});
     pass.key =
         Key().add(f.geometry_key).add(f.camera_key).add(f.lights_key).add(f.gl.programs.source().generation()).value();
     pass.cached = &t.found.key;
-    pass.run = [&f, &t](PassInfo& info) { search_frame(f, t, info); };
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void NumericHealthPass::run(const FrameState& f, PassInfo& info) {
+    search_frame(f, pages_, targets_, info);
 }
 
 }  // namespace si

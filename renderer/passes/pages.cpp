@@ -11,8 +11,8 @@
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/page_cache.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/light_depth.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"
@@ -31,14 +31,7 @@ struct Rect {
     bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
 };
 
-/// What is drawn into maps, by instance as SceneGpu orders them.
-struct Casters {
-    std::uint64_t key = 0;                ///< of the scene's arrangement
-    std::vector<std::uint64_t> content;   ///< of all that an instance's depths come of; 0: it never casts
-    std::vector<std::size_t> indices;     ///< how many its mesh has
-    std::vector<Box> corners;             ///< of its box, world
-    std::vector<std::vector<Box>> parts;  ///< of the boxes of its parts; none: it is no large mesh
-};
+using Casters = PagedCasters;
 
 /// Where casters lie across a light.
 struct Across {
@@ -65,25 +58,6 @@ struct Across {
         return Seen::Parts;
     }
 };
-
-struct PageTargets {
-    gl::Target wanted;            ///< R8UI, a texel a page, a layer a view
-    gl::Target nothing;           ///< a pixel for each of the picture; OpenGL wants something to draw into
-    gl::Target pool, unfiltered;  ///< pages of the maps side by side
-    gl::Target block, depth;      ///< what pages are drawn in, and beside it where that is colour
-    gl::Target table;             ///< RGBA16UI, see shared/pages.h
-    PageCache cache;
-    PageChoice choice;
-    PageFacts facts;
-    int page = 0;                                 ///< texels along a page's side
-    std::vector<std::uint64_t> unfiltered_pages;  ///< by slot, what `unfiltered` holds
-    Casters casters;
-    int draw_calls = 0;
-};
-
-PageTargets& page_targets(const FrameState& f) {
-    return f.gl.owned.get<PageTargets>();
-}
 
 /// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
 void find_casters(const FrameState& f, Casters& casters) {
@@ -268,7 +242,7 @@ int most_pages(const FrameState& f) {
 }
 
 /// What blended surfaces read is in no picture of surfaces: they are drawn over them.
-void mark_blended(FrameState& f, PageTargets& t, PassInfo& info) {
+void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const auto& batches = f.gl.scene->batches();
     if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
     CameraPass(f).draw("passes/camera_depth.frag.glsl", {}, info);
@@ -287,7 +261,7 @@ void mark_blended(FrameState& f, PageTargets& t, PassInfo& info) {
     glDepthMask(GL_TRUE);
 }
 
-Pass wanted_pass(FrameState& f, PageTargets& t) {
+Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     Pass pass;
     pass.name = "pages requested";
     pass.category = PassCategory::Maps;
@@ -314,7 +288,7 @@ Pass wanted_pass(FrameState& f, PageTargets& t) {
 }
 
 /// Draws pages into a pool as large as the cache says, by way of a block of pages.
-void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
+void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
                     const std::vector<const PlacedPage*>& pages, bool unfiltered, PassInfo& info) {
     const bool colour = is_colour(f.settings.map.format);
     const int width = t.cache.side() * t.page, block = kBlockPages * t.page;
@@ -355,7 +329,7 @@ void draw_into_pool(FrameState& f, PageTargets& t, const std::vector<PagedLayer>
 
 /// Texels of one map a light as fine as its finest page, over the square about its pages; and what else the frame's
 /// pages come to.
-PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<PagedLayer>& layers) {
+PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std::vector<PagedLayer>& layers) {
     const PageChoice& choice = t.choice;
     PageFacts facts{.page_texels = t.page,
                     .wanted = choice.wanted,
@@ -399,7 +373,7 @@ PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<
     return facts;
 }
 
-void upload_table(const FrameState& f, PageTargets& t) {
+void upload_table(const FrameState& f, PagePasses::Targets& t) {
     const int side = t.choice.table_side;
     t.table.ensure("page table", GL_RGBA16UI, side, side, f.view_count);
     std::vector<glm::u16vec4> texels(t.choice.table.size());
@@ -412,7 +386,7 @@ void upload_table(const FrameState& f, PageTargets& t) {
                         texels.data());
 }
 
-void choose_and_draw(FrameState& f, PageTargets& t, PassInfo& info) {
+void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const int side = pages_per_side(f), page = page_texels(f.settings);
     if (f.request.force || t.page != page || t.pool.format != f.map_format()) t.cache.clear();
     t.page = page;
@@ -434,7 +408,7 @@ void choose_and_draw(FrameState& f, PageTargets& t, PassInfo& info) {
     info.reason += "; " + page_text(t.facts);
 }
 
-Pass pages_pass(FrameState& f, PageTargets& t) {
+Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
     Pass pass;
     pass.name = "pages of shadow maps";
     pass.category = PassCategory::Maps;
@@ -458,12 +432,12 @@ Pass pages_pass(FrameState& f, PageTargets& t) {
 
 }  // namespace
 
-void add_page_passes(FrameState& f) {
+void PagePasses::declare(FrameState& f) {
     if (!f.paged) {
-        f.plan.release([&f] { f.gl.owned.drop<PageTargets>(); });
+        f.plan.release([this] { targets_ = {}; });
         return;
     }
-    PageTargets& t = page_targets(f);
+    Targets& t = targets_;
     f.plan.place(Result::PagesWanted, {&t.wanted});
     f.plan.place(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     f.plan.place(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
@@ -473,8 +447,8 @@ void add_page_passes(FrameState& f) {
     f.plan.add(pages_pass(f, t));
 }
 
-void add_unfiltered_pages_pass(FrameState& f, Pass pass) {
-    PageTargets& t = page_targets(f);
+void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
+    Targets& t = targets_;
     const bool own = f.draws_unfiltered();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
@@ -503,13 +477,12 @@ void add_unfiltered_pages_pass(FrameState& f, Pass pass) {
     f.plan.add(std::move(pass));
 }
 
-ReadPages pages_read(Resources& resources) {
-    const PageTargets& t = resources.owned.get<PageTargets>();
-    return {t.choice.read, t.page};
+ReadPages PagePasses::read() const {
+    return {targets_.choice.read, targets_.page};
 }
 
-PageFacts page_facts(Resources& resources, bool drawn) {
-    PageFacts facts = resources.owned.get<PageTargets>().facts;
+PageFacts PagePasses::facts(bool drawn) const {
+    PageFacts facts = targets_.facts;
     if (!drawn) {
         facts.kept += facts.drawn;
         facts.drawn = facts.evicted = 0;
@@ -517,9 +490,8 @@ PageFacts page_facts(Resources& resources, bool drawn) {
     return facts;
 }
 
-std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
-                                     float empty_depth) {
-    const PageTargets& t = resources.owned.get<PageTargets>();
+std::vector<float> PagePasses::read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const {
+    const Targets& t = targets_;
     const GLenum format = gl::single_channel_format(t.pool.format);
     std::vector<float> out(std::size_t(size.x) * std::size_t(size.y), empty_depth);
     std::vector<float> depths(std::size_t(t.page) * std::size_t(t.page));

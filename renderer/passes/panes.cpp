@@ -1,4 +1,6 @@
 // The panes: each overlay's values, and the picture with the overlay over it.
+#include "renderer/passes/panes.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,26 +8,13 @@
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/moments.h"
+#include "renderer/passes/truth.h"
 
 namespace si {
 namespace {
 
 using ShownPane = FrameState::ShownPane;
-
-/// What one pane draws into, and the range fitted to its values.
-struct PaneTargets {
-    gl::Target values, composed;
-    ValueRange fitted;
-    std::uint64_t fitted_key = 0;  ///< of the values that `fitted` was found in
-};
-
-struct AllPanes {
-    std::array<PaneTargets, kMaxPanes> slots;
-};
-
-PaneTargets& targets_of(const FrameState& f, const ShownPane& pane) {
-    return f.gl.owned.get<AllPanes>().slots[std::size_t(pane.slot)];
-}
 
 /// The name of a slot's pass or result: plain for the first.
 std::string slot_name(std::string_view name, const ShownPane& pane) {
@@ -75,7 +64,9 @@ private:
     OverlayDraw draw_;
 };
 
-Pass values_pass(FrameState& f, const ShownPane& pane) {
+}  // namespace
+
+Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
     pass.reads = lookup_reads(f);
@@ -91,7 +82,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     }
     // Where nothing writes depth, it has to be there.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
-    PaneTargets& t = targets_of(f, pane);
+    Targets& t = targets_of(pane);
     f.plan.place({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
     pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
@@ -104,7 +95,7 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     return pass;
 }
 
-Pass compose_pass(FrameState& f, const ShownPane& pane) {
+Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay over picture", pane);
     pass.reads = {Result::Shaded, {Result::Overlay, pane.slot}};
@@ -114,14 +105,14 @@ Pass compose_pass(FrameState& f, const ShownPane& pane) {
         pass.unneeded = "no overlay is chosen";
         return pass;
     }
-    PaneTargets& t = targets_of(f, pane);
+    Targets& t = targets_of(pane);
     f.plan.place({Result::Composed, pane.slot}, {&t.composed});
     pass.key = f.with_settings({}, ReadBy::Compose).value();  // a fitted range follows from the values
     pass.cached = &t.composed.key;
-    pass.run = [&f, &t, pane](PassInfo& info) {
+    pass.run = [this, &f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
         const gl::Framebuffer framebuffer = gl::make_framebuffer("picture with overlay", &t.composed, nullptr);
-        const ValueRange range = f.range_of(pane);
+        const ValueRange range = range_of(f, pane);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/compose.frag.glsl");
         glUseProgram(id);
@@ -134,8 +125,8 @@ Pass compose_pass(FrameState& f, const ShownPane& pane) {
     return pass;
 }
 
-Pass slabs_over(FrameState& f, const ShownPane& pane) {
-    Pass pass = slabs_pass(f, pane);
+Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
+    Pass pass = slabs_.pass(f, pane);
     pass.name = slot_name("texel slabs", pane);
     pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};
@@ -144,26 +135,15 @@ Pass slabs_over(FrameState& f, const ShownPane& pane) {
     return pass;
 }
 
-}  // namespace
-
-ResultRef FrameState::picture_of(const ShownPane& pane) const {
-    if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
-    return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
-}
-
-ResultRef FrameState::values_of(const ShownPane& pane) const {
-    return ResultRef{Result::Overlay, pane.slot};
-}
-
-ValueRange FrameState::range_of(const ShownPane& pane) const {
-    const ViewSettings& v = settings.view;
+ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
+    const ViewSettings& v = f.settings.view;
     if (!pane.row()) return {};
     const Overlay& row = *pane.row();
-    PaneTargets& t = targets_of(*this, pane);
-    if (v.overlay_range == int(OverlayRange::Manual) && pane.overlay == v.overlay)
+    Targets& t = targets_of(pane);
+    if (v.overlay_range == OverlayRange::Manual && pane.overlay == v.overlay)
         return {float(v.overlay_min), float(v.overlay_max)};
     const ValueRange declared{float(row.min), float(row.max)};
-    if (v.overlay_range != int(OverlayRange::Fitted) || !row.scalar || t.values.key == 0) return declared;
+    if (v.overlay_range != OverlayRange::Fitted || !row.scalar || t.values.key == 0) return declared;
     if (t.fitted_key != t.values.key) {
         FloatImage values{t.values.width, t.values.height, 4, {}};
         values.data.resize(std::size_t(values.width) * std::size_t(values.height) * 4);
@@ -176,7 +156,7 @@ ValueRange FrameState::range_of(const ShownPane& pane) const {
     return t.fitted;
 }
 
-void add_pane_passes(FrameState& f) {
+void PanePasses::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.panes.size(); ++i) {
         const ShownPane& pane = f.panes[i];
         if (pane.slot != int(i)) continue;  // an earlier pane shows the same
@@ -184,7 +164,7 @@ void add_pane_passes(FrameState& f) {
             f.plan.add(values_pass(f, pane));
             f.plan.add(compose_pass(f, pane));
         }
-        f.plan.add(slabs_over(f, pane));
+        f.plan.add(slabs_pass(f, pane));
     }
 }
 

@@ -1,20 +1,15 @@
 // How far look-ups are off by single precision: drawn, read back, held against double precision on the CPU.
-#include "renderer/reference/precision.h"
+#include "renderer/passes/precision.h"
 
 #include <cmath>
 
 #include "renderer/frame/read_images.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
+#include "renderer/reference/precision.h"
 
 namespace si {
 namespace {
-
-struct PrecisionTargets {
-    gl::Target uvd;    ///< RGBA32F, see DrawnLookUps
-    gl::Target error;  ///< RG32F: texels or -1, steps of depth or -1
-    std::shared_ptr<const Precision> found;
-};
 
 Image image_of(const gl::Target& target) {
     return {target.texture.id(), target.width, target.height};
@@ -37,9 +32,8 @@ void upload(const Precision& found, gl::Target& to) {
 
 }  // namespace
 
-void add_precision_pass(FrameState& f) {
-    PrecisionTargets& t = f.gl.owned.get<PrecisionTargets>();
-    f.plan.place(Result::Precision, {&t.error, shared::UNIT_PRECISION});
+void PrecisionPass::declare(FrameState& f) {
+    f.plan.place(Result::Precision, {&error_, shared::UNIT_PRECISION});
     Pass pass;
     pass.name = "single against double precision";
     pass.category = PassCategory::Tool;
@@ -52,21 +46,19 @@ void add_precision_pass(FrameState& f) {
         return;
     }
     pass.key = f.shown_light_key().value();
-    pass.cached = &t.error.key;
-    pass.run = [&f, &t](PassInfo& info) {
-        CameraPass(f, "look-ups", GL_RGBA32F, t.uvd)
-            .clear(glm::vec4(0))
-            .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
-        const DrawnLookUps drawn{read_ids(image_of(f.result(Result::SurfaceIds))), read_floats(image_of(t.uvd), 4)};
-        t.found = std::make_shared<const Precision>(find_precision(
-            f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, drawn));
-        upload(*t.found, t.error);
-    };
+    pass.cached = &error_.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
 }
 
-std::shared_ptr<const Precision> found_precision(const FrameState& f) {
-    return f.gl.owned.get<PrecisionTargets>().found;
+void PrecisionPass::run(FrameState& f, PassInfo& info) {
+    CameraPass(f, "look-ups", GL_RGBA32F, uvd_)
+        .clear(glm::vec4(0))
+        .draw("passes/look_ups.frag.glsl", {{"LIGHT_INDEX", std::to_string(f.settings.view.light)}}, info);
+    const DrawnLookUps drawn{read_ids(image_of(f.result(Result::SurfaceIds))), read_floats(image_of(uvd_), 4)};
+    found_ = std::make_shared<const Precision>(
+        find_precision(f.scene, f.camera, f.gl.fitted[std::size_t(f.settings.view.light)], f.map_resolution, drawn));
+    upload(*found_, error_);
 }
 
 }  // namespace si

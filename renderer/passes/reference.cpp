@@ -7,8 +7,11 @@
 #include <utility>
 
 #include "renderer/frame/causes.h"
+#include "renderer/base/index_of.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/moments.h"
+#include "renderer/passes/truth.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
@@ -19,24 +22,12 @@ namespace {
 
 constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
 // The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
-static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoMap) == int(kArtefacts) - 3,
+static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
-struct ReferenceTargets {
-    gl::Target reference, more_reference;  ///< of the truth picture
-    gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
-    gl::Target marks;                      ///< depths MARK_* of shared/judged.h
-    std::uint64_t causes_key = 0;          ///< of `judged` with the causes in it
-    gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
-    std::array<gl::Target, kEvidenceImages> evidence;
-    std::shared_ptr<const LiveError> error;  ///< of the error tiles
-};
-
-ReferenceTargets& reference_targets(const FrameState& f) {
-    return f.gl.owned.get<ReferenceTargets>();
-}
+using ReferenceTargets = TruthPasses::Targets;
 
 /// What PixelState is for the shader; rows stay from the top.
 void upload(const TracedReference& traced, ReferenceTargets& to) {
@@ -64,15 +55,15 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
     put(to.more_reference, "more of the truth", more);
 }
 
-Pass upload_pass(FrameState& f) {
+Pass upload_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "truth uploaded";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::Reference};
     pass.idle_reason = "nothing asks for the truth";
     pass.key = f.reference_content;
-    pass.cached = &reference_targets(f).reference.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.reference->traced, reference_targets(f)); };
+    pass.cached = &t.reference.key;
+    pass.run = [&f, &t](PassInfo&) { upload(f.request.reference->traced, t); };
     return pass;
 }
 
@@ -83,15 +74,14 @@ bool map_holds_all(const FrameState& f, int number) {
     if (light >= f.gl.fitted.size()) return false;
     const FittedLight& fitted = f.gl.fitted[light];
     if (!fitted.casts) return true;
-    return fitted.type == LightType::Directional && f.settings.lights[light].fit != int(LightFit::Manual) &&
+    return fitted.type == LightType::Directional && f.settings.lights[light].fit != LightFit::Manual &&
            fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
 /// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
 bool seams_matter(const FrameState& f, int light) {
     const MapSettings& m = f.settings.map;
-    const bool lit =
-        m.outside == int(Outside::Lit) && (m.wrap == int(MapWrap::Border) || m.wrap == int(MapWrap::Range));
+    const bool lit = m.outside == Outside::Lit && (m.wrap == MapWrap::Border || m.wrap == MapWrap::Range);
     return !map_holds_all(f, light) || !lit;
 }
 
@@ -114,14 +104,13 @@ std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
     return out;
 }
 
-Pass compare_pass(FrameState& f) {
+Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    ReferenceTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.classified.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -144,7 +133,7 @@ Pass compare_pass(FrameState& f) {
 
 /// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
 /// branch.
-Pass causes_pass(FrameState& f) {
+Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
@@ -153,7 +142,6 @@ Pass causes_pass(FrameState& f) {
                                          Result::UnfilteredMap, Result::Reference});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    ReferenceTargets& t = reference_targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -183,7 +171,7 @@ Pass causes_pass(FrameState& f) {
     return pass;
 }
 
-Pass evidence_pass(FrameState& f) {
+Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "trials of every pixel";
     pass.category = PassCategory::Tool;
@@ -193,9 +181,9 @@ Pass evidence_pass(FrameState& f) {
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
     pass.key = f.shown_light_key().add(f.reference.met).value();
-    pass.cached = &reference_targets(f).evidence[0].key;
-    pass.run = [&f](PassInfo& info) {
-        CameraPass pass_into(f, "evidence", GL_RGBA32F, reference_targets(f).evidence);
+    pass.cached = &t.evidence[0].key;
+    pass.run = [&f, &t](PassInfo& info) {
+        CameraPass pass_into(f, "evidence", GL_RGBA32F, t.evidence);
         pass_into.clear(glm::vec4(0));
         draw_evidence(f, f.settings.view.light, f.reference.met, info);
     };
@@ -238,7 +226,7 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     return sums;
 }
 
-Pass sums_pass(FrameState& f) {
+Pass sums_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "errors summed up";
     pass.category = PassCategory::Tool;
@@ -246,11 +234,11 @@ Pass sums_pass(FrameState& f) {
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
-    pass.cached = &reference_targets(f).error_tiles.key;
-    pass.run = [&f](PassInfo& info) {
+    pass.cached = &t.error_tiles.key;
+    pass.run = [&f, &t](PassInfo& info) {
         const Reference& reference = *f.request.reference->traced.reference;
         const int across = (reference.width + kTile - 1) / kTile, down = (reference.height + kTile - 1) / kTile;
-        gl::Target& tiles = reference_targets(f).error_tiles;
+        gl::Target& tiles = t.error_tiles;
         tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
         const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
@@ -258,7 +246,7 @@ Pass sums_pass(FrameState& f) {
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
-        reference_targets(f).error = std::make_shared<const LiveError>(
+        t.error = std::make_shared<const LiveError>(
             metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), reference));
     };
     return pass;
@@ -287,19 +275,15 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
     return out;
 }
 
-std::shared_ptr<const LiveError> live_error(const FrameState& f) {
-    return reference_targets(f).error;
-}
-
-void add_reference_passes(FrameState& f) {
-    ReferenceTargets& t = reference_targets(f);
+void TruthPasses::declare(FrameState& f) {
+    Targets& t = targets_;
     f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
     f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
     f.plan.place(Result::Compared, {&t.classified});
     f.plan.place(Result::Judged, {&t.classified, shared::UNIT_CLASSIFIED});
     f.plan.place(Result::Error, {&t.error_tiles});
     for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
-    std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
+    std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};
     for (Pass& pass : passes) {
         if (!f.reference.met) {
             pass.unneeded = kUntraced;
@@ -308,7 +292,7 @@ void add_reference_passes(FrameState& f) {
         }
         f.plan.add(std::move(pass));
     }
-    f.plan.add(evidence_pass(f));
+    f.plan.add(evidence_pass(f, t));
 }
 
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info) {

@@ -1,6 +1,8 @@
 // Between which depths the camera sees anything. Lauritzen, Salvi, Lefohn, Sample Distribution Shadow Maps, I3D 2011,
 // reduce the depth buffer likewise before they divide it among cascades; here the least and the greatest of its values
 // are found on the CPU, for which the frame waits.
+#include "renderer/passes/seen_depths.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>

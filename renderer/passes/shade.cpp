@@ -1,22 +1,21 @@
 // The lit picture. Evaluates visibility itself unless the visibility texture exists anyway. And the mean of several,
 // for a view that rests.
+#include "renderer/passes/shade.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "renderer/frame/blocks.h"
-#include "renderer/optimisations/visible_objects.h"
+#include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/moments.h"
+#include "renderer/passes/visibility.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
-
-struct ShadedTargets {
-    gl::Target picture, true_picture;
-    gl::Target true_visibility;  ///< as Result::Visibility
-};
 
 constexpr glm::vec4 kBackground(0.155f, 0.165f, 0.185f, 1.f);  // sRGB; calm, darker than any lit surface
 
@@ -60,8 +59,8 @@ void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& i
 
 std::vector<gl::Define> look_defines(const FrameState& f) {
     const ShadingSettings& s = f.settings.shading;
-    return {{"SKY_LIGHTS", s.sky == int(SkyLook::Gradient) ? "1" : "0"},
-            {"CURVE_FILMIC", s.curve == int(ToneCurve::Filmic) ? "1" : "0"},
+    return {{"SKY_LIGHTS", s.sky == SkyLook::Gradient ? "1" : "0"},
+            {"CURVE_FILMIC", s.curve == ToneCurve::Filmic ? "1" : "0"},
             {"EXPOSED", s.exposure != 0 ? "1" : "0"},
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
@@ -77,12 +76,12 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
         f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
     // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
-    if (f.settings.shading.composition == int(Composition::DimLit)) {
+    if (f.settings.shading.composition == Composition::DimLit) {
         draw("DIM_PASS");
         draw("LIT_PASS");
     } else
         draw(nullptr);
-    if (f.settings.shading.sky == int(SkyLook::Gradient)) draw_sky(f, look, info);
+    if (f.settings.shading.sky == SkyLook::Gradient) draw_sky(f, look, info);
     draw_blended(f, look, info);
 }
 
@@ -94,7 +93,7 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
-    const std::size_t count = f.gl.owned.get<SeenObjects>().left_out();
+    const std::size_t count = f.gl.found->seen_objects.left_out();
     PartInfo part{
         .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
     if (f.request.forced.contains(Optimisation::InSight)) {
@@ -107,12 +106,7 @@ PartInfo beside_part(const FrameState& f) {
     return part;
 }
 
-struct SmoothTargets {
-    gl::Target one, depth;  ///< of one picture
-    gl::Target sum, mean;
-    std::uint64_t of = 0;  ///< key of what is summed up
-    int count = 0;
-};
+using SmoothTargets = ShadePasses::SmoothTargets;
 
 /// Sixteenths of a pixel, as multisampling of 8 places them: each row and each column of eighths once.
 constexpr glm::ivec2 kPlaces[kSmoothedMost] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
@@ -170,9 +164,62 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
     info.reason += fmt::format("; {} of {} shadings are in it", count, kSmoothedMost);
 }
 
-/// @param of key of the picture that is made smooth
-void add_smooth_pass(FrameState& f, std::uint64_t of) {
-    SmoothTargets& t = f.gl.owned.get<SmoothTargets>();
+}  // namespace
+
+void TrueShadePass::declare(FrameState& f) {
+    f.plan.place(Result::TruePicture, {&picture_});
+    Pass pass;
+    pass.name = "shading by the truth";
+    pass.reads = lookup_reads(f);
+    pass.reads.push_back(Result::Visibility);
+    pass.category = PassCategory::Tool;
+    pass.writes = {Result::TruePicture};
+    pass.idle_reason = "not needed: the true picture is not shown";
+    if (!f.reference.met) {
+        pass.unneeded = "the truth about this frame is not traced";
+        f.plan.add(std::move(pass));
+        return;
+    }
+    pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
+    pass.cached = &picture_.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
+    f.plan.add(std::move(pass));
+}
+
+void TrueShadePass::run(FrameState& f, PassInfo& info) {
+    const gl::Target& drawn = f.result(Result::Visibility);
+    gl::Target& visibility = visibility_;
+    visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
+    glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
+                       GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
+    put_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
+    glBindTextureUnit(shared::UNIT_VISIBILITY, visibility.texture.id());
+    draw_picture(f, picture_, true, info);
+}
+
+void ShadePasses::declare(FrameState& f) {
+    f.plan.place(Result::Shaded, {&picture_, shared::UNIT_SHADED});
+    Pass pass;
+    pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
+    pass.reads = lookup_reads(f);
+    if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
+    pass.writes = {Result::Shaded};
+    pass.idle_reason = "the picture was not asked for";
+    pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
+    pass.cached = &picture_.key;
+    const std::uint64_t key = pass.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
+    f.plan.add(std::move(pass));
+    declare_smooth(f, key);
+}
+
+void ShadePasses::run(FrameState& f, PassInfo& info) {
+    draw_picture(f, picture_, f.separate_visibility, info);
+    info.parts.push_back(beside_part(f));
+}
+
+void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
+    SmoothTargets& t = smooth_;
     f.plan.place(Result::Smooth, {&t.mean});
     if (!f.settings.view.smooth) f.plan.release([&t] { t = {}; });
     Pass pass;
@@ -190,58 +237,6 @@ void add_smooth_pass(FrameState& f, std::uint64_t of) {
     pass.cached = &t.mean.key;
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
     f.plan.add(std::move(pass));
-}
-
-}  // namespace
-
-void add_true_shade_pass(FrameState& f) {
-    ShadedTargets& t = f.gl.owned.get<ShadedTargets>();
-    f.plan.place(Result::TruePicture, {&t.true_picture});
-    Pass pass;
-    pass.name = "shading by the truth";
-    pass.reads = lookup_reads(f);
-    pass.reads.push_back(Result::Visibility);
-    pass.category = PassCategory::Tool;
-    pass.writes = {Result::TruePicture};
-    pass.idle_reason = "not needed: the true picture is not shown";
-    if (!f.reference.met) {
-        pass.unneeded = "the truth about this frame is not traced";
-        f.plan.add(std::move(pass));
-        return;
-    }
-    pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
-    pass.cached = &t.true_picture.key;
-    pass.run = [&f, &t](PassInfo& info) {
-        const gl::Target& drawn = f.result(Result::Visibility);
-        gl::Target& visibility = t.true_visibility;
-        visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
-        glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
-                           GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
-        put_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
-        glBindTextureUnit(shared::UNIT_VISIBILITY, visibility.texture.id());
-        draw_picture(f, t.true_picture, true, info);
-    };
-    f.plan.add(std::move(pass));
-}
-
-void add_shade_pass(FrameState& f) {
-    gl::Target& picture = f.gl.owned.get<ShadedTargets>().picture;
-    f.plan.place(Result::Shaded, {&picture, shared::UNIT_SHADED});
-    Pass pass;
-    pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
-    pass.reads = lookup_reads(f);
-    if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
-    pass.writes = {Result::Shaded};
-    pass.idle_reason = "the picture was not asked for";
-    pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
-    pass.cached = &picture.key;
-    const std::uint64_t key = pass.key;
-    pass.run = [&f, &picture](PassInfo& info) {
-        draw_picture(f, picture, f.separate_visibility, info);
-        info.parts.push_back(beside_part(f));
-    };
-    f.plan.add(std::move(pass));
-    add_smooth_pass(f, key);
 }
 
 }  // namespace si

@@ -291,22 +291,21 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     return pass;
 }
 
-void add_shadow_volume_passes(FrameState& f) {
+void ShadowVolumePasses::declare(FrameState& f) {
     bool any = false;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
     if (!any) {
-        f.plan.release([&f] { f.gl.owned.drop<ShadowVolumes>(); });
+        f.plan.release([this] { volumes_ = {}; });
         return;
     }
-    ShadowVolumes& volumes = f.gl.owned.get<ShadowVolumes>();
-    volumes.arrange(f);
-    f.plan.place(Result::ShadowVolumes, {&volumes.lit(), shared::UNIT_VOLUMES});
-    f.plan.release([&volumes] { volumes.forget_unused(); });
+    volumes_.arrange(f);
+    f.plan.place(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
+    f.plan.release([this] { volumes_.forget_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
-        f.plan.add(volumes.pass(f, i));
-        if (!volumes.refusal(i).empty()) f.notes.push_back(volumes.refusal(i));
+        f.plan.add(volumes_.pass(f, i));
+        if (!volumes_.refusal(i).empty()) f.notes.push_back(volumes_.refusal(i));
     }
 }
 

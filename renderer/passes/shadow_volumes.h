@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "renderer/frame/frame_pass.h"
 #include "renderer/frame/state.h"
 #include "renderer/view/lights/shadow_volume.h"
 
@@ -79,6 +80,17 @@ private:
     gl::Buffer corners_;
     gl::Target depth_stencil_, lit_;
     gl::Framebuffer counting_, marking_;
+};
+
+/// Draws the shadow volumes of each light whose source they are.
+class ShadowVolumePasses : public FramePass {
+public:
+    void declare(FrameState& f) override;
+    /// Returns whether the light's volumes are drawn in the frame declared last.
+    bool draws(std::size_t light) const { return volumes_.draws(light); }
+
+private:
+    ShadowVolumes volumes_;
 };
 
 }  // namespace si

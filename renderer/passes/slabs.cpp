@@ -1,4 +1,6 @@
 // Texels of the shown light's map as quads in the scene, over a pane's picture.
+#include "renderer/passes/slabs.h"
+
 #include <algorithm>
 
 #include "renderer/gl/driver_failure.h"
@@ -11,14 +13,7 @@
 namespace si {
 namespace {
 
-struct SlabTargets {
-    std::array<gl::Target, kMaxPanes> pictures;
-    gl::VertexArray vao;
-    gl::Buffer instances;
-    int count = 0;
-    std::vector<float> depths;  ///< stored depths of the region, bottom row first
-    std::uint64_t depths_key = 0, instances_key = 0;
-};
+using SlabTargets = TexelSlabs::Targets;
 
 struct Instance {
     glm::vec3 corners[4];  // relative to the frame's origin
@@ -28,19 +23,19 @@ static_assert(sizeof(Instance) == 52);
 
 constexpr float kHiddenStrength = 0.16f;  ///< of slabs behind surfaces: there, but not in the way
 
-void read_depths(const FrameState& f, SlabTargets& s, int layer, const TexelRegion& region) {
+void read_depths(const FrameState& f, const PagePasses& pages, SlabTargets& s, int layer, const TexelRegion& region) {
     Key key;
     key.add(f.plan.key_of(Result::ShadowMaps)).add(layer).add(region);
     if (s.depths_key == key.value()) return;
     s.depths_key = key.value();
     const MapLayer of{f.shown_view()->curve, layer, f.paged, holds_distances(f.settings.map.format)};
-    s.depths = read_map_depths(f.gl, f.result(Result::ShadowMaps), of, region.first, region.size);
+    s.depths = read_map_depths(pages, f.result(Result::ShadowMaps), of, region.first, region.size);
 }
 
 /// Farthest from the camera first, so that they blend as they lie.
 void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view, const TexelRegion& region) {
     std::vector<TexelSlab> slabs =
-        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, Slabs(f.settings.view.slabs));
+        texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, f.settings.view.slabs);
     std::vector<std::pair<double, std::size_t>> order(slabs.size());
     for (std::size_t i = 0; i < slabs.size(); ++i) {
         const auto& c = slabs[i].corners;
@@ -99,15 +94,15 @@ void draw_slabs(const FrameState& f, const SlabTargets& s, PassInfo& info) {
 
 }  // namespace
 
-Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
+Pass TexelSlabs::pass(FrameState& f, const FrameState::ShownPane& pane) {
     Pass pass;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     if (!f.slabs_shown) {
-        pass.unneeded = f.settings.view.slabs == int(Slabs::None) ? "view.slabs is none" : "the light shown has no map";
+        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "the light shown has no map";
         return pass;
     }
-    SlabTargets& s = f.gl.owned.get<SlabTargets>();
+    SlabTargets& s = targets_;
     gl::Target& picture = s.pictures[std::size_t(pane.slot)];
     f.plan.place({Result::Slabs, pane.slot}, {&picture});
     const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
@@ -116,9 +111,9 @@ Pass slabs_pass(FrameState& f, const FrameState::ShownPane& pane) {
     pass.key = slabs.value();
     pass.cached = &picture.key;
     const ResultRef under = pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded;
-    pass.run = [&f, &s, &picture, under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
+    pass.run = [this, &f, &s, &picture, under, view, layer, region, slabs_key = slabs.value()](PassInfo& info) {
         if (s.instances_key != slabs_key) {
-            read_depths(f, s, layer, region);
+            read_depths(f, pages_, s, layer, region);
             upload_instances(f, s, *view, region);
             s.instances_key = slabs_key;
         }

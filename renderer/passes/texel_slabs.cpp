@@ -18,7 +18,7 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
                                         const glm::dvec2& uv) {
     const DepthCurve curve = view.curve.at_row(uv.y);
     const double c = bias.constant;
-    if (bias.unit == int(BiasUnit::Depth)) {
+    if (bias.unit == BiasUnit::Depth) {
         const double shifted = curve.convention.reversed ? stored - c : stored + c;
         const double z = curve.distance(shifted);
         // A perspective curve reaches infinity at a depth beyond its far plane's.
@@ -26,8 +26,7 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
         return z;
     }
     const double z = curve.distance(stored);
-    if (bias.unit == int(BiasUnit::Texels))
-        return z + c * view.texel_size_at(view.position_ws(uv, z), resolution).longest;
+    if (bias.unit == BiasUnit::Texels) return z + c * view.texel_size_at(view.position_ws(uv, z), resolution).longest;
     return curve.perspective ? 0.5 * z * (1 + std::sqrt(1 + 4 * c / z)) : z + c;
 }
 

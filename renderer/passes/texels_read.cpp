@@ -1,18 +1,12 @@
 // Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
-#include "renderer/frame/state.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/texels_read.h"
+
+#include "renderer/passes/moments.h"
 
 namespace si {
-namespace {
 
-struct TexelMarks {
-    gl::Target marks;    ///< R32F, a texel of the map each
-    gl::Target nothing;  ///< a pixel for each of the picture; OpenGL wants something to draw into
-};
-
-}  // namespace
-
-void add_texels_read_pass(FrameState& f) {
+void TexelsReadPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "texels read";
     pass.category = PassCategory::Tool;
@@ -23,31 +17,33 @@ void add_texels_read_pass(FrameState& f) {
     int layer = 0;
     if (!f.shown_view(&layer)) {
         pass.unneeded = "the light shown has no map";
-        f.plan.release([&f] { f.gl.owned.drop<TexelMarks>(); });
+        f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
     }
-    TexelMarks& t = f.gl.owned.get<TexelMarks>();
-    f.plan.place(Result::TexelsRead, {&t.marks});
+    f.plan.place(Result::TexelsRead, {&targets_.marks});
     pass.key = f.shown_light_key().add(layer).value();
-    pass.cached = &t.marks.key;
-    pass.run = [&f, &t, layer](PassInfo& info) {
-        t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
-        t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
-        const float none = 0;
-        glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
-        f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
-        glBindImageTexture(shared::IMAGE_TEXELS_READ, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
-        glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
-                               {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
-                                {"MARK_TEXELS", std::to_string(layer)},
-                                {"FILTER_SAMPLER", "0"},
-                                {"COMPARE_BY_HAND", "1"}}));
-        FrameState::draw_fullscreen(info);
-        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-    };
+    pass.cached = &targets_.marks.key;
+    pass.run = [this, &f, layer](PassInfo& info) { run(f, layer, info); };
     f.plan.add(std::move(pass));
+}
+
+void TexelsReadPass::run(const FrameState& f, int layer, PassInfo& info) {
+    Targets& t = targets_;
+    t.marks.ensure("texels read", GL_R32F, f.map_resolution, f.map_resolution);
+    t.nothing.ensure("nothing", GL_R8, f.request.width, f.request.height);
+    const float none = 0;
+    glClearTexImage(t.marks.texture.id(), 0, GL_RED, GL_FLOAT, &none);
+    const gl::Framebuffer framebuffer = gl::make_framebuffer("texels read", &t.nothing, nullptr);
+    f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
+    glBindImageTexture(shared::IMAGE_TEXELS_READ, t.marks.texture.id(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_R32F);
+    glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/texels_read.frag.glsl",
+                           {{"LIGHT_INDEX", std::to_string(f.settings.view.light)},
+                            {"MARK_TEXELS", std::to_string(layer)},
+                            {"FILTER_SAMPLER", "0"},
+                            {"COMPARE_BY_HAND", "1"}}));
+    FrameState::draw_fullscreen(info);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 }  // namespace si

@@ -1,22 +1,20 @@
 // Visibility of each light as a texture of its own.
+#include "renderer/passes/visibility.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/passes.h"
+#include "renderer/passes/light_map.h"
+#include "renderer/passes/moments.h"
 #include "renderer/passes/shadow_volumes.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"
 
 namespace si {
 namespace {
-
-struct VisibilityTargets {
-    gl::Target visibility;  ///< R32F, a layer a light
-    gl::Texture view;       ///< one layer of it as a 2-D texture
-    int view_layer = -1;
-};
 
 const ReferencePicture* traced_picture(const FrameState& f, std::size_t light) {
     return light < f.traced_pictures.size() ? f.traced_pictures[light] : nullptr;
@@ -33,17 +31,6 @@ std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
     const auto own = f.light_map_of_light.begin() + std::ptrdiff_t(light);
     const auto layer = std::count_if(f.light_map_of_light.begin(), own, [](const LightMap* m) { return m != nullptr; });
     return {{"SURFACE_FLAGS", "1"}, {"LIGHT_MAP_LAYER", std::to_string(layer)}};
-}
-
-/// What is drawn to evaluate a light. Empty: its layer is all lit, or there already.
-std::string_view source_file(const FrameState& f, std::size_t light) {
-    if (light >= f.gl.fitted.size()) return {};
-    const Source& source = source_of(f.settings, int(light));
-    if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.owned.get<ShadowVolumes>().draws(light)) return {};
-    const bool lit =
-        !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.reference) || lacks_light_map(f, light);
-    if (lit) return f.request.forced.contains(Optimisation::Uncalled) ? sources()[0].file : std::string_view();
-    return source.file;
 }
 
 /// Darkens what a ray meets that is marched through the picture's depth.
@@ -64,10 +51,6 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 
 }  // namespace
 
-bool FrameState::has_contacts(std::size_t light) const {
-    return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
-}
-
 void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
     const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
     const int width = visibility.width, height = visibility.height, step = reference.step;
@@ -79,8 +62,8 @@ void put_traced_visibility(const ReferencePicture& reference, const gl::Target& 
     glTextureSubImage3D(visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, pixels.data());
 }
 
-Image visibility_image(const FrameState& f, int light) {
-    VisibilityTargets& t = f.gl.owned.get<VisibilityTargets>();
+Image VisibilityPass::image_of(int light) {
+    Targets& t = targets_;
     const int layer = std::clamp(light, 0, t.visibility.layers - 1);
     if (t.view_layer != layer) {
         GLuint id = 0;
@@ -92,9 +75,18 @@ Image visibility_image(const FrameState& f, int light) {
     return {t.view.id(), t.visibility.width, t.visibility.height};
 }
 
-void add_visibility_pass(FrameState& f) {
-    VisibilityTargets& t = f.gl.owned.get<VisibilityTargets>();
-    f.plan.place(Result::Visibility, {&t.visibility, shared::UNIT_VISIBILITY});
+std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t light) const {
+    if (light >= f.gl.fitted.size()) return {};
+    const Source& source = source_of(f.settings, int(light));
+    if (source.needs.stencil && f.gl.fitted[light].shadowed && !volumes_.draws(light)) return {};
+    const bool lit =
+        !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.reference) || lacks_light_map(f, light);
+    if (lit) return f.request.forced.contains(Optimisation::Uncalled) ? sources()[0].file : std::string_view();
+    return source.file;
+}
+
+void VisibilityPass::declare(FrameState& f) {
+    f.plan.place(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
     pass.reads = lookup_reads(f);
@@ -108,40 +100,43 @@ void add_visibility_pass(FrameState& f) {
             key.add(i).add(f.settings.lights[i].contact);
         }
     pass.key = key.value();
-    pass.cached = &t.visibility.key;
-    pass.run = [&f, &t](PassInfo& info) {
-        const int width = f.request.width, height = f.request.height;
-        const int layers = int(std::max<std::size_t>(f.gl.fitted.size(), 1));
-        t.visibility.ensure("visibility", GL_R32F, width, height, layers);
-        t.view_layer = -1;
-        for (int light = 0; light < layers; ++light) {
-            const float lit = 1;
-            const std::string_view file = source_file(f, std::size_t(light));
-            if (!file.empty()) {
-                std::vector<gl::Define> defines = source_defines(f, std::size_t(light));
-                if (!defines.empty()) bind_light_map(f);
-                defines.push_back({"LIGHT_INDEX", std::to_string(light)});
-                defines.push_back({"SOURCE_FILE", std::string(file)});
-                CameraPass(f, "visibility", t.visibility, light)
-                    .clear(glm::vec4(lit))
-                    .draw("passes/visibility.frag.glsl", defines, info);
-            } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {
-                put_traced_visibility(*reference, t.visibility, light);
-                info.reason += fmt::format("; light {} by {} rays, traced before the frame", light,
-                                           reference->traced.reference->rays);
-            } else {
-                if (light < int(f.gl.fitted.size()) && f.gl.fitted[std::size_t(light)].shadowed &&
-                    lacks_light_map(f, std::size_t(light)))
-                    info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
-                glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
-            }
-            if (f.has_contacts(std::size_t(light))) {
-                f.bind({Result::CameraDepth, Result::SurfacesSeen});
-                draw_contacts(f, t.visibility, light, info);
-            }
-        }
-    };
+    pass.cached = &targets_.visibility.key;
+    pass.run = [this, &f](PassInfo& info) { run(f, info); };
     f.plan.add(std::move(pass));
+}
+
+void VisibilityPass::run(FrameState& f, PassInfo& info) {
+    Targets& t = targets_;
+    const int width = f.request.width, height = f.request.height;
+    const int layers = int(std::max<std::size_t>(f.gl.fitted.size(), 1));
+    t.visibility.ensure("visibility", GL_R32F, width, height, layers);
+    t.view_layer = -1;
+    for (int light = 0; light < layers; ++light) {
+        const float lit = 1;
+        const std::string_view file = source_file(f, std::size_t(light));
+        if (!file.empty()) {
+            std::vector<gl::Define> defines = source_defines(f, std::size_t(light));
+            if (!defines.empty()) light_maps_.bind(f);
+            defines.push_back({"LIGHT_INDEX", std::to_string(light)});
+            defines.push_back({"SOURCE_FILE", std::string(file)});
+            CameraPass(f, "visibility", t.visibility, light)
+                .clear(glm::vec4(lit))
+                .draw("passes/visibility.frag.glsl", defines, info);
+        } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {
+            put_traced_visibility(*reference, t.visibility, light);
+            info.reason +=
+                fmt::format("; light {} by {} rays, traced before the frame", light, reference->traced.reference->rays);
+        } else {
+            if (light < int(f.gl.fitted.size()) && f.gl.fitted[std::size_t(light)].shadowed &&
+                lacks_light_map(f, std::size_t(light)))
+                info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
+            glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
+        }
+        if (f.has_contacts(std::size_t(light))) {
+            f.bind({Result::CameraDepth, Result::SurfacesSeen});
+            draw_contacts(f, t.visibility, light, info);
+        }
+    }
 }
 
 }  // namespace si

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 
+#include "renderer/base/index_of.h"
 #include "renderer/reference/distance_transform.h"
 
 namespace si {
@@ -388,7 +389,7 @@ TruePixel true_pixel(const Reference& reference, std::size_t i) {
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
-            shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
+            shared::ARTEFACT_BITS + shared::ALSO_SHIFT + index_of(Artefact::NoMap) <= 24,
         "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
     std::vector<ClassifiedPixel> out(classified.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {

@@ -16,7 +16,7 @@ const ObjectSettings& settings_of(const Scene& scene, const Settings& settings, 
 }
 
 bool blend_casts(const Settings& settings) {
-    return settings.caster.blend == int(BlendCasters::Mask);
+    return settings.caster.blend == BlendCasters::Mask;
 }
 
 /// Takes each mesh and texture once.
@@ -122,7 +122,7 @@ std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& sett
     for (std::size_t i = 0; i < traits.size(); ++i) {
         const ObjectSettings& own = settings_of(scene, settings, scene.objects[i]);
         traits[i].receives = own.receive;
-        traits[i].cull = own.cull == int(ObjectCull::Inherit) ? Cull(settings.caster.cull) : Cull(own.cull - 1);
+        traits[i].cull = cull_in_force(own.cull, settings.caster.cull);
     }
     return traits;
 }

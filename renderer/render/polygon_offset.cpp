@@ -82,7 +82,7 @@ constexpr int kPlanePixels = 8;  ///< pixels that a plane covers, each way
 /// How far each probe's offset moves the stored depth in the middle of its plane.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
     const KeptState kept;
-    const bool colour = is_colour(int(format));
+    const bool colour = is_colour(format);
     const int width = int(probes.size()) * kPlanePixels,
               height = 2 * kPlanePixels;  // below without, above with the offset
     gl::Target stored, beside;
@@ -141,9 +141,8 @@ constexpr double kEqual = 0.01;  ///< relative; the kinds of r and m that there 
 
 }  // namespace
 
-PolygonOffset measure_polygon_offset(int map_format) {
-    if (holds_distances(map_format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
-    const auto format = MapFormat(map_format);
+PolygonOffset measure_polygon_offset(MapFormat format) {
+    if (holds_distances(format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
     // Units for some hundredths of depth in fixed-point formats, and for thousands of steps in float ones.
     const float units = format == MapFormat::D16 ? 0x1p10f : format == MapFormat::D24 ? 0x1p16f : 0x1p12f;
     const float factor = 8;

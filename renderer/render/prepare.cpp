@@ -5,13 +5,16 @@
 #include <atomic>
 #include <cmath>
 
+#include "renderer/base/index_of.h"
 #include "renderer/base/poisson_disk.h"
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
 #include "renderer/frame/settings_block.h"
 #include "renderer/optimisations/lookup_optimisations.h"
-#include "renderer/optimisations/visible_objects.h"
+#include "renderer/passes/caster_findings.h"
 #include "renderer/passes/passes.h"
+#include "renderer/optimisations/scene_findings.h"
+#include "renderer/passes/seen_depths.h"
 #include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"
 #include "renderer/reference/reference_picture.h"
@@ -46,7 +49,7 @@ Key lights_as_placed_key(const FrameState& f) {
                 std::visit([&](const auto& v) { key.add(v); }, get_value(f.settings, {&p, i, {}}));
     const BiasSettings& b = f.settings.bias;
     for (int i = 0; i < f.settings.light_count; ++i)
-        if (f.settings.lights[std::size_t(i)].near_far == int(NearFar::Pancaking))
+        if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
             key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
     key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
@@ -157,7 +160,7 @@ void limit_moments(FrameState& f) {
          {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
         if (!owns(filter, key) || *value <= most) continue;
         f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
-                                      s.moment_format == int(MomentFormat::Bits32) ? "32-bit" : "16-bit", most));
+                                      s.moment_format == MomentFormat::Bits32 ? "32-bit" : "16-bit", most));
         *value = most;
     }
     if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
@@ -193,7 +196,7 @@ std::string light_constants(const FrameState& f) {
         if (f.shades_by(i)) shining += fmt::format(" DO({})", i);
     }
     each += shining;
-    return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return int(lights[i].type); }) +
+    return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return index_of(lights[i].type); }) +
            array("LIGHT_RANGED", [&](std::size_t i) { return int(lights[i].range_m > 0); }) +
            array("LIGHT_CASTS", [&](std::size_t i) { return int(lights[i].casts); }) +
            array("LIGHT_FIRST_VIEW", [&](std::size_t i) { return f.first_view[i]; }) +
@@ -234,7 +237,7 @@ void add_shading_defines(FrameState& f) {
 void choose_kernel(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     f.filter_sampler = uses_sampler(f.settings);
-    if (f.settings.filter.method == int(FilterMethod::Sampler) && !f.filter_sampler)
+    if (f.settings.filter.method == FilterMethod::Sampler && !f.filter_sampler)
         f.notes.push_back(
             draws_pages(f.settings) ? "filter.method sampler cannot find pages of map.virtual; gather is used"
             : is_colour(f.settings.map.format)
@@ -256,7 +259,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"SAMPLER_BILINEAR", is_bilinear(filter, f.settings) ? "1" : "0"});
     f.defines.push_back({"COMPARE_BY_HAND", draws_pages(f.settings) ? "1" : "0"});
     f.defines.push_back({"MOMENTS_SUMMED", filter.moments.summed ? "1" : "0"});
-    const bool integers = f.settings.filter.moment_format == int(MomentFormat::Bits16);
+    const bool integers = f.settings.filter.moment_format == MomentFormat::Bits16;
     f.defines.push_back({"MOMENTS_QUANTISED", filter.moments.quantised && integers ? "1" : "0"});
     f.defines.push_back({"MAP_LAYERS", std::to_string(f.view_count)});
     f.paged = draws_pages(f.settings) && f.view_count > 0;
@@ -282,7 +285,7 @@ void choose_kernel(FrameState& f) {
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
-        const bool masked = b.masked || (b.blend && f.settings.caster.blend == int(BlendCasters::Mask));
+        const bool masked = b.masked || (b.blend && f.settings.caster.blend == BlendCasters::Mask);
         return b.cast && masked && b.texture != b.finest_texture;
     });
 }
@@ -390,7 +393,7 @@ void arrange_panes(FrameState& f) {
         const Overlay* row = f.panes.back().row();
         f.separate_visibility |= row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour);
     }
-    f.slabs_shown = f.settings.view.slabs != int(Slabs::None) && f.shown_view();
+    f.slabs_shown = f.settings.view.slabs != Slabs::None && f.shown_view();
 }
 
 std::uint64_t next_number() {
@@ -401,6 +404,8 @@ std::uint64_t next_number() {
 }  // namespace
 
 RendererImpl::RendererImpl() : driver(query_driver()), number(next_number()) {
+    resources.found = std::make_shared<SceneFindings>();
+    resources.caster_findings = std::make_shared<CasterFindings>();
     resources.empty_vao = gl::VertexArray::create("no vertices");
     resources.map_nearest = gl::Sampler::create("shadow map, nearest");
     resources.map_compare = gl::Sampler::create("shadow map, comparison");
@@ -416,7 +421,7 @@ gl::PassClock& RendererImpl::pass_clock() {
     return *clock;
 }
 
-void RendererImpl::calibrate_offset(int map_format) {
+void RendererImpl::calibrate_offset(MapFormat map_format) {
     PolygonOffset& offset = driver.offset[std::size_t(map_format)];
     if (!offset.measured) offset = measure_polygon_offset(map_format);
 }
@@ -464,7 +469,7 @@ FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, co
         f.notes.push_back(
             "bias.raster_clamp needs GL_EXT_polygon_offset_clamp, which this driver lacks; it is ignored");
 
-    if (f.settings.camera.source == int(CameraSource::Light) && resources.fitted.empty())
+    if (f.settings.camera.source == CameraSource::Light && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = counted_from(f.settings, f.camera.origin());
     if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
@@ -473,7 +478,7 @@ FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, co
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);
-    resources.owned.get<SeenObjects>().arrange(f);
+    resources.found->seen_objects.arrange(f);
     f.lights_key.add(resources.fit_key).add(f.map_resolution).add(request.forced.value());
     f.lights_key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     add_shader_settings(f.lights_key, f.settings);

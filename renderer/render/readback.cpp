@@ -6,7 +6,6 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/read_images.h"
 #include "renderer/passes/map_depths.h"
-#include "renderer/passes/numeric_health.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"
 
@@ -95,7 +94,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     const int n = frame.map_resolution;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
     FloatImage out{n, n, 1,
-                   read_map_depths(impl_->resources, map,
+                   read_map_depths(impl_->passes.pages, map,
                                    {curve, layer, frame.pages.has_value(), frame.map_holds_distances}, {0, 0}, {n, n})};
     flip_rows(out.data, n, n, 1);
     return out;
@@ -120,7 +119,7 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
 
 std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
     require(frame, impl_->number, impl_->resources, Result::Health);
-    return read_numeric_health(impl_->resources, wait);
+    return impl_->passes.numeric_health.read(wait);
 }
 
 bool Renderer::holds(const FrameResult& frame) const {

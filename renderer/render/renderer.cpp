@@ -9,6 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/blocks.h"
+#include "renderer/base/index_of.h"
 #include "renderer/frame/driver.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/optimisations/lookup_optimisations.h"
@@ -137,7 +138,7 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     // Not those of planning: whether look-ups ask for bounds changes with what is kept of the last frame, and who makes
     // programs makes both ways.
     for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
-    plan_frame(f);
+    impl_->plan_frame(f);
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
     key.add(f.settings.shading.sky).add(f.settings.shading.curve).add(f.settings.shading.exposure != 0);
     key.add(filter_of(f.settings).file).add(bias_of(f.settings).file).add(request.forced.value());
@@ -147,34 +148,13 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (std::size_t i = 0; i < infos.size(); ++i)
         if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].aid) key.add(infos[i].name);
     std::uint32_t ways = 0;  // in which batches are drawn
-    for (const Batch& b : f.gl.scene->batches()) ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * b.cull);
+    for (const Batch& b : f.gl.scene->batches())
+        ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * index_of(b.cull));
     return key.add(ways).value();
 }
 
-void plan_frame(FrameState& f) {
-    if (f.paged) add_seen_surfaces_pass(f);
-    add_page_passes(f);
-    add_light_depth_passes(f);
-    add_depth_blur_pass(f);
-    add_moments_pass(f);
-    add_map_bounds_pass(f);
-    add_camera_depth_pass(f);
-    add_surface_ids_pass(f);
-    add_shadow_volume_passes(f);
-    if (!f.paged) add_seen_surfaces_pass(f);
-    add_blob_pass(f);
-    add_light_map_pass(f);
-    add_visibility_pass(f);
-    add_unfiltered_map_pass(f);
-    add_reference_passes(f);
-    add_true_shade_pass(f);
-    add_shade_pass(f);
-    add_precision_pass(f);
-    add_pane_passes(f);
-    add_map_coordinates_pass(f);
-    add_texels_read_pass(f);
-    add_map_view_passes(f);
-    add_numeric_health_pass(f);
+void RendererImpl::plan_frame(FrameState& f) {
+    for (FramePass* pass : passes.in_order(f.paged)) pass->declare(f);
 }
 
 FrameResult RendererImpl::draw(FrameState& f) {
@@ -203,7 +183,7 @@ FrameResult RendererImpl::draw(FrameState& f) {
 
 const DriverInfo& Renderer::driver() const {
     impl_->pass_clock();
-    for (int format = 0; format < int(kMapFormats); ++format) impl_->calibrate_offset(format);
+    for (std::size_t format = 0; format < kMapFormats; ++format) impl_->calibrate_offset(MapFormat(format));
     return impl_->driver;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 
+#include "renderer/render/all_passes.h"
 #include "renderer/frame/state.h"
 
 namespace si {
@@ -14,6 +15,7 @@ struct RendererImpl {
     gl::MessageLog messages;
     std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
     Resources resources;
+    AllPasses passes;
     const std::uint64_t number;  ///< no other renderer has it
 
     /// The settings of the last frame, as they were given and as they can be drawn.
@@ -43,18 +45,16 @@ struct RendererImpl {
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Carries out the plan of a frame.
     FrameResult draw(FrameState& f);
+    /// Adds the passes of a frame to its plan.
+    void plan_frame(FrameState& f);
+    /// Fills in what the frame drew and found out; `result` has the passes already.
+    void describe_frame(FrameState& f, FrameResult& result);
     gl::PassClock& pass_clock();
     /// Measures the polygon offset of a map format (MapFormat), once.
-    void calibrate_offset(int map_format);
+    void calibrate_offset(MapFormat map_format);
 };
-
-/// Adds the passes of a frame to its plan.
-void plan_frame(FrameState& f);
 
 /// What the passes of a frame left in its images.
 FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos);
-
-/// Fills in what the frame drew and found out; `result` has the passes already.
-void describe_frame(FrameState& f, FrameResult& result);
 
 }  // namespace si

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/passes/pages.h"
 #include "renderer/passes/passes.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
@@ -17,14 +16,14 @@ Image image_of(const gl::Target& t) {
     return {t.texture.id(), t.width, t.height};
 }
 
-void describe_panes(const FrameState& f, FrameResult& result) {
+void describe_panes(const FrameState& f, PanePasses& panes, FrameResult& result) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
         Pane pane{.overlay = shown.overlay, .lacks_reference = shown.lacks_reference};
         if (o.colour) pane.picture = image_of(f.result(f.picture_of(shown)));
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.result(f.values_of(shown)));
-            const ValueRange range = f.range_of(shown);
+            const ValueRange range = panes.range_of(f, shown);
             pane.overlay_min = range.min;
             pane.overlay_max = range.max;
         }
@@ -37,11 +36,11 @@ void describe_panes(const FrameState& f, FrameResult& result) {
     result.overlay_max = first.overlay_max;
 }
 
-void describe_map_view(FrameState& f, FrameResult& result) {
+void describe_map_view(FrameState& f, const MapViewPasses& map_view, FrameResult& result) {
     const ViewSettings& v = f.settings.view;
-    const bool camera = v.map_source == int(MapSource::Camera);
+    const bool camera = v.map_source == MapSource::Camera;
     const int faces = camera ? 1 : int(f.gl.fitted[std::size_t(v.light)].views.size());
-    result.shown_map = {MapSource(v.map_source), v.light, std::clamp(v.face, 0, faces - 1)};
+    result.shown_map = {v.map_source, v.light, std::clamp(v.face, 0, faces - 1)};
     if (const int channel = shown_channel(f.settings); channel > 0) {
         result.shown_map.channel = channel;
         result.shown_map.name = filter_of(f.settings).moments.names[std::size_t(channel - 1)];
@@ -51,14 +50,14 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     result.map_view_size = camera ? glm::ivec2(f.request.width, f.request.height) : glm::ivec2(f.map_resolution);
     result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
-    const glm::vec2 greys = f.grey_range();
+    const glm::vec2 greys = map_view.grey_range(f);
     result.map_black = greys.x;
     result.map_white = greys.y;
 }
 
 }  // namespace
 
-void describe_frame(FrameState& f, FrameResult& result) {
+void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     std::set<Result> made;
     for (std::size_t i = 0; i < result.passes.size(); ++i)
         if (result.passes[i].state != PassState::Skipped)
@@ -66,11 +65,11 @@ void describe_frame(FrameState& f, FrameResult& result) {
     const auto put = [&](Result of, Image& image) {
         if (made.contains(of)) image = image_of(f.result(of));
     };
-    describe_panes(f, result);
-    if (made.contains(Result::MapView)) describe_map_view(f, result);
-    if (made.contains(Result::Visibility)) result.visibility = visibility_image(f, f.settings.view.light);
-    if (made.contains(Result::Error)) result.error = live_error(f);
-    if (made.contains(Result::Precision)) result.precision = found_precision(f);
+    describe_panes(f, passes.panes, result);
+    if (made.contains(Result::MapView)) describe_map_view(f, passes.map_view, result);
+    if (made.contains(Result::Visibility)) result.visibility = passes.visibility.image_of(f.settings.view.light);
+    if (made.contains(Result::Error)) result.error = passes.reference.error();
+    if (made.contains(Result::Precision)) result.precision = passes.precision.found();
     if (made.contains(Result::Evidence)) {
         for (std::size_t i = 0; i < result.evidence.size(); ++i)
             result.evidence[i] = image_of(f.result(Result::Evidence, i));
@@ -84,7 +83,7 @@ void describe_frame(FrameState& f, FrameResult& result) {
     put(Result::MapCoordinates, result.map_coordinates);
     if (f.paged && made.contains(Result::ShadowMaps)) {
         const PassInfo* pages = result.pass("pages of shadow maps");
-        result.pages = page_facts(f.gl, pages && pages->state == PassState::Drawn);
+        result.pages = passes.pages.facts(pages && pages->state == PassState::Drawn);
         if (result.pages->coarser > 0)
             f.notes.push_back(
                 fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "

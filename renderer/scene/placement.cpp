@@ -35,7 +35,7 @@ glm::dmat4 placement_of(const SceneSettings& settings) {
     const double scale = std::clamp(finite_or(settings.scale, 1), 1e-3, 1e6);
     const double distance = std::clamp(finite_or(settings.distance, 0), 0.0, 1e7);
     glm::dmat4 out(scale);
-    out[3] = glm::dvec4(distance * way_of(PlacedAlong(settings.direction)), 1);
+    out[3] = glm::dvec4(distance * way_of(settings.direction), 1);
     return out;
 }
 
@@ -58,7 +58,7 @@ void carry_settings(Settings& settings, const SceneSettings& from, const SceneSe
 }
 
 glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby) {
-    return settings.map.origin == int(MapOrigin::World) ? glm::dvec3(0) : nearby;
+    return settings.map.origin == MapOrigin::World ? glm::dvec3(0) : nearby;
 }
 
 bool same_placement(const SceneSettings& a, const SceneSettings& b) {

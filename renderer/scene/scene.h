@@ -14,6 +14,7 @@
 
 #include "renderer/base/held_memory.h"
 #include "renderer/base/shared_array.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 
@@ -122,7 +123,7 @@ struct SceneCamera {
 
 struct SceneLight {
     std::string name;
-    int type = 0;           ///< LightType
+    LightType type = LightType::Directional;
     glm::dmat4 world{1.0};  ///< shines along -z
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     glm::dvec3 colour{1};

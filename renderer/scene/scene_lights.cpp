@@ -38,13 +38,13 @@ Stand stand_of(const SceneLight& light, const Scene& scene) {
     const double radius = bounds.radius() > 0 ? bounds.radius() : 1;
     const double away = glm::distance(position, centre);
     Stand s;
-    if (light.type == int(LightType::Point)) {
+    if (light.type == LightType::Point) {
         // Seen from the centre, so that the target is the centre; a light in the middle of it all hangs above a target.
         if (away > 1e-3 * radius) s.direction = (position - centre) / away;
     } else {
         s.direction = glm::normalize(glm::dvec3(light.world[2]));
     }
-    if (light.type == int(LightType::Directional)) return s;
+    if (light.type == LightType::Directional) return s;
     s.distance = std::clamp(away, 1e-3 * radius, kMaxDistance);
     // With the direction that the written angles give: the target takes up their rounding.
     s.target = position - centre - s.distance * direction_from_angles(azimuth(s.direction), elevation(s.direction));
@@ -71,7 +71,7 @@ void suggest_lights(Scene& scene) {
     const std::size_t count = std::min<std::size_t>(scene.lights.size(), kMaxLights);
     double strongest[2] = {0, 0};  // of the directional lights, of the others
     for (std::size_t i = 0; i < count; ++i) {
-        double& most = strongest[scene.lights[i].type != int(LightType::Directional)];
+        double& most = strongest[scene.lights[i].type != LightType::Directional];
         most = std::max(most, brightness_of(scene.lights[i]).intensity);
     }
     const auto suggest = [&](std::string key, std::string value) {
@@ -87,23 +87,23 @@ void suggest_lights(Scene& scene) {
         static constexpr const char* kTypes[] = {"directional", "spot", "point"};
         // However long it is and whatever is in it, as a name that light.name takes.
         if (!light.name.empty()) suggest(fmt::format("light.{}.name", i), printable(light.name, kNameBytes));
-        suggest(fmt::format("light.{}.type", i), kTypes[std::clamp(light.type, 0, 2)]);
+        suggest(fmt::format("light.{}.type", i), kTypes[std::size_t(light.type)]);
         const Stand stand = stand_of(light, scene);
         number("azimuth", azimuth(stand.direction));
         number("elevation", elevation(stand.direction));
-        if (light.type != int(LightType::Directional)) {
+        if (light.type != LightType::Directional) {
             number("distance", stand.distance);
             number("target_x", stand.target.x);
             number("target_y", stand.target.y);
             number("target_z", stand.target.z);
             number("range", light.range < kMaxPlace ? light.range : 0);  // beyond all places: unlimited
         }
-        if (light.type == int(LightType::Spot)) {
+        if (light.type == LightType::Spot) {
             number("cone", std::max(0.2, 2 * light.outer_cone_rad * kDegrees));
             number("cone_blend", std::clamp(1 - light.inner_cone_rad / light.outer_cone_rad, 0.0, 1.0));
         }
         const Brightness b = brightness_of(light);
-        const double most = strongest[light.type != int(LightType::Directional)];
+        const double most = strongest[light.type != LightType::Directional];
         number("intensity", most > 0 ? b.intensity / most : 0);
         number("red", b.colour.x);
         number("green", b.colour.y);

@@ -10,8 +10,8 @@ namespace {
 
 /// An amount in bias.unit as depth.
 double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
-    if (bias.unit == int(BiasUnit::Depth)) return amount;
-    return b.curve.depth_nearer(b.z, bias.unit == int(BiasUnit::Texels) ? amount * b.texel_m : amount);
+    if (bias.unit == BiasUnit::Depth) return amount;
+    return b.curve.depth_nearer(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
 }
 
 double constant_bias(const BiasSettings& bias, const BiasInput& b) {

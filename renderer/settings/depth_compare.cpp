@@ -11,7 +11,7 @@ bool compares_per_texel(const Settings& settings) {
 }
 
 bool uses_sampler(const Settings& settings) {
-    if (draws_pages(settings) || settings.filter.method != int(FilterMethod::Sampler) || is_colour(settings.map.format))
+    if (draws_pages(settings) || settings.filter.method != FilterMethod::Sampler || is_colour(settings.map.format))
         return false;
     return !(compares_per_texel(settings) && is_bilinear(filter_of(settings), settings));
 }

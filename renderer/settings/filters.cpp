@@ -50,7 +50,7 @@ constexpr Reach everywhere(double texels) {
 }
 
 Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
-    const bool metres = s.filter.radius_unit == int(RadiusUnit::Metres);
+    const bool metres = s.filter.radius_unit == RadiusUnit::Metres;
     return everywhere((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
 }
 
@@ -352,7 +352,7 @@ std::vector<Filter>& filter_table() {
 }
 
 bool takes_table(const Filter& row, const Settings& settings) {
-    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == int(Disk::Spiral);
+    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
     return row.takes_table && !spiral;
 }
 
@@ -427,7 +427,7 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     const Filter& row = filter_of(settings);
     if (row.samples != Samples::Moments) return {};
     const double channels = double(row.moments.names.size());
-    const bool wide = row.moments.summed || settings.filter.moment_format == int(MomentFormat::Bits32);
+    const bool wide = row.moments.summed || settings.filter.moment_format == MomentFormat::Bits32;
     const double levels = keeps_mips(settings) ? 4 / 3.0 : 1;
     PrefilterBytes bytes{channels * (wide ? 4 : 2) * levels, 0};
     if (row.moments.summed)
@@ -446,7 +446,7 @@ double kept_texel_bytes(const Settings& settings) {
 
 int shown_channel(const Settings& settings) {
     const Filter& row = filter_of(settings);
-    if (row.samples != Samples::Moments || settings.view.map_source == int(MapSource::Camera)) return 0;
+    if (row.samples != Samples::Moments || settings.view.map_source == MapSource::Camera) return 0;
     return settings.view.map_channel <= int(row.moments.names.size()) ? settings.view.map_channel : 0;
 }
 
@@ -464,12 +464,12 @@ double safe_exponent(const Settings& settings) {
     if (power == 0) return std::numeric_limits<double>::infinity();
     // Of 16-bit floats the largest, and the least, which is kept however small; of 32-bit ones that which is not
     // flushed.
-    const bool wide = settings.filter.moment_format == int(MomentFormat::Bits32);
+    const bool wide = settings.filter.moment_format == MomentFormat::Bits32;
     const double largest = wide ? double(std::numeric_limits<float>::max()) : 65504.0;
     // Averages are made of shares of each texel, in 32 bits: of the outermost of a Gaussian e^-2 of the middle's.
     const FilterSettings& s = settings.filter;
-    const double shares =
-        (2 * s.blur + 1) * (s.blur_shape == 1 ? std::exp(2.0) : 1) * std::max(settings.map.samples, 1);
+    const double shares = (2 * s.blur + 1) * (s.blur_shape == BlurShape::Gaussian ? std::exp(2.0) : 1) *
+                          std::max(settings.map.samples, 1);
     const double least = wide ? double(std::numeric_limits<float>::min()) * shares : std::exp2(-24);
     return std::floor(100 * std::min(std::log(largest), -std::log(least)) / power) / 100;
 }

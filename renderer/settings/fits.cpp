@@ -51,12 +51,9 @@ std::span<const FitRow> fits() {
     return kFits;
 }
 
-int default_fit() {
-    return int(LightFit::Casters);
-}
-
-const FitRow& fit_row(int fit) {
-    return kFits[std::size_t(fit >= 0 && fit < int(std::size(kFits)) ? fit : int(LightFit::Scene))];
+const FitRow& fit_row(LightFit fit) {
+    const auto row = std::size_t(fit);
+    return kFits[row < std::size(kFits) ? row : std::size_t(LightFit::Scene)];
 }
 
 std::span<const Choice> fit_choices() {
@@ -65,9 +62,9 @@ std::span<const Choice> fit_choices() {
 }
 
 bool is_sliced(const LightSettings& s) {
-    return (s.cascades > 1 || s.fit == int(LightFit::Stabilised) || fit_row(s.fit).warps) &&
-           s.type == int(LightType::Directional) && s.fit != int(LightFit::Manual) &&
-           s.projection != int(LightProjection::Perspective);
+    return (s.cascades > 1 || s.fit == LightFit::Stabilised || fit_row(s.fit).warps) &&
+           s.type == LightType::Directional && s.fit != LightFit::Manual &&
+           s.projection != LightProjection::Perspective;
 }
 
 bool fit_reads_camera(const Settings& settings, int light) {
@@ -77,8 +74,8 @@ bool fit_reads_camera(const Settings& settings, int light) {
 
 bool fit_reads_depths(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return s.depth_bounds == int(DepthBounds::Sdsm) && !has_clip_levels(settings, light) &&
-           fit_reads_camera(settings, light) && s.type != int(LightType::Point) && s.fit != int(LightFit::Stabilised) &&
+    return s.depth_bounds == DepthBounds::Sdsm && !has_clip_levels(settings, light) &&
+           fit_reads_camera(settings, light) && s.type != LightType::Point && s.fit != LightFit::Stabilised &&
            s.cast && source_of(settings, std::size_t(light)).needs.map;
 }
 

@@ -20,13 +20,12 @@ struct FitRow {
 /// In the order of LightFit, whose names the program itself knows.
 std::span<const FitRow> fits();
 /// The row that light.fit names; for numbers that name none the whole scene.
-const FitRow& fit_row(int fit);
+const FitRow& fit_row(LightFit fit);
 std::span<const Choice> fit_choices();
 
 /// Whether light.near and light.far say where a light's maps begin and end.
 constexpr bool takes_near_far(const LightSettings& light) {
-    return light.near_far == int(NearFar::Manual) ||
-           (light.near_far == int(NearFar::Fitted) && light.fit == int(LightFit::Manual));
+    return light.near_far == NearFar::Manual || (light.near_far == NearFar::Fitted && light.fit == LightFit::Manual);
 }
 
 /// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.

@@ -9,22 +9,22 @@ namespace si {
 inline constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 
 /// Whether a map is a colour image that the fragment shader writes, with a depth buffer beside it while it is drawn.
-constexpr bool is_colour(int map_format) {
-    return map_format >= int(MapFormat::Colour);
+constexpr bool is_colour(MapFormat map_format) {
+    return map_format >= MapFormat::Colour;
 }
 
 /// Whether a map holds distances along the light's axis as shares of its range, not depths.
-constexpr bool holds_distances(int map_format) {
-    return map_format == int(MapFormat::Linear) || map_format == int(MapFormat::Linear16);
+constexpr bool holds_distances(MapFormat map_format) {
+    return map_format == MapFormat::Linear || map_format == MapFormat::Linear16;
 }
 
 /// Bytes of a texel.
-constexpr int texel_bytes(int map_format) {
-    return map_format == int(MapFormat::D16) || map_format == int(MapFormat::Linear16) ? 2 : 4;
+constexpr int texel_bytes(MapFormat map_format) {
+    return map_format == MapFormat::D16 || map_format == MapFormat::Linear16 ? 2 : 4;
 }
 
 /// Bytes of a texel with the depth buffer beside it.
-constexpr int drawn_texel_bytes(int map_format) {
+constexpr int drawn_texel_bytes(MapFormat map_format) {
     return texel_bytes(map_format) + (is_colour(map_format) ? 4 : 0);
 }
 

@@ -330,7 +330,7 @@ int& overlay_of_pane(ViewSettings& view, std::size_t pane) {
 }
 
 std::vector<int> pane_overlays(const ViewSettings& view) {
-    const std::size_t count = view.panes == int(Panes::Four) ? 4 : view.panes == int(Panes::Two) ? 2 : 1;
+    const std::size_t count = view.panes == Panes::Four ? 4 : view.panes == Panes::Two ? 2 : 1;
     std::vector<int> shown;
     for (std::size_t pane = 0; pane < count; ++pane) shown.push_back(view.*kOfPanes[pane]);
     return shown;

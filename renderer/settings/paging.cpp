@@ -19,8 +19,8 @@ bool draws_pages(const Settings& s) {
 
 bool has_clip_levels(const Settings& s, int light) {
     const LightSettings& l = s.lights[std::size_t(light)];
-    return draws_pages(s) && s.map.virtual_levels > 1 && l.type == int(LightType::Directional) &&
-           l.fit != int(LightFit::Manual) && l.projection != int(LightProjection::Perspective);
+    return draws_pages(s) && s.map.virtual_levels > 1 && l.type == LightType::Directional &&
+           l.fit != LightFit::Manual && l.projection != LightProjection::Perspective;
 }
 
 int page_texels(const Settings& s) {

@@ -45,7 +45,13 @@ FieldRef field_of(Settings& s, const SettingRef& ref, ObjectSettings* object) {
 }
 
 Value read(const FieldRef& field) {
-    return std::visit([](auto* p) { return Value(*p); }, field);
+    if (const auto* choice = std::get_if<EnumRef>(&field)) return choice->index();
+    return std::visit(
+        [](auto member) -> Value {
+            if constexpr (std::is_pointer_v<decltype(member)>) return *member;
+            return {};
+        },
+        field);
 }
 
 /// Damerau-Levenshtein distance (optimal string alignment): swapped neighbours count once.
@@ -208,9 +214,13 @@ void set_value(Settings& s, const SettingRef& ref, const Value& v) {
         if (const auto it = s.objects.find(ref.object); it != s.objects.end()) object = it->second;
     }
     std::visit(
-        [](auto* to, const auto& from) {
-            using To = std::remove_reference_t<decltype(*to)>;
-            if constexpr (std::is_convertible_v<decltype(from), To>) *to = static_cast<To>(from);
+        [](auto to, const auto& from) {
+            if constexpr (std::is_same_v<decltype(to), EnumRef>) {
+                if constexpr (std::is_convertible_v<decltype(from), int>) to.set_index(static_cast<int>(from));
+            } else {
+                using To = std::remove_reference_t<decltype(*to)>;
+                if constexpr (std::is_convertible_v<decltype(from), To>) *to = static_cast<To>(from);
+            }
         },
         field_of(s, ref, &object), v);
     if (!is_object) return;

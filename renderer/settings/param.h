@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -16,7 +17,32 @@ namespace si {
 /// What a change of the setting makes the renderer rebuild.
 enum class Cost { Uniform, Program, Target };
 
-using FieldRef = std::variant<bool*, int*, double*, std::string*>;
+/// Reference to a member of any enumeration, read and written as the index of its choice. The only place where
+/// settings turn from enumerators into numbers and back.
+class EnumRef {
+public:
+    /// @param member outlives the reference
+    template <typename E>
+    requires std::is_enum_v<E> EnumRef(E* member)  // NOLINT: implicit, as the pointers beside it in FieldRef are
+        : member_(member),
+          read_([](const void* from) { return static_cast<int>(*static_cast<const E*>(from)); }),
+          write_([](void* to, int index) { *static_cast<E*>(to) = static_cast<E>(index); }) {
+        static_assert(std::is_same_v<std::underlying_type_t<E>, int>, "an index that is no choice must survive");
+    }
+
+    int index() const { return read_(member_); }
+    /// Writes the index as it is: no choice may stand there (see sanitise()).
+    void set_index(int index) const { write_(member_, index); }
+    void* address() const { return member_; }
+
+private:
+    void* member_;
+    int (*read_)(const void*);
+    void (*write_)(void*, int);
+};
+
+/// Reference to one member of Settings.
+using FieldRef = std::variant<bool*, int*, double*, std::string*, EnumRef>;
 
 struct Choice {
     std::string_view key, label, help;

@@ -194,11 +194,11 @@ std::vector<std::string> sanitise(Settings& s) {
         repair_pair(s, prefix + "near", prefix + "far", true, repairs);
     }
     repair_splits(s, repairs);
-    if (s.camera.source == static_cast<int>(CameraSource::Manual)) {
+    if (s.camera.source == CameraSource::Manual) {
         repair_pair(s, "camera.near", "camera.far", true, repairs);
     }
     if (s.view.band_low > s.view.band_high) repair_pair(s, "view.band_low", "view.band_high", false, repairs);
-    if (s.view.overlay_range == static_cast<int>(OverlayRange::Manual))
+    if (s.view.overlay_range == OverlayRange::Manual)
         repair_pair(s, "view.overlay_min", "view.overlay_max", false, repairs);
     return repairs;
 }

@@ -47,7 +47,7 @@ std::string_view shown_unit(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
     if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
     if (p.unit == "deg or m")
-        return settings.lights[std::size_t(ref.light)].type == int(LightType::Directional) ? "deg" : "m";
+        return settings.lights[std::size_t(ref.light)].type == LightType::Directional ? "deg" : "m";
     if (p.unit == "overlay's") {
         const int overlay = settings.view.overlay - 1;
         return overlay >= 0 && std::size_t(overlay) < overlays().size() ? overlays()[std::size_t(overlay)].unit : "";

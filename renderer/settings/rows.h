@@ -40,11 +40,6 @@ namespace rows {
         return (condition) ? std::string_view(reason) : std::string_view();                      \
     }
 
-template <class E>
-constexpr int at(E e) {
-    return static_cast<int>(e);
-}
-
 template <std::size_t N>
 constexpr std::array<Param, N> with_scope(std::array<Param, N> list, Scope scope) {
     for (Param& p : list) p.scope = scope;

@@ -52,18 +52,18 @@ const LightSettings& of(const Settings& s, int i) {
     return s.lights[std::size_t(i)];
 }
 bool has_type(const Settings& s, int i, LightType type) {
-    return of(s, i).type == at(type);
+    return of(s, i).type == type;
 }
 bool is_orthographic(const Settings& s, int i) {
     if (has_type(s, i, LightType::Point)) return false;
-    const int projection = of(s, i).projection;
-    return projection == at(LightProjection::Orthographic) ||
-           (projection == at(LightProjection::Automatic) && has_type(s, i, LightType::Directional));
+    const LightProjection projection = of(s, i).projection;
+    return projection == LightProjection::Orthographic ||
+           (projection == LightProjection::Automatic && has_type(s, i, LightType::Directional));
 }
 
 /// Why nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
 std::string_view map_idle(const Settings& s, int i) {
-    if (s.camera.source == at(CameraSource::Light) && s.view.light == i) return "";
+    if (s.camera.source == CameraSource::Light && s.view.light == i) return "";
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
     return source_of(s, i).needs.map ? "" : "without effect: light.source is not a map";
 }
@@ -71,14 +71,14 @@ std::string_view map_idle(const Settings& s, int i) {
 std::string_view planes_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     if (fit_row(of(s, i).fit).warps && has_type(s, i, LightType::Directional) && is_orthographic(s, i) &&
-        s.camera.source != at(CameraSource::Light))
+        s.camera.source != CameraSource::Light)
         return "without effect: a warped map's depths are fitted";
     return takes_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
 }
 
 std::string_view extent_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
-    if (of(s, i).fit != at(LightFit::Manual)) return "without effect: set light.fit to manual to choose it by hand";
+    if (of(s, i).fit != LightFit::Manual) return "without effect: set light.fit to manual to choose it by hand";
     return is_orthographic(s, i) || has_type(s, i, LightType::Spot)
                ? ""
                : "without effect: only an orthographic map and a spot light's have an extent";
@@ -99,9 +99,9 @@ std::string_view cascades_idle(const Settings& s, int i) {
     if (!source_of(s, i).needs.map) return "without effect: light.source is not a map";
     if (!has_type(s, i, LightType::Directional)) return "without effect: only a directional light has cascades";
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
-    if (of(s, i).projection == at(LightProjection::Perspective))
+    if (of(s, i).projection == LightProjection::Perspective)
         return "without effect: cascades are orthographic, but light.projection is perspective";
-    if (of(s, i).fit == at(LightFit::Manual)) return "without effect: light.fit is manual, and cascades are fitted";
+    if (of(s, i).fit == LightFit::Manual) return "without effect: light.fit is manual, and cascades are fitted";
     return has_clip_levels(s, i) ? "without effect: map.virtual has clip levels in place of cascades" : "";
 }
 
@@ -112,7 +112,7 @@ std::string_view between_cascades_idle(const Settings& s, int i) {
 
 std::string_view lambda_idle(const Settings& s, int i) {
     const auto reason = between_cascades_idle(s, i);
-    const bool orthographic = s.camera.source == at(CameraSource::Manual) && s.camera.orthographic;
+    const bool orthographic = s.camera.source == CameraSource::Manual && s.camera.orthographic;
     return reason.empty() && orthographic ? "without effect: an orthographic camera's cascades are even" : reason;
 }
 
@@ -126,20 +126,20 @@ std::string_view split_idle(const Settings& s, int i) {
 /// Of what clip levels leave to no choice.
 std::string_view near_far_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
-    if (s.camera.source == at(CameraSource::Light)) return "";
+    if (s.camera.source == CameraSource::Light) return "";
     return has_clip_levels(s, i) ? "without effect: clip levels (map.virtual) hold all depths of the scene" : "";
 }
 
 std::string_view depth_bounds_idle(const Settings& s, int i) {
     if (const auto reason = near_far_idle(s, i); !reason.empty()) return reason;
     if (has_type(s, i, LightType::Point)) return "without effect: a point light's faces do not follow the camera";
-    if (of(s, i).fit == at(LightFit::Stabilised)) return "without effect: a stabilised map keeps its depths";
+    if (of(s, i).fit == LightFit::Stabilised) return "without effect: a stabilised map keeps its depths";
     return fit_reads_camera(s, i) ? "" : "without effect: the map does not follow the camera";
 }
 
 // A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
-    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != at(LightFit::Manual)
+    return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != LightFit::Manual
                ? "without effect: the fit places the map of a directional light"
                : "";
 }
@@ -232,8 +232,7 @@ constexpr auto kLight = with_scope(
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
                  "maxShadowDistance, perspective shadow maps"},
         {SI_LIGHT_FIELD(snap), .label = "Whole texels", .unit = "",
-         SI_IDLE(of(s, i).fit != at(LightFit::Stabilised),
-                 "without effect: only the fit stabilised moves by whole texels"),
+         SI_IDLE(of(s, i).fit != LightFit::Stabilised, "without effect: only the fit stabilised moves by whole texels"),
          .help = "Moves the stabilised map by whole texels, so that edges of shadows stay as they are while the camera "
                  "moves. Off: it follows by fractions of them, and edges crawl.",
          .also = "texel snapping, stable, shimmer, swimming, shimmering, flicker, edge crawling"},

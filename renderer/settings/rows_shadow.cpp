@@ -68,9 +68,9 @@ constexpr Choice kTransforms[] = {
 
 /// map.outside also answers for what lies behind the far plane or behind a light with a place.
 std::string_view outside_idle(const Settings& s, int) {
-    if (s.map.far_guard || s.map.wrap == at(MapWrap::Border) || s.map.wrap == at(MapWrap::Range)) return "";
+    if (s.map.far_guard || s.map.wrap == MapWrap::Border || s.map.wrap == MapWrap::Range) return "";
     for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
-        if (s.lights[std::size_t(i)].type != at(LightType::Directional)) return "";
+        if (s.lights[std::size_t(i)].type != LightType::Directional) return "";
     }
     return "without effect: map.wrap finds a texel everywhere and map.far_guard is off";
 }
@@ -354,7 +354,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
              "penumbra's width; where none is found, the surface is lit.",
      .also = "blocker search samples, blocker samples", .shader = true},
     {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
-     SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == at(RadiusUnit::Texels),
+     SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == RadiusUnit::Texels,
              "without effect: filter.radius itself is in texels"),
      .help = "Most that the kernel reaches to each side: search, penumbra, or a radius in metres. Wider ones than that "
              "come out too narrow; the bias must do for so wide a kernel.",

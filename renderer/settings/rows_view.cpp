@@ -55,7 +55,7 @@ constexpr auto kShading = std::to_array<Param>({
     {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
      SI_CHOICES(kCompositions), .help = "How light and shadow become a picture.", .shader = true},
     {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
-     SI_IDLE(s.shading.composition != at(Composition::DimLit), "without effect: set shading.composition to dim-lit"),
+     SI_IDLE(s.shading.composition != Composition::DimLit, "without effect: set shading.composition to dim-lit"),
      .help = "Share of each light that the dim pass leaves in shadow, so that surfaces keep their shape there.",
      .shader = true},
     {SI_FIELD(shading.textures), .label = "Textures", .unit = "", .cost = Cost::Program,
@@ -79,7 +79,7 @@ constexpr Choice kSources[] = {
 };
 
 std::string_view camera_idle(const Settings& s, int) {
-    return s.camera.source != at(CameraSource::Manual) ? "without effect: set camera.source to manual" : "";
+    return s.camera.source != CameraSource::Manual ? "without effect: set camera.source to manual" : "";
 }
 std::string_view fov_idle(const Settings& s, int i) {
     const auto reason = camera_idle(s, i);
@@ -94,7 +94,7 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources),
      .help = "Where the camera comes from."},
     {SI_FIELD(camera.index), .label = "Scene's camera", .unit = "", .min = -1, .max = 9999,
-     SI_IDLE(s.camera.source != at(CameraSource::Automatic), "without effect: set camera.source to auto"),
+     SI_IDLE(s.camera.source != CameraSource::Automatic, "without effect: set camera.source to auto"),
      .help = "Which of the scene's own cameras is used, counted from 0; -1 is none of them: a camera that shows the "
              "whole scene. Without effect on scenes without cameras."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,

@@ -59,12 +59,12 @@ constexpr Choice kSlabs[] = {
 };
 
 bool is_bands(const Settings& s) {
-    return s.view.map == at(MapView::Bands);
+    return s.view.map == MapView::Bands;
 }
 constexpr std::string_view kBandColours = "without effect: the band view has colours of its own";
 
 std::string_view channel_idle(const Settings& s, int) {
-    if (s.view.map_source == at(MapSource::Camera)) return "without effect: view.map_source is camera";
+    if (s.view.map_source == MapSource::Camera) return "without effect: view.map_source is camera";
     const Filter& row = filter_of(s);
     if (row.samples != Samples::Moments) return "without effect: filter.kernel stores no moments";
     return s.view.map_channel > int(row.moments.names.size()) ? "without effect: filter.kernel stores fewer moments"
@@ -90,7 +90,7 @@ constexpr std::string_view kNoOverlay = "without effect: no overlay is shown";
 
 std::string_view range_idle(const Settings& s, int) {
     if (s.view.overlay == 0) return "without effect: view.overlay is none";
-    return s.view.overlay_range != at(OverlayRange::Manual) ? "without effect: set view.overlay_range to manual" : "";
+    return s.view.overlay_range != OverlayRange::Manual ? "without effect: set view.overlay_range to manual" : "";
 }
 
 const LightSettings& shown_light(const Settings& s) {
@@ -101,10 +101,10 @@ const LightSettings& shown_light(const Settings& s) {
 std::string_view face_idle(const Settings& s, int) {
     const LightSettings& shown = shown_light(s);
     // 1.5 rad is half the widest cone that light_place.cpp leaves to one map.
-    const bool faces = shown.type == at(LightType::Point) ||
-                       (shown.type == at(LightType::Spot) && shown.cone > 2 * 1.5 * 57.29577951308232);
-    const bool cascades = shown.type == at(LightType::Directional) && shown.cascades > 1 &&
-                          shown.fit != at(LightFit::Manual) && shown.projection != at(LightProjection::Perspective);
+    const bool faces =
+        shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
+    const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&
+                          shown.projection != LightProjection::Perspective;
     return faces || cascades ? "" : "without effect: the light shown has a single map";
 }
 
@@ -112,7 +112,7 @@ std::string_view slabs_idle(const Settings& s, int) {
     return s.light_count > 0 && shown_light(s).cast ? "" : "without effect: the light shown has no shadow map";
 }
 std::string_view slabs_region_idle(const Settings& s, int i) {
-    return s.view.slabs == at(Slabs::None) ? "without effect: view.slabs is none" : slabs_idle(s, i);
+    return s.view.slabs == Slabs::None ? "without effect: view.slabs is none" : slabs_idle(s, i);
 }
 
 constexpr auto kView = std::to_array<Param>({
@@ -168,13 +168,13 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
      .help = "A quantity of the shadow test drawn over the scene."},
     {SI_FIELD(view.overlay_2), .label = "Overlay of pane 2", .unit = "", .cost = Cost::Program,
-     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Two), "without effect: view.panes is one"),
+     .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Two, "without effect: view.panes is one"),
      .help = "What the second pane draws over the scene; none is the shaded picture."},
     {SI_FIELD(view.overlay_3), .label = "Overlay of pane 3", .unit = "", .cost = Cost::Program,
-     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Four), "without effect: view.panes is not four"),
+     .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Four, "without effect: view.panes is not four"),
      .help = "What the third pane draws over the scene; none is the shaded picture."},
     {SI_FIELD(view.overlay_4), .label = "Overlay of pane 4", .unit = "", .cost = Cost::Program,
-     .choices = overlay_choices, SI_IDLE(s.view.panes < at(Panes::Four), "without effect: view.panes is not four"),
+     .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Four, "without effect: view.panes is not four"),
      .help = "What the fourth pane draws over the scene; none is the shaded picture."},
     {SI_FIELD(view.overlay_opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
      SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "How much of the overlay covers the picture: 0 nothing, 1 all.",

@@ -12,7 +12,9 @@ inline constexpr int kMaxLights = 16;
 inline constexpr int kMaxCascades = 8;
 inline constexpr int kMaxClipLevels = 8;
 
-// Enumerations are stored as the index of their choice; the choices stand in the table, in this order.
+// Closed choices: the program names each of their values. Their enumerators stand in the order of the choices in the
+// settings table. What chooses a row of an open table of techniques (bias.kind, filter.kernel, light.source,
+// view.overlay) is an int, the index of the row: a new row there takes no enumerator.
 enum class LightType { Directional, Spot, Point };
 enum class LightFit { Manual, Scene, Casters, View, Stabilised, Lispsm };
 enum class NearFar { Fitted, Manual, Casters, Scene, Pancaking };
@@ -33,6 +35,7 @@ enum class NormalSource { Geometric, Shading, Mapped };
 enum class FilterMethod { Automatic, Gather, Sampler };
 enum class RadiusUnit { Texels, Metres };
 enum class Disk { Table, Spiral };
+enum class BlurShape { Box, Gaussian };
 enum class MomentFormat { Bits32, Bits16 };
 enum class TableSums { Integer, Float };
 enum class MapView { Raw, Linear, Bands };
@@ -50,8 +53,8 @@ enum class PlacedAlong { Aslant, X, Y, Z };
 enum class Slabs { None, Stored, Biased, Both };
 
 struct CameraSettings {
-    int source = 0;  ///< CameraSource
-    int index = 0;   ///< of the scene's cameras; -1: none of them
+    CameraSource source = CameraSource::Automatic;
+    int index = 0;  ///< of the scene's cameras; -1: none of them
     double target_x = 0, target_y = 0, target_z = 0;
     double azimuth = 35, elevation = 25, roll = 0;
     double distance = 10;
@@ -68,25 +71,25 @@ struct SceneSettings {
     int animation = 0;    ///< -1: the rest pose
     double time = 0;      ///< s
     double distance = 0;  ///< m
-    int direction = 0;    ///< PlacedAlong
+    PlacedAlong direction = PlacedAlong::Aslant;
     double scale = 1;
-    int ground = 0;  ///< Ground
+    Ground ground = Ground::Auto;
     bool fit_animation = false;
     bool operator==(const SceneSettings&) const = default;
 };
 
 struct MapSettings {
     int resolution = 2048;
-    int format = 2;   ///< MapFormat
-    int wrap = 0;     ///< MapWrap
-    int outside = 0;  ///< Outside
+    MapFormat format = MapFormat::D32F;
+    MapWrap wrap = MapWrap::Border;
+    Outside outside = Outside::Lit;
     bool far_guard = true;
-    int compare = 1;  ///< Compare
+    Compare compare = Compare::LessEqual;
     bool reversed_z = false;
     int blur_texels = 0;
     int samples = 1;
-    int transform = 0;   ///< MapTransform
-    int origin = 0;      ///< MapOrigin
+    MapTransform transform = MapTransform::World;
+    MapOrigin origin = MapOrigin::Near;
     bool paged = false;  ///< map.virtual, a word that C++ keeps to itself
     int page_size = 128;
     int page_pool = 1024;
@@ -96,8 +99,8 @@ struct MapSettings {
 };
 
 struct CasterSettings {
-    int cull = 0;   ///< Cull
-    int blend = 0;  ///< BlendCasters
+    Cull cull = Cull::None;
+    BlendCasters blend = BlendCasters::None;
     bool operator==(const CasterSettings&) const = default;
 };
 
@@ -107,14 +110,14 @@ int default_filter();
 
 struct BiasSettings {
     int kind = default_bias();  ///< row of the bias table
-    int unit = 1;               ///< BiasUnit
+    BiasUnit unit = BiasUnit::Texels;
     // Three texels along the normal clear a plane at any angle under the default kernel: h >= kappa*sqrt(2)*sin(theta)
     // with kappa = 2 (bias_theory.h); the constant covers quantisation.
     double constant = 0.1;
     double slope = 0.0;
     double plane_clamp = 100;
     double normal = 3.0;
-    int normal_source = 0;  ///< NormalSource
+    NormalSource normal_source = NormalSource::Geometric;
     double raster_slope = 0;
     double raster_units = 0;
     double raster_clamp = 0;
@@ -123,15 +126,15 @@ struct BiasSettings {
 
 struct FilterSettings {
     int kernel = default_filter();  ///< row of the filter table
-    int method = 0;                 ///< FilterMethod
+    FilterMethod method = FilterMethod::Automatic;
     // Of single kernels: see the rows' `settings` in the filter table.
     int size = 3;
     bool point = false;
     int taps = 16;
     double radius = 3;
-    int radius_unit = 0;  ///< RadiusUnit
+    RadiusUnit radius_unit = RadiusUnit::Texels;
     bool rotate = true;
-    int disk = 0;  ///< Disk
+    Disk disk = Disk::Table;
     int blocker_taps = 16;
     double max_radius = 16;
     int rays = 16;
@@ -140,25 +143,22 @@ struct FilterSettings {
     int blur = 2;
     double bleed = 0.2;
     double min_variance = 1e-6;
-    int blur_shape = 0;  ///< box, Gaussian
+    BlurShape blur_shape = BlurShape::Box;
     bool mips = false;
     int anisotropy = 1;
-    int moment_format = 0;  ///< MomentFormat
+    MomentFormat moment_format = MomentFormat::Bits32;
     double exponent = 40;
     double negative_exponent = 5;
     double moment_bias = 3e-6;
-    int sums = 0;  ///< TableSums
+    TableSums sums = TableSums::Integer;
     double window = 5;
     bool footprint = false;
     bool operator==(const FilterSettings&) const = default;
 };
 
-/// The row of the fit table that is chosen where nobody chooses.
-int default_fit();
-
 struct LightSettings {
     std::string name;
-    int type = 0;  ///< LightType
+    LightType type = LightType::Directional;
     bool on = true;
     double azimuth = -40, elevation = 45;
     double distance = 0;
@@ -170,19 +170,19 @@ struct LightSettings {
     double red = 1, green = 1, blue = 1;
     bool cast = true;
     double contact = 0;
-    int source = 0;           ///< row of the source table
-    int fit = default_fit();  ///< LightFit, row of the fit table
+    int source = 0;                    ///< row of the source table
+    LightFit fit = LightFit::Casters;  ///< row of the fit table
     bool snap = true;
-    int projection = 0;  ///< LightProjection
-    int near_far = 0;    ///< NearFar
+    LightProjection projection = LightProjection::Automatic;
+    NearFar near_far = NearFar::Fitted;
     double near = 0, far = 0, stretch = 1, extent = 0;
     int cascades = 1;
-    int depth_bounds = 0;  ///< DepthBounds
-    int split = 2;         ///< Split, row of the split table
+    DepthBounds depth_bounds = DepthBounds::Boxes;
+    Split split = Split::Practical;  ///< row of the split table
     double split_lambda = 0.5;
     double split_1 = 0.07, split_2 = 0.2, split_3 = 0.45, split_4 = 0.6, split_5 = 0.7, split_6 = 0.8, split_7 = 0.9;
     double cascade_blend = 0.1;
-    int cascade_choice = 0;  ///< CascadeChoice
+    CascadeChoice cascade_choice = CascadeChoice::Interval;
     bool operator==(const LightSettings&) const = default;
 };
 
@@ -219,10 +219,10 @@ struct ShadingSettings {
     double diffuse = 0.75;
     double specular = 0.15;
     double shininess = 32;
-    int sky = 1;  ///< SkyLook
+    SkyLook sky = SkyLook::Gradient;
     double exposure = 0;
-    int curve = 1;        ///< ToneCurve
-    int composition = 0;  ///< Composition
+    ToneCurve curve = ToneCurve::Filmic;
+    Composition composition = Composition::Ambient;
     double dim = 0.2;
     bool textures = true;
     bool separate_visibility = false;
@@ -230,28 +230,28 @@ struct ShadingSettings {
 };
 
 struct ViewSettings {
-    int map_source = 0;   ///< MapSource
-    int map = 1;          ///< MapView
+    MapSource map_source = MapSource::Light;
+    MapView map = MapView::Linear;
     int map_channel = 0;  ///< 0 depth, else 1 + channel of the kernel's moments
     int map_mip = 0;
     bool map_fit = false;
-    int map_colours = 0;     ///< MapColours
+    MapColours map_colours = MapColours::Grey;
     bool map_region = true;  ///< outline of what the camera sees
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;
-    int light = 0;    ///< whose map and overlay are shown
-    int face = 0;     ///< which of a light's faces or cascades
-    int panes = 0;    ///< Panes
+    int light = 0;  ///< whose map and overlay are shown
+    int face = 0;   ///< which of a light's faces or cascades
+    Panes panes = Panes::One;
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1; the first pane's
     int overlay_2 = 0, overlay_3 = 0, overlay_4 = 0;
     double overlay_opacity = 1;
-    int overlay_range = 0;  ///< OverlayRange
+    OverlayRange overlay_range = OverlayRange::Declared;
     double overlay_min = 0, overlay_max = 1;
     bool frustum = true;
     bool bounds = false;
     bool axes = true;
     bool smooth = true;  ///< anti-aliasing of a view that rests
-    int slabs = 0;       ///< Slabs
+    Slabs slabs = Slabs::None;
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;
     bool operator==(const ViewSettings&) const = default;
@@ -269,11 +269,26 @@ struct ReferenceSettings {
 /// What one object does differently from the scene; keyed by its node path.
 struct ObjectSettings {
     bool shown = true;
-    int cull = 0;  ///< ObjectCull
+    ObjectCull cull = ObjectCull::Inherit;
     bool cast = true;
     bool receive = true;
     bool operator==(const ObjectSettings&) const = default;
 };
+
+/// Returns the culling in force for an object: its own choice, else that of all casters (caster.cull).
+constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
+    switch (own) {
+        case ObjectCull::None:
+            return Cull::None;
+        case ObjectCull::Back:
+            return Cull::Back;
+        case ObjectCull::Front:
+            return Cull::Front;
+        case ObjectCull::Inherit:
+            break;
+    }
+    return of_all;
+}
 
 struct Settings {
     SceneSettings scene;

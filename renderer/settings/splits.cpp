@@ -67,7 +67,7 @@ void push_splits(Settings& settings, const SettingRef& changed) {
 void repair_splits(Settings& settings, std::vector<std::string>& repairs) {
     for (std::size_t l = 0; l < settings.lights.size(); ++l) {
         LightSettings& light = settings.lights[l];
-        if (light.split != int(Split::Manual)) continue;
+        if (light.split != Split::Manual) continue;
         for (int i = 1; i + 1 < std::min(light.cascades, kMaxCascades); ++i) {
             const double before = light.*kMembers[std::size_t(i - 1)];
             double& split = light.*kMembers[std::size_t(i)];

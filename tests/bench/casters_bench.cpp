@@ -67,7 +67,7 @@ Scene balls_on_a_floor(int count) {
 
 Settings around_it() {
     Settings s;
-    s.lights[0].fit = int(LightFit::Scene);
+    s.lights[0].fit = LightFit::Scene;
     return s;
 }
 
@@ -227,7 +227,7 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
 
 /// From a corner of the scene, along one of its sides.
 Settings seeing_a_part(Settings s) {
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.target_x = s.camera.target_z = -40;
     s.camera.azimuth = 0;
     s.camera.elevation = 20;
@@ -237,7 +237,7 @@ Settings seeing_a_part(Settings s) {
 
 const int kRegistered = [] {
     Settings directional = around_it(), point, cascades;
-    point.lights[0].type = int(LightType::Point);
+    point.lights[0].type = LightType::Point;
     cascades.lights[0].cascades = 4;
     const auto add = [](const char* name, auto run) {
         benchmark::RegisterBenchmark(name, run)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(30);

@@ -72,9 +72,9 @@ struct Machine {
 /// The bare program knows of no map that holds less than the scene, and of no sky and no curve.
 Settings around_the_scene() {
     Settings s;
-    s.lights[0].fit = int(LightFit::Scene);
-    s.shading.sky = int(SkyLook::Plain);
-    s.shading.curve = int(ToneCurve::Plain);
+    s.lights[0].fit = LightFit::Scene;
+    s.shading.sky = SkyLook::Plain;
+    s.shading.curve = ToneCurve::Plain;
     return s;
 }
 
@@ -144,8 +144,8 @@ void look(benchmark::State& state, const char* file, const Row& row) {
     Rotation rotation;
     for (const bool on : {true, false})
         rotation.add_draw(on ? "look" : "plain", [&match, on] {
-            match.settings.shading.sky = int(on ? SkyLook::Gradient : SkyLook::Plain);
-            match.settings.shading.curve = int(on ? ToneCurve::Filmic : ToneCurve::Plain);
+            match.settings.shading.sky = on ? SkyLook::Gradient : SkyLook::Plain;
+            match.settings.shading.curve = on ? ToneCurve::Filmic : ToneCurve::Plain;
             match.draw_ours();
         });
     rotation.run(state);
@@ -168,7 +168,7 @@ void blocks_as_images(benchmark::State& state, const char* file, const Row& row)
 /// The camera moves, so that the map is kept: the picture alone, against what the bare programs take for theirs.
 void moving_camera(benchmark::State& state, const Row& row) {
     Settings s = around_the_scene();
-    s.camera = {.source = int(CameraSource::Manual), .target_y = 0.5, .azimuth = 42, .elevation = 23.8, .distance = 31};
+    s.camera = {.source = CameraSource::Manual, .target_y = 0.5, .azimuth = 42, .elevation = 23.8, .distance = 31};
     const Match match(Machine::get("100k"), s, row, 2048);
     BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
     BareForward like = match.bare({.kernel = row.bare, .size = row.size});

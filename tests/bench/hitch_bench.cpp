@@ -242,7 +242,7 @@ std::vector<Tool> all_tools() {
                    [](Hands& h) { h.editor->mouse.shift = ImGui::GetIO().KeysDown[int('3')] = false; }},
          .before = over_scene},
         {.name = "two_panes",
-         .steps = {[](Hands& h) { h.state().settings.view.panes = int(Panes::Two); }},
+         .steps = {[](Hands& h) { h.state().settings.view.panes = Panes::Two; }},
          .before = over_scene},
         press_key("next_artefact", 'X'),
         press_key("texel_quads", 'Q'),

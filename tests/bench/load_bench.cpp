@@ -139,7 +139,7 @@ void many_objects(benchmark::State& state, Scene (*make)()) {
             scene.nodes.back().local[3].y += 0.1;
             refresh(scene);
         });
-        sum["object_culled_ms"] += frame_ms([&] { s.objects[scene.nodes.back().path].cull = int(ObjectCull::Back); });
+        sum["object_culled_ms"] += frame_ms([&] { s.objects[scene.nodes.back().path].cull = ObjectCull::Back; });
         request.force = true;
         state.SetIterationTime(frame_ms(nothing) / 1000);
     }

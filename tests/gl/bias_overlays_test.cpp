@@ -64,13 +64,13 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     s.camera.target_y = 0.6;
     s.camera.distance = 7;
     LightSettings& light = s.lights[0];
-    light.type = int(type);
-    light.fit = int(fit);
+    light.type = type;
+    light.fit = fit;
     if (type != LightType::Directional) {
         light.distance = 6;
         light.cone = 80;
     }
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     s.bias.constant = 0.4;
     s.bias.slope = 2.5;
     s.bias.normal = 1.3;
@@ -131,7 +131,7 @@ TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
     const Scene scene = hills();
     Settings s = lit_by(LightType::Directional);
     s.bias = test::no_bias();
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     s.map.resolution = 256;
     for (const auto& [constant, negative] : {std::pair{0.0, true}, std::pair{40.0, false}}) {
         s.bias.constant = constant;

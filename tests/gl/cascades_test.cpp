@@ -108,7 +108,7 @@ TEST_F(CascadesTest, NothingIsReadBesideAMap) {
                                                   {"map.resolution", "256"}});
                 for (const auto& [key, value] : more) set_setting(s, key, value);
                 const FloatImage lit = visibility(scene, s);
-                s.map.outside = int(Outside::Unlit);
+                s.map.outside = Outside::Unlit;
                 const FloatImage unlit = visibility(scene, s);
                 std::size_t differ = 0;
                 for (std::size_t i = 0; i < lit.data.size(); ++i) differ += lit.data[i] != unlit.data[i];

@@ -134,20 +134,20 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         EXPECT_EQ(count(agree(box, s, "what the plane needs"), Artefact::Acne), 0u);
     }
     Settings s = test::texel_settings("pcf3", 256, 3);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     EXPECT_GT(count(agree(box, s, "outside of the map"), Artefact::OutsideMap), 10u);
     for (const LightType type : {LightType::Spot, LightType::Point})
         for (const bool reversed : {false, true}) {
             s = test::texel_settings("pcf3", 256, 0.5);
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.map.reversed_z = reversed;
             s.bias.normal = 1;
             agree(box, s, type == LightType::Spot ? "spot" : "point");
         }
     for (const bool reversed : {false, true}) {
         s = test::texel_settings("pcf3", 128, 0.4);
-        s.lights[0].fit = int(LightFit::Lispsm);
+        s.lights[0].fit = LightFit::Lispsm;
         s.map.reversed_z = reversed;
         EXPECT_GT(count(agree(box, s, "warped"), Artefact::Acne), 100u);
         s.bias.constant = 1;
@@ -163,7 +163,7 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         s = test::texel_settings("pcf3", 64, 0.4);
         s.lights[0].cascades = 3;
         s.lights[0].cascade_blend = 0.3;
-        s.lights[0].cascade_choice = int(choice);
+        s.lights[0].cascade_choice = choice;
         EXPECT_GT(count(agree(box, s, "cascades"), Artefact::Acne), 100u);
         s.bias.constant = 1;
         s.bias.normal = 20;
@@ -173,7 +173,7 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     s.lights[0].size = 6;
     EXPECT_GT(count(agree(box, s, "a light of size", {.area = true, .samples = 256}), Artefact::Penumbra), 10u);
     agree(box, s, "a light of size, one look at it", {.area = true, .samples = 1});
-    s.caster.cull = int(Cull::Front);
+    s.caster.cull = Cull::Front;
     agree(box, s, "front culling", {.step = 2});
     const Scene teapot = load_scene("teapot");
     for (const char* slope : {"1", "3", "10"})
@@ -198,12 +198,12 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
 TEST_F(CausesTest, TrialsOfOneTexelObeyTheGuards) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 256, 1);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     s.bias.normal = 40;
-    s.map.wrap = int(MapWrap::Range);
+    s.map.wrap = MapWrap::Range;
     for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
-        s.map.outside = int(outside);
+        s.map.outside = outside;
         FrameRequest all = request;
         all.outputs = {.colour = false, .evidence = true};
         const FrameResult frame = render_with_reference(renderer, box, s, all, cache);
@@ -299,7 +299,7 @@ const std::vector<Fault>& faults() {
          {Artefact::PeterPanningOffset, Artefact::OffsetShadow}},
         {"polygon offset", [](Settings& s) { s.bias.raster_slope = 60; }, {Artefact::PeterPanningRaster}},
         {"front culling",
-         [](Settings& s) { s.caster.cull = int(Cull::Front); },
+         [](Settings& s) { s.caster.cull = Cull::Front; },
          {Artefact::LostCaster, Artefact::PeterPanning}},
         // At the bias of a narrow one it shadows itself, which more bias cures as well.
         {"wide kernel",
@@ -409,11 +409,11 @@ TEST_F(CausesTest, MasksThatCoarserLevelsThinOutAreLostCasters) {
 TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 12);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 2;
-    s.map.outside = int(Outside::Unlit);
+    s.map.outside = Outside::Unlit;
     Settings twin = s;
-    twin.map.outside = int(Outside::Lit);
+    twin.map.outside = Outside::Lit;
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
     EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
@@ -425,10 +425,10 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
 TEST_F(CausesTest, ACubeHasNoSeams) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 8);
-    s.lights[0].type = int(LightType::Point);
+    s.lights[0].type = LightType::Point;
     s.lights[0].distance = 3;
     for (const Outside outside : {Outside::Lit, Outside::Unlit}) {
-        s.map.outside = int(outside);
+        s.map.outside = outside;
         const MeasuredError m = measure(scene, s);
         EXPECT_EQ(count(m, Artefact::OutsideMap), 0u) << "its faces overlap by more than the widest kernel";
         EXPECT_GT(count(m, Artefact::PeterPanning), 50u);
@@ -452,11 +452,11 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
                           s.lights[0].elevation = 80;
                       }});
     places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
-                          s.lights[0].type = int(LightType::Spot);
+                          s.lights[0].type = LightType::Spot;
                           s.lights[0].distance = 9;
                       }});
     places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
-                          s.lights[0].type = int(LightType::Point);
+                          s.lights[0].type = LightType::Point;
                           s.lights[0].distance = 6;
                       }});
     places.push_back({"far away",

@@ -17,13 +17,13 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         if (type != LightType::Directional) {
             s.lights[0].distance = 9;
             s.lights[0].cone = 90;
         }
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
-        s.shading.composition = int(Composition::DimLit);
+        s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
         FrameRequest request = small();
         request.outputs.visibility = true;
@@ -31,7 +31,7 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
         const FloatImage v = renderer.read_float(frame.visibility, 1);
         const ByteImage drawn = renderer.read_colour(frame.colour);
         s.lights[0].cast = false;
-        s.shading.composition = int(Composition::Ambient);
+        s.shading.composition = Composition::Ambient;
         const ByteImage all_lit = picture(scene, s);
         s.shading.diffuse *= 0.3;
         const ByteImage all_dim = picture(scene, s);
@@ -56,7 +56,7 @@ TEST_F(CompositionTest, IsTheSameWhetherVisibilityIsAPassOfItsOwn) {
     const ByteImage fused = picture(scene, s);
     s.shading.separate_visibility = true;
     EXPECT_EQ(different_pixels(fused, picture(scene, s)), 0u);
-    s.shading.composition = int(Composition::Ambient);
+    s.shading.composition = Composition::Ambient;
     EXPECT_GT(different_pixels(fused, picture(scene, s)), 1000u);
 }
 
@@ -66,7 +66,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         if (type != LightType::Directional) {
             s.lights[0].distance = 9;
             s.lights[0].cone = 90;
@@ -91,7 +91,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
         s.camera.distance = 10;
         s.camera.fov = 45;
         const ByteImage world = picture(scene, s);
-        s.map.transform = int(MapTransform::Eye);
+        s.map.transform = MapTransform::Eye;
         EXPECT_LT(different_pixels(world, picture(scene, s)), 200u) << "pixels whose comparison lies on the edge";
     }
 }

@@ -25,7 +25,7 @@ protected:
     static Settings under(LightType type, const test::Place& place) {
         Settings s = test::hard_settings();
         LightSettings& light = s.lights[0];
-        light.type = int(type);
+        light.type = type;
         light.azimuth = place.azimuth;
         light.elevation = std::min(place.elevation, 60.0);
         if (type != LightType::Directional) {

@@ -124,7 +124,7 @@ TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
         if (m.classified[std::size_t(i + width * height / 2)].artefact == Artefact::Acne)
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
-    s.lights[0].type = int(LightType::Directional);
+    s.lights[0].type = LightType::Directional;
     const FixTable table =
         find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
     ASSERT_FALSE(table.rows.empty());
@@ -139,7 +139,7 @@ TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
             stays |= !*r.pixel_right;
         }
     EXPECT_TRUE(stays) << "not everything helps";
-    s.lights[0].type = int(LightType::Point);
+    s.lights[0].type = LightType::Point;
     const FixTable point = find_fixes(renderer, scene, s, width, height, {}, cache);
     const MeasuredFix* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
@@ -167,9 +167,9 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     for (const Kind& kind : kinds) {
         SCOPED_TRACE(testing::Message() << int(kind.type) << " " << int(kind.fit) << " " << int(kind.projection));
         Settings s = test::texel_settings("pcf3", 256, 0);
-        s.lights[0].type = int(kind.type);
-        s.lights[0].fit = int(kind.fit);
-        s.lights[0].projection = int(kind.projection);
+        s.lights[0].type = kind.type;
+        s.lights[0].fit = kind.fit;
+        s.lights[0].projection = kind.projection;
         const MeasuredError m = measure(scene, s);
         const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(m, s, renderer.driver()));
         const auto tried = [&](auto&& like) {
@@ -177,10 +177,11 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
                                          [&](const FixCandidate& i) { return i.untried.empty() && like(i.settings); });
         };
         for (std::size_t i = 0; i < fits().size(); ++i) {
-            const bool other = int(i) != int(kind.fit) && int(i) != int(LightFit::Manual);
+            const auto fit = LightFit(i);
+            const bool other = fit != kind.fit && fit != LightFit::Manual;
             const bool suits = kind.narrows || (kind.fit == LightFit::Manual && !fits()[i].narrows);
-            const auto count = tried(
-                [&](const Settings& t) { return t.lights[0].fit == int(i) && t.lights[0].fit != s.lights[0].fit; });
+            const auto count =
+                tried([&](const Settings& t) { return t.lights[0].fit == fit && t.lights[0].fit != s.lights[0].fit; });
             EXPECT_EQ(count, other && suits ? 1 : 0) << fits()[i].key;
         }
         for (int n = 2; n <= kMaxCascades; n *= 2)
@@ -214,7 +215,7 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     for (const char* kernel : {"pcf3", "pcf7"})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s = test::texel_settings(kernel, 512, 0);
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].elevation = 35;
             const MeasuredError before = measure(scene, s);
             ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
@@ -265,7 +266,7 @@ TEST_F(FixesTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;
-    s.lights[0].fit = int(LightFit::Scene);
+    s.lights[0].fit = LightFit::Scene;
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
     const MeasuredFix* fit = row(table, "fit: what is seen");
     ASSERT_TRUE(fit);

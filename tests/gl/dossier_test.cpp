@@ -281,7 +281,7 @@ TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
 
     const Scene sheet = test::sheet_over_floor(1.2);
     s = plain("hard", 3);
-    s.caster.cull = int(Cull::Front);
+    s.caster.cull = Cull::Front;
     const auto lost = find(measure(sheet, s), Artefact::LostCaster);
     ASSERT_TRUE(lost);
     const PixelDiagnosis d = diagnosis(sheet, s, *lost);
@@ -290,7 +290,7 @@ TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     apply(s, *d.fix);
     EXPECT_TRUE(diagnosis(sheet, s, *lost).right);
 
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
     ASSERT_TRUE(outside);

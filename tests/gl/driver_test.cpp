@@ -64,7 +64,7 @@ TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     s.bias.raster_units = 1;
     EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures what it is worth";
     EXPECT_EQ(set_by([&] { draw(s); }), 1) << "and the next only draws its map";
-    set_setting(s, "map.format", s.map.format == int(MapFormat::D16) ? "d24" : "d16");
+    set_setting(s, "map.format", s.map.format == MapFormat::D16 ? "d24" : "d16");
     EXPECT_GT(set_by([&] { draw(s); }), 1) << "another format is another measure";
     renderer.driver();
     EXPECT_EQ(set_by([&] { renderer.driver(); }), 0);
@@ -76,7 +76,7 @@ TEST_F(DriverTest, OffsetsAreWithinWhatOpenGLAllows) {
     for (std::size_t i = 0; i < kMapFormats; ++i) {
         const PolygonOffset& offset = renderer.driver().offset[i];
         SCOPED_TRACE(i);
-        if (holds_distances(int(i))) {
+        if (holds_distances(MapFormat(i))) {
             EXPECT_EQ(offset.unit(0x1p-24), 0) << "what a shader writes is not offset";
             EXPECT_EQ(offset.slope({3, -4}), 0);
             continue;
@@ -124,11 +124,11 @@ TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
          {GL_CULL_FACE, GL_BLEND, GL_STENCIL_TEST, GL_SCISSOR_TEST, GL_DEPTH_CLAMP, GL_RASTERIZER_DISCARD})
         glEnable(on);
     const std::vector<double> before = state();
-    for (int format = 0; format < int(kMapFormats); ++format) {
-        const PolygonOffset offset = measure_polygon_offset(format);
+    for (std::size_t format = 0; format < kMapFormats; ++format) {
+        const PolygonOffset offset = measure_polygon_offset(MapFormat(format));
         EXPECT_EQ(state(), before) << format;
         // And the state does not get into the measure.
-        const PolygonOffset& as_usual = usual.offset[std::size_t(format)];
+        const PolygonOffset& as_usual = usual.offset[format];
         EXPECT_EQ(offset.unit(0x1p-24), as_usual.unit(0x1p-24));
         EXPECT_EQ(offset.slope({1, 1}), as_usual.slope({1, 1}));
     }

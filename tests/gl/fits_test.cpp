@@ -95,12 +95,12 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
             light.azimuth = i % 3 == 0 ? 90 * (i % 4) : 180 * unit(random);
             light.elevation = i % 5 == 0 ? 90 : 15 + 60 * std::abs(unit(random));
             if (i % 4 == 3) {
-                light.type = int(LightType::Spot);
+                light.type = LightType::Spot;
                 light.cone = 70 + 30 * unit(random);
                 light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above all, or amid it
             }
             CameraSettings& camera = s.camera;
-            camera.source = int(CameraSource::Manual);
+            camera.source = CameraSource::Manual;
             const glm::dvec3 at = scene.bounds.centre() + 0.4 * r * glm::dvec3(unit(random), 0, unit(random));
             camera.target_x = at.x;
             camera.target_y = at.y;
@@ -141,7 +141,7 @@ TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
             EXPECT_EQ(j.metrics.outside_map, 0);
             EXPECT_GT(j.shadowed, 300u);
             // By hand, the same map has an outside.
-            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = j.light.views[0].half_width;
             EXPECT_GT(judge(scene, s).metrics.outside_map, 0.1);
         }
@@ -156,7 +156,7 @@ TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
         Settings s = test::texel_settings(kernel, 128, 8);
         s.lights[0].elevation = 90;
         s.lights[0].azimuth = 0;
-        s.lights[0].fit = int(LightFit::Casters);
+        s.lights[0].fit = LightFit::Casters;
         FrameRequest request{.width = 300, .height = 200};
         request.outputs = {.colour = false, .visibility = true};
         const FrameResult frame = renderer.render(scene, s, request);
@@ -164,7 +164,7 @@ TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
         const FloatImage narrowed = renderer.read_float(frame.visibility, 1);
         const LightView view = frame.lights[0].views[0];
         LightSettings& light = s.lights[0];
-        light.fit = int(LightFit::Manual);
+        light.fit = LightFit::Manual;
         light.extent = view.half_width;
         const glm::dvec3 aside = view.eye - frame.lights[0].position;
         light.target_x = aside.x;
@@ -214,7 +214,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
 TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     Settings s = test::texel_settings("pcf3", 512, 3);
-    s.lights[0].fit = int(LightFit::Casters);
+    s.lights[0].fit = LightFit::Casters;
     const FrameRequest request{.width = 240, .height = 180};
     FrameRequest drawn = request;
     drawn.outputs = {.map_coordinates = true};
@@ -226,7 +226,7 @@ TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
             if (!probe.hit || !faces_light(probe.lights[0].n_dot_l)) continue;
             const Probe::PerLight& p = probe.lights[0];
             const bool reads = coordinates.data[4 * std::size_t(y * 240 + x) + 3] > 0;
-            EXPECT_EQ(p.where == "beyond shadows", !reads) << x << " " << y << " " << p.where;
+            EXPECT_EQ(p.place == MapPlace::OutsideCasterRegion, !reads) << x << " " << y << " " << place_name(p.place);
             (reads ? inside : beyond) += 1;
             if (reads) continue;
             EXPECT_EQ(p.visibility, 1);

@@ -94,7 +94,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
                     for (const bool sampler : {false, true})
                         for (const bool behind : {false, true}) {
                             set_setting(s, "filter.method", sampler ? "sampler" : "gather");
-                            s.lights[0].fit = int(LightFit::Manual);
+                            s.lights[0].fit = LightFit::Manual;
                             s.lights[0].distance = 20;
                             s.lights[0].near = behind ? 24 : 1;
                             s.lights[0].far = behind ? 60 : 20;

@@ -418,13 +418,13 @@ TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
     EXPECT_GT(gap, 0);
     EXPECT_LT(gap, 0.01);
     SceneSettings moment = session.settings.scene;
-    moment.ground = int(Ground::Off);
+    moment.ground = Ground::Off;
     const std::size_t objects = session.scene.objects.size(), nodes = session.scene.nodes.size();
     pose_scene(session.scene, moment);
     EXPECT_EQ(session.scene.objects.size(), objects - 1);
     EXPECT_EQ(session.scene.nodes.size(), nodes - 1);
     EXPECT_TRUE(session.scene.ground_bounds.empty());
-    moment.ground = int(Ground::Auto);
+    moment.ground = Ground::Auto;
     moment.scale = 1;
     moment.distance = 0;
     pose_scene(session.scene, moment);

@@ -67,7 +67,7 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
     s.light_count = 7;
-    for (int i = 0; i < s.light_count; ++i) s.lights[std::size_t(i)].type = int(LightType::Point);
+    for (int i = 0; i < s.light_count; ++i) s.lights[std::size_t(i)].type = LightType::Point;
     const auto heap_at_rest = [&](int resolution) {
         s.map.resolution = resolution;
         picture(scene, s);
@@ -86,8 +86,7 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
-    for (int i = 0; i < next.settings.light_count; ++i)
-        next.settings.lights[std::size_t(i)].type = int(LightType::Point);
+    for (int i = 0; i < next.settings.light_count; ++i) next.settings.lights[std::size_t(i)].type = LightType::Point;
     ShaderWarmup rehearsals;
     const auto heap_after = [&](int resolution) {
         next.settings.map.resolution = resolution;

@@ -40,7 +40,7 @@ protected:
                    place * moved(4, 2, 4));
         finalise(sight.scene);
         Settings& s = sight.settings;
-        s.camera.source = int(CameraSource::Manual);
+        s.camera.source = CameraSource::Manual;
         const glm::dvec3 from = glm::normalize(sight.normal + 0.4 * glm::dvec3(place[0]));
         s.camera.target_x = sight.at.x;
         s.camera.target_y = sight.at.y;
@@ -49,8 +49,8 @@ protected:
         s.camera.elevation = glm::degrees(std::asin(std::clamp(from.y, -1.0, 1.0)));
         s.camera.distance = 4;
         LightSettings& light = s.lights[0];
-        light.type = int(type);
-        light.fit = int(fit);
+        light.type = type;
+        light.fit = fit;
         // Some lights lie along the axes exactly.
         light.azimuth = uniform(0, 1) < 0.3 ? 90 * std::floor(uniform(0, 4)) : uniform(-180, 180);
         light.elevation = uniform(0, 1) < 0.2 ? 90 : uniform(-85, 85);

@@ -101,7 +101,7 @@ TEST_F(LightCamera, CanBeTakenOverByHand) {
                                           {"view.face", kind.face}});
         const Camera before = make_camera(scene, s, 1.5);
         s.camera = manual_camera(scene, s, 1.5);
-        EXPECT_EQ(s.camera.source, int(CameraSource::Manual));
+        EXPECT_EQ(s.camera.source, CameraSource::Manual);
         const Camera after = make_camera(scene, s, 1.5);
         EXPECT_EQ(s.camera.near, 0);
         for (const glm::dvec3 p : {glm::dvec3(0), {1, 2, -1}, {-2, 0, 3}}) {

@@ -78,7 +78,7 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
             for (const int resolution : {64, 256}) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
                 Settings s = light_mapped(test::hard_settings(), resolution);
-                s.lights[0].type = int(type);
+                s.lights[0].type = type;
                 s.lights[0].azimuth = place.azimuth;
                 s.lights[0].elevation = place.elevation;
                 s.lights[0].distance = type == LightType::Directional ? 0 : 9;
@@ -195,7 +195,7 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         Settings s = light_mapped(test::hard_settings(), 64);
         s.lights[0].azimuth = 90 + kRoomsTurned;
         s.lights[0].elevation = 55;
-        s.camera.source = int(CameraSource::Manual);
+        s.camera.source = CameraSource::Manual;
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
         s.camera.target_x = target.x;
         s.camera.target_y = target.y;

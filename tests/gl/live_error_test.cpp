@@ -67,22 +67,22 @@ TEST_F(LiveErrorTest, AgreesWithTheCpuOnEveryArtefact) {
     EXPECT_GT(agree(s, "well biased").artefacts[std::size_t(Artefact::EdgeAliasing)], 10u);
 
     s = hard(512, 3);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     EXPECT_GT(agree(s, "outside of the map").outside_map, 0.3);
     s = hard(512, 0);
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.bias.normal = 0.1;
     s.bias.slope = 0.05;
     EXPECT_GT(agree(s, "spot light, too little of each bias").any_acne, 0.001);
-    s.lights[0].type = int(LightType::Point);
+    s.lights[0].type = LightType::Point;
     EXPECT_GT(agree(s, "point light").counted, 1000u);
 
     scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     s = hard(1024, 3);
-    s.bias.unit = int(BiasUnit::Metres);
+    s.bias.unit = BiasUnit::Metres;
     EXPECT_GT(agree(s, "peter-panning").artefacts[std::size_t(Artefact::PeterPanning)], 300u);
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.map.reversed_z = true;
     agree(s, "peter-panning under a spot light");
 }
@@ -94,7 +94,7 @@ TEST_F(LiveErrorTest, AgreesOnLostCasters) {
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(2, 2), grey), moved(0, 1.2, 0));
     finalise(scene);
     Settings s = hard(512, 3);
-    s.caster.cull = int(Cull::Front);
+    s.caster.cull = Cull::Front;
     EXPECT_GT(agree(s, "front culling").artefacts[std::size_t(Artefact::LostCaster)], 300u);
 }
 
@@ -188,7 +188,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
     request.outputs = {.colour = false, .overlay = true};
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard(128, 1);
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         set_setting(s, "filter.kernel", "pcf9");  // wide: it needs more bias than there is room for beside the box
         set_setting(s, "view.overlay", "bias-window");
         frame = render_with_reference(renderer, scene, s, request, cache);

@@ -22,8 +22,8 @@ namespace {
 class LookTest : public FrameTest {
 protected:
     static Settings plain(Settings s) {
-        s.shading.sky = int(SkyLook::Plain);
-        s.shading.curve = int(ToneCurve::Plain);
+        s.shading.sky = SkyLook::Plain;
+        s.shading.curve = ToneCurve::Plain;
         s.shading.exposure = 0;
         return s;
     }
@@ -129,7 +129,7 @@ TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
     s.lights[1] = s.lights[0];
     s.lights[1].azimuth += 20;
     const int filmic = brightest(picture(scene, s));
-    s.shading.curve = int(ToneCurve::Plain);
+    s.shading.curve = ToneCurve::Plain;
     EXPECT_EQ(brightest(picture(scene, s)), 255);
     EXPECT_LT(filmic, 250);
     EXPECT_GT(filmic, 200);
@@ -211,7 +211,7 @@ TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 64, 3);
     s.shading.specular = 0;
-    s.shading.sky = int(SkyLook::Plain);
+    s.shading.sky = SkyLook::Plain;
     s.shading.exposure = 1;
     const ByteImage exposed = picture(scene, s);
     s.shading.exposure = 0;
@@ -291,7 +291,7 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     for (int i = 0; i < kSmoothedMost; ++i) EXPECT_TRUE(changed()) << i;
     EXPECT_FALSE(changed()) << "it sleeps";
     EXPECT_TRUE(shows_smooth());
-    state.settings.camera.source = int(CameraSource::Manual);
+    state.settings.camera.source = CameraSource::Manual;
     EXPECT_TRUE(changed());
     EXPECT_FALSE(shows_smooth()) << "what moves is shown as it is drawn";
     EXPECT_TRUE(changed());

@@ -77,7 +77,7 @@ TEST_F(MeasureTest, CallsMissingBiasAcne) {
 TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     Settings s = hard(1024);
-    s.bias.unit = int(BiasUnit::Metres);
+    s.bias.unit = BiasUnit::Metres;
     s.bias.constant = 3;  // more than the box is thick along the light
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.bias_false_light, 0.01);
@@ -95,7 +95,7 @@ TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
     finalise(scene);
     Settings s = hard(512);
     EXPECT_EQ(measure(scene, s).lost_false_light, 0);
-    s.caster.cull = int(Cull::Front);
+    s.caster.cull = Cull::Front;
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.lost_false_light, 0.01);
     EXPECT_GT(m.artefacts[std::size_t(Artefact::LostCaster)], 300u);
@@ -106,7 +106,7 @@ TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
 TEST_F(MeasureTest, KeepsWhatTheMapDoesNotHoldApart) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 1.2;
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.outside_map, 0.3);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "renderer/base/index_of.h"
 #include "renderer/gl/target.h"
 #include "renderer/inspect/probe.h"
 #include "renderer/scenes/shapes.h"
@@ -112,8 +113,9 @@ private:
 Moments expected_moments(const Filter& row, const FilterSettings& s, const Shares& shares, const glm::dvec2& uv) {
     const auto of = [&](double z) { return moments_of(row.key, s, z); };
     if (row.moments.summed) return shares.over(uv, s.window, of);
-    return Shares::blended(uv, shares.size(),
-                           [&](int x, int y) { return shares.mean(x, y, s.blur, s.blur_shape == 1, of); });
+    return Shares::blended(uv, shares.size(), [&](int x, int y) {
+        return shares.mean(x, y, s.blur, s.blur_shape == BlurShape::Gaussian, of);
+    });
 }
 
 double cantelli(double mean, double square, double own, double least) {
@@ -210,16 +212,16 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
         Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
         move_scene(scene, c.at);
         Settings s = texel_settings(row->key, 64, 1.5);
-        s.lights[0].type = int(c.light);
+        s.lights[0].type = c.light;
         s.lights[0].distance = c.light == LightType::Directional ? 0 : 6;
         s.lights[0].cone = 80;
         s.lights[0].azimuth = c.azimuth;
         s.map.reversed_z = c.reversed;
-        s.map.format = int(turn % 2 ? MapFormat::D24 : MapFormat::D32F);
+        s.map.format = turn % 2 ? MapFormat::D24 : MapFormat::D32F;
         move_camera(s, c.at);
         s.filter.exponent = turn % 2 ? 8 : 20;
         s.filter.negative_exponent = 4;
-        s.filter.blur_shape = int(turn % 2);
+        s.filter.blur_shape = turn % 2 ? BlurShape::Gaussian : BlurShape::Box;
         s.filter.blur = 2;
         s.filter.window = 4.4;
         s.filter.moment_bias = 1e-4;
@@ -231,7 +233,7 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
         for (int y = 30; y < 85; y += 6)
             for (int x = 40; x < 130; x += 13) {
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
-                if (!p.hit || p.lights[0].where != "inside" || p.lights[0].n_dot_l < 1e-3) continue;
+                if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l < 1e-3) continue;
                 const Probe::PerLight& l = p.lights[0];
                 const LightView& view = l.fitted.views[std::size_t(l.face)];
                 if (!shares.contains(l.face))
@@ -385,7 +387,7 @@ TEST(Moments, BySummedAreasAreThoseOfABlur) {
     const FrameRequest request{
         .width = kPicture.width, .height = kPicture.height, .outputs = {.colour = false, .visibility = true}};
     for (const int radius : {1, 4})
-        for (const int sums : {int(TableSums::Integer), int(TableSums::Float)}) {
+        for (const TableSums sums : {TableSums::Integer, TableSums::Float}) {
             Settings s = texel_settings("vsm", 200, 0.5);  // no power of two
             s.filter.blur = radius;
             const FloatImage blurred = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
@@ -398,8 +400,8 @@ TEST(Moments, BySummedAreasAreThoseOfABlur) {
                 worst = std::max(worst, std::abs(double(summed.data[i]) - blurred.data[i]));
                 total += std::abs(double(summed.data[i]) - blurred.data[i]);
             }
-            EXPECT_LT(total / double(summed.data.size()), sums == int(TableSums::Integer) ? 2e-5 : 2e-2) << radius;
-            if (sums == int(TableSums::Integer)) {
+            EXPECT_LT(total / double(summed.data.size()), sums == TableSums::Integer ? 2e-5 : 2e-2) << radius;
+            if (sums == TableSums::Integer) {
                 EXPECT_LT(worst, 0.03);
             }
         }
@@ -425,7 +427,7 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
             add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
             move_scene(scene, place.at);
             Settings s = texel_settings(row->key, 128, row->moments.quantised ? 24 : 5);
-            s.lights[0].type = int(place.light);
+            s.lights[0].type = place.light;
             s.lights[0].elevation = place.elevation;
             s.lights[0].azimuth = 90;
             s.lights[0].distance = place.light == LightType::Directional ? 0 : 7;
@@ -447,11 +449,11 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (row->moments.power == 0) continue;
-        for (const int format : {int(MomentFormat::Bits32), int(MomentFormat::Bits16)}) {
+        for (const MomentFormat format : {MomentFormat::Bits32, MomentFormat::Bits16}) {
             Settings s = texel_settings(row->key, 96, 2);
             s.filter.moment_format = format;
             const double limit = safe_exponent(s);
-            if (format == int(MomentFormat::Bits16)) {
+            if (format == MomentFormat::Bits16) {
                 EXPECT_EQ(limit, row->moments.power == 1 ? 11.08 : 5.54);
             } else {
                 // Less the shares that a blur takes of each texel.
@@ -462,7 +464,7 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
             const Shot at_limit = shoot(scene, s);  // demands that all are numbers
             EXPECT_TRUE(at_limit.frame.notes.empty());
             const ReferenceErrors e = compare(at_limit, scene, 4);
-            EXPECT_LT(e.any_acne, e.domain / 20) << row->key << " " << format << ": lit places must stay lit";
+            EXPECT_LT(e.any_acne, e.domain / 20) << row->key << " " << index_of(format) << ": lit places must stay lit";
             EXPECT_LT(e.any_leak, e.domain / 3) << row->key;
             EXPECT_GT(shadow_share(at_limit), 0.01);
             s.filter.exponent = 88;
@@ -485,7 +487,7 @@ TEST(Moments, Of16BitsAreNearThoseOf32) {
         s.filter.min_variance = 1e-4;
         s.filter.moment_bias = 1e-4;
         const Shot wide = shoot(scene, s);
-        s.filter.moment_format = int(MomentFormat::Bits16);
+        s.filter.moment_format = MomentFormat::Bits16;
         const Shot narrow = shoot(scene, s);
         EXPECT_LT(differing_share(wide, narrow, 0.1), 0.03) << row->key;
         EXPECT_NE(wide.visibility.data, narrow.visibility.data) << row->key << ": the format changed nothing";
@@ -650,13 +652,13 @@ TEST(Moments, AreShownByTheMapViewer) {
         const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
         for (int channel = 1; channel <= int(row->moments.names.size()); ++channel) {
             s.view.map_channel = channel;
-            s.view.map = int(MapView::Raw);
+            s.view.map = MapView::Raw;
             s.filter.blur = 2;
             const FrameResult raw = renderer.render(scene, s, maps);
             ASSERT_EQ(raw.shown_map.channel, channel);
             EXPECT_EQ(raw.shown_map.name, row->moments.names[std::size_t(channel - 1)]);
             const FloatImage numbers = renderer.read_map_view_depth(raw);
-            s.view.map = int(MapView::Linear);
+            s.view.map = MapView::Linear;
             s.filter.blur = 0;
             const FloatImage alone = renderer.read_map_view_depth(renderer.render(scene, s, maps));
             double sum = 0;
@@ -691,12 +693,12 @@ TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
     for (const int n : {5, 16, 33})
         for (const int radius : {0, 1, 3, 8}) {
             Settings s = texel_settings("vsm", n, 2.0 * n / 16);
-            s.filter.moment_format = int(MomentFormat::Bits32);
+            s.filter.moment_format = MomentFormat::Bits32;
             s.filter.blur = 0;
             const FrameResult plain = renderer.render(scene, s, maps);
             const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
             s.view.map_channel = 1;
-            s.view.map = int(MapView::Raw);
+            s.view.map = MapView::Raw;
             s.filter.blur = radius;
             const FloatImage numbers = renderer.read_map_view_depth(renderer.render(scene, s, maps));
             ASSERT_EQ(numbers.width, n);
@@ -720,8 +722,8 @@ TEST(Moments, AreShownByMipLevels) {
     for (const Filter* row : moment_rows()) {
         Settings s = texel_settings(row->key, 64, 1);
         s.filter.mips = true;
-        s.filter.moment_format = int(MomentFormat::Bits32);
-        s.view.map = int(MapView::Raw);
+        s.filter.moment_format = MomentFormat::Bits32;
+        s.view.map = MapView::Raw;
         s.view.map_channel = 1;
         FloatImage finer;
         for (const int level : {0, 1, 2, 3, 6}) {

@@ -29,12 +29,12 @@ protected:
     }
     FrameResult draw(const Settings& s, const FrameRequest& request) {
         FrameState f = renderer.prepare(scene, s, request);
-        plan_frame(f);
+        renderer.plan_frame(f);
         return renderer.draw(f);
     }
     void plan(const Settings& s, const FrameRequest& request) {
         FrameState f = renderer.prepare(scene, s, request);
-        plan_frame(f);
+        renderer.plan_frame(f);
     }
     static std::vector<Image> images(const FrameResult& f) {
         std::vector<Image> out = {f.visibility, f.map_coordinates, f.surface_ids, f.map_view, f.evidence[0]};

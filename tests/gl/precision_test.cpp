@@ -21,7 +21,7 @@ constexpr int kWidth = 96, kHeight = 64;
 /// hard_settings() with the scene and all else moved away.
 Settings settings_at(Scene& scene, double distance, LightType type = LightType::Directional) {
     Settings s = hard_settings();
-    s.lights[0].type = int(type);
+    s.lights[0].type = type;
     SceneSettings away = s.scene;
     away.distance = distance;
     pose_scene(scene, away);
@@ -36,7 +36,7 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
         for (const double distance : {0.0, 1e5}) {
             Scene scene = floor_and_box();
             Settings s = settings_at(scene, distance, type);
-            s.map.origin = int(MapOrigin::World);
+            s.map.origin = MapOrigin::World;
             s.bias.normal = 0;
             const FrameResult frame = hard_renderer().render(
                 scene, s,
@@ -113,7 +113,7 @@ TEST(PrecisionTest, IsTheSameAtEveryScale) {
 TEST(PrecisionTest, OverlaysShowTheNumbers) {
     Scene scene = floor_and_box();
     Settings s = settings_at(scene, 1e4);
-    s.map.origin = int(MapOrigin::World);
+    s.map.origin = MapOrigin::World;
     for (const auto& [key, channel] : {std::pair{"precision-texels", 0}, {"precision-ulps", 1}}) {
         const auto row =
             std::find_if(overlays().begin(), overlays().end(), [&](const Overlay& o) { return o.key == key; });
@@ -151,7 +151,7 @@ TEST(PrecisionTest, CostsNothingUnasked) {
 /// Cascades over what the camera sees of a wide floor with a box.
 Settings crawling(bool snap) {
     Settings s = hard_settings();
-    s.lights[0].fit = int(LightFit::Stabilised);
+    s.lights[0].fit = LightFit::Stabilised;
     s.lights[0].snap = snap;
     s.lights[0].cascades = 2;
     s.camera.distance = 6;
@@ -196,7 +196,7 @@ TEST(StretchTest, MakesRangesAsMuchLongerAsItSays) {
     const Scene scene = floor_and_box();
     for (const LightType type : kLightTypes) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         const DepthCurve before = fit_lights(scene, s)[0].views[0].curve;
         s.lights[0].stretch = 100;
         const DepthCurve after = fit_lights(scene, s)[0].views[0].curve;

@@ -263,7 +263,7 @@ TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
     Scene scene = many_balls();
     for (const Sets& sets : {kinds()[0], kinds()[4]}) {
         Settings s = small_maps(scene, sets);
-        s.camera.source = int(CameraSource::Manual);
+        s.camera.source = CameraSource::Manual;
         s.camera.distance = 6;
         s.camera.elevation = 30;
         s.camera.target_y = 0.5;

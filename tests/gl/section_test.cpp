@@ -51,7 +51,7 @@ protected:
     /// No depth bias, and an offset of so many texels, by one hard comparison.
     static Settings offset_alone(LightType type, double texels) {
         Settings s = test::texel_settings("hard", 256, 0);
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         s.bias.normal = texels;
         return s;
     }

@@ -73,13 +73,13 @@ TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
                                                             {"view.slabs_texels", "64"}});
                 const ByteImage without = picture(scene, plain, size);
                 Settings s = plain;
-                s.view.slabs = int(Slabs::Stored);
+                s.view.slabs = Slabs::Stored;
                 FrameRequest request = size;
                 request.outputs.shadow_map = true;
                 const FrameResult f = renderer.render(scene, s, request);
                 const ByteImage with = renderer.read_colour(f.colour);
                 Settings camera = s;
-                camera.view.map_source = int(MapSource::Camera);
+                camera.view.map_source = MapSource::Camera;
                 const FloatImage depth = renderer.read_map_view_depth(renderer.render(scene, camera, request));
                 int visible = 0, tinted = 0, hidden = 0, strong = 0;
                 for (const auto& [point, slab] : points_on(slabs(f, s, Slabs::Stored))) {
@@ -109,7 +109,7 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.fit", "scene"}, {"map.resolution", "256"}, {"view.slabs_texels", "16"}});
     const ByteImage without = picture(scene, s);
-    s.view.slabs = int(Slabs::Both);
+    s.view.slabs = Slabs::Both;
     const FrameResult f = renderer.render(scene, s, small());
     const ByteImage with = renderer.read_colour(f.colour);
     // Around all slabs: the bounds of their corners on screen.
@@ -146,7 +146,7 @@ TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
                                       {"bias.constant", "0.3"}});
     const ByteImage without = picture(scene, s);
     const auto strongly = [&](Slabs which) {
-        s.view.slabs = int(which);
+        s.view.slabs = which;
         const ByteImage with = picture(scene, s);
         std::size_t blue = 0, orange = 0;
         for (int y = 0; y < 180; ++y)
@@ -174,7 +174,7 @@ TEST_F(SlabsTest, EveryPaneHasThem) {
         return out;
     };
     const auto without = panes();
-    s.view.slabs = int(Slabs::Stored);
+    s.view.slabs = Slabs::Stored;
     const auto with = panes();
     for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(different_pixels(without[i], with[i], 20), 500u) << i;
     set_setting(s, "light.cast", "false");

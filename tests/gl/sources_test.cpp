@@ -81,7 +81,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             Settings s = test::hard_settings();
             set_setting(s, "light.source", "blob");
             LightSettings& light = s.lights[0];
-            light.type = int(type);
+            light.type = type;
             light.azimuth = place.azimuth;
             light.elevation = place.elevation;
             if (type != LightType::Directional) {

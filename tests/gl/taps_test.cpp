@@ -164,7 +164,7 @@ TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
 TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("pcf5", 64, 1);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].extent = 2;
     FrameRequest maps = picture;
     maps.outputs.shadow_map = true;
@@ -175,7 +175,7 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
         for (int y = 10; y < 115; y += 9)
             for (int x = 5; x < 155; x += 11) {
                 const Probe p = renderer.probe(scene, s, picture, x, y);
-                if (!p.hit || p.lights[0].where == "behind") continue;
+                if (!p.hit || p.lights[0].place == MapPlace::Behind) continue;
                 const int n = p.map_resolution;
                 for (const KernelTap& t : p.lights[0].taps) {
                     glm::ivec2 at = t.texel;
@@ -205,7 +205,7 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
             SCOPED_TRACE(std::string(kernel) + " " + wrap);
             Settings s = test::texel_settings(kernel, 96, 0.7);
             set_setting(s, "map.wrap", wrap);
-            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = 4;
             const FrameResult frame = renderer.render(scene, s, request);
             EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Cached);

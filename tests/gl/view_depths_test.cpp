@@ -285,7 +285,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
                                           {"bias.constant", "4"},
                                           {"map.resolution", "256"}});
         Settings walking = s;
-        walking.camera.source = int(CameraSource::Manual);
+        walking.camera.source = CameraSource::Manual;
         walking.camera.distance = 3;
         FrameRequest request{.width = 160, .height = 90};
         request.outputs = {.colour = false, .visibility = true};

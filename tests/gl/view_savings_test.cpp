@@ -235,7 +235,7 @@ TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
             Settings s = settings_for(scene, joined({{"map.resolution", "256"}, {"bias.normal", "3"}}, light));
             set_setting(s, "filter.kernel", kernels[next++ % 4]);
             CameraSettings& c = s.camera;
-            c.source = int(CameraSource::Manual);
+            c.source = CameraSource::Manual;
             c.azimuth = azimuth;
             c.elevation = 5 + 0.2 * azimuth;
             c.distance = 2 + 0.03 * azimuth;

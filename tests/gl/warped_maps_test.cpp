@@ -54,7 +54,7 @@ protected:
         s.lights[0].azimuth = 70;
         s.lights[0].elevation = 55;
         CameraSettings& c = s.camera;
-        c.source = int(CameraSource::Manual);
+        c.source = CameraSource::Manual;
         c.target_y = 0.5;
         c.target_z = 20;
         c.azimuth = 0;
@@ -173,7 +173,7 @@ TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
                 set_setting(s, "map.format", format);
                 set_setting(s, "light.near_far", near_far);
                 s.map.reversed_z = reversed;
-                s.view.map = int(MapView::Linear);
+                s.view.map = MapView::Linear;
                 s.bias.raster_slope = s.bias.raster_units = 0;
                 FrameRequest request = kPicture;
                 request.outputs = {.colour = false, .shadow_map = true};

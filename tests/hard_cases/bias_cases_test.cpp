@@ -22,7 +22,7 @@ Settings plane_settings(MapFormat format, std::string_view filter) {
     Settings s = hard_settings();
     s.camera.elevation = 70;
     s.camera.target_y = 0;
-    s.map.format = int(format);
+    s.map.format = format;
     set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
     return s;
@@ -36,7 +36,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
         for (double z : {-5.0, 0.0, 5.0}) {
             const ReceiverPlane plane = receiver_plane(view, {x, 0, z}, {0, 1, 0});
             const LeastBias b = least_bias(plane.gradient, reach_of(s).bias, shot.frame.map_resolution,
-                                           depth_quantum(MapFormat(s.map.format), view.curve, plane.uvd.z),
+                                           depth_quantum(s.map.format, view.curve, plane.uvd.z),
                                            hard_renderer().driver().subpixel_bits, rounding_bias(view, {x, 0, z}, 10));
             if (b.total() > worst.total()) worst = b;
         }
@@ -158,13 +158,13 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 s.camera.target_y = place.at.y;
                 s.camera.target_z = place.at.z;
                 s.camera.distance *= place.size / 10;
-                s.lights[0].type = int(type);
+                s.lights[0].type = type;
                 if (type == LightType::Spot) {
                     s.lights[0].distance = 2 * place.size;
                     s.lights[0].cone = 60;
                 }
                 s.lights[0].elevation = 90 - theta;
-                s.bias.unit = int(BiasUnit::Texels);
+                s.bias.unit = BiasUnit::Texels;
                 const auto visible = [&](Shot& shot) {
                     std::vector<std::pair<std::size_t, glm::dvec3>> seen;
                     for (int y = 0; y < shot.height; ++y)
@@ -255,11 +255,11 @@ TEST_P(HardCase3, NoAcneWithTheFormatsStep) {
     const RangeCase& c = GetParam();
     Settings s = plane_settings(c.format, "hard");
     LightSettings& light = s.lights[0];
-    light.type = int(LightType::Spot);
+    light.type = LightType::Spot;
     light.cone = 60;
     light.elevation = 75;
     light.distance = 20;
-    light.fit = int(LightFit::Manual);
+    light.fit = LightFit::Manual;
     light.far = 32;
     light.near = light.far / c.ratio;
     s.map.reversed_z = c.reversed;

@@ -36,12 +36,12 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
     Settings s = hard_settings();
     s.camera.elevation = 70;
     s.camera.target_y = 0;
-    s.map.format = int(c.format);
+    s.map.format = c.format;
     set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     LightSettings& light = s.lights[0];
-    light.type = int(c.light);
+    light.type = c.light;
     light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
     if (c.light == LightType::Spot) {

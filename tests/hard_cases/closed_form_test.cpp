@@ -39,14 +39,14 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     const glm::dvec3 lo(-0.5 * box.x, gap, -0.5 * box.z), hi(0.5 * box.x, gap + box.y, 0.5 * box.z);
     const Scene scene = floor_and_box(10, box, gap);
     Settings s = hard_settings();
-    s.lights[0].type = int(c.type);
+    s.lights[0].type = c.type;
     s.lights[0].distance = 9;
     s.lights[0].cone = 80;
     s.map.resolution = c.resolution;
     set_setting(s, "filter.kernel", c.filter);
     // Along the light only, so that the outline does not move; what the kernel needs on the floor.
     s.bias = no_bias();
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     s.bias.constant = 4 * reach_of(s).bias;
     const Shot shot = shoot(scene, s, 320, 240);
     const FittedLight& light = shot.light();
@@ -106,13 +106,13 @@ TEST(PointLight, SeamsShowNoError) {
     const Scene scene = floor_and_box(10, {4.4, 0.2, 4.4}, 1.2);
     for (const char* filter : {"hard", "pcf5"}) {
         Settings s = hard_settings();
-        s.lights[0].type = int(LightType::Point);
+        s.lights[0].type = LightType::Point;
         s.lights[0].elevation = 90;
         s.lights[0].distance = 2.5;  // faces meet on the floor, in the shadow
         s.camera.elevation = 35;
         set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.unit = BiasUnit::Texels;
         // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
         s.bias.constant = 4 * reach_of(s).bias;
         const ReferenceErrors e = compare(shoot(scene, s), scene, reach_of(s).edge + 1);

@@ -53,16 +53,16 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = hard_settings();
     s.bias = no_bias();
-    s.map.format = int(c.format);
+    s.map.format = c.format;
     s.map.reversed_z = c.reversed;
     s.map.resolution = 256;
     LightSettings& light = s.lights[0];
-    light.type = int(c.type);
-    light.projection = int(c.projection);
+    light.type = c.type;
+    light.projection = c.projection;
     light.elevation = 60;
     light.distance = 20;
     if (c.ratio > 0) {
-        light.fit = int(LightFit::Manual);
+        light.fit = LightFit::Manual;
         light.far = 30;
         light.near = light.far / c.ratio;
     }
@@ -89,7 +89,7 @@ TEST_P(StoredDepth, IsTheMetricDistanceWithinAStep) {
                 if (!(z > view.curve.near && z < view.curve.far && std::abs(at.x) < 4.7 && std::abs(at.z) < 4.7))
                     continue;
                 const double own = view.curve.depth(z);
-                const double step = depth_quantum(MapFormat(s.map.format), view.curve, own);
+                const double step = depth_quantum(s.map.format, view.curve, own);
                 const ReceiverPlane plane = receiver_plane(view, at, n);
                 const LeastBias parts = least_bias(plane.gradient, 0, map.width, step,
                                                    hard_renderer().driver().subpixel_bits, rounding_bias(view, at, 20));
@@ -137,8 +137,8 @@ TEST(HardCase4, ReversedMapsGiveTheSameShadows) {
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
         for (MapFormat format : kStoredFormats) {
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
-            s.map.format = int(format);
+            s.lights[0].type = type;
+            s.map.format = format;
             const Shot standard = shoot(scene, s);
             s.map.reversed_z = true;
             const Shot reversed = shoot(scene, s);
@@ -167,15 +167,15 @@ TEST(HardCase4, SixteenBitsOfDistanceAreFinerFarAway) {
     Settings s = hard_settings();
     s.bias = no_bias();
     LightSettings& light = s.lights[0];
-    light.type = int(LightType::Spot);
-    light.fit = int(LightFit::Manual);
+    light.type = LightType::Spot;
+    light.fit = LightFit::Manual;
     light.elevation = 60;
     light.distance = 20;
     light.near = 0.03;
     light.far = 30;
     const auto acne = [&](MapFormat format, double texels) {
-        s.map.format = int(format);
-        s.bias.unit = int(BiasUnit::Texels);
+        s.map.format = format;
+        s.bias.unit = BiasUnit::Texels;
         s.bias.constant = texels;
         return shadow_share(shoot(scene, s));
     };
@@ -190,8 +190,8 @@ TEST(HardCase4, PolygonOffsetMovesNoDistances) {
     const Scene scene = floor_and_box();
     for (LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
-        s.map.format = int(MapFormat::Linear);
+        s.lights[0].type = type;
+        s.map.format = MapFormat::Linear;
         const Shot without = shoot(scene, s);
         s.bias.raster_slope = 50;
         const Shot with = shoot(scene, s);
@@ -218,10 +218,10 @@ TEST(HardCase5, PolygonOffset) {
         SCOPED_TRACE(format_name(format));
         Settings s = hard_settings();
         s.bias = no_bias();
-        s.map.format = int(format);
+        s.map.format = format;
         LightSettings& light = s.lights[0];
         light.elevation = 90;
-        light.fit = int(LightFit::Manual);
+        light.fit = LightFit::Manual;
         light.distance = 6;
         light.near = 1e-9;
         light.far = 10;

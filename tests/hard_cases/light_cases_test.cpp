@@ -19,7 +19,7 @@ TEST(HardCase6, LightStraightAbove) {
     for (LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard_settings();
         s.camera.elevation = 30;
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         s.lights[0].elevation = 90;
         const Shot exact = shoot(scene, s);
         shows_fault(6, shadow_share(exact));
@@ -45,7 +45,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
             SCOPED_TRACE(testing::Message()
                          << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].azimuth = angles.x;
             s.lights[0].elevation = angles.y;
             const Shot shot = shoot(scene, s);
@@ -104,7 +104,7 @@ TEST(HardCase7, LightInsideTheBox) {
     for (LightType type : {LightType::Spot, LightType::Point})
         for (double distance : {1e-9, 0.05, 0.2, 0.5}) {
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].distance = distance;
             s.lights[0].elevation = 90;
             const Shot shot = shoot(scene, s);
@@ -114,7 +114,7 @@ TEST(HardCase7, LightInsideTheBox) {
         }
     // From outside nothing is clipped, so the count says something.
     Settings s = hard_settings();
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.lights[0].distance = 20;
     EXPECT_EQ(shoot(scene, s).light().clipped_casters, 0);
 }
@@ -128,7 +128,7 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
     Settings s = hard_settings();
     s.camera.distance = 24;
     s.camera.elevation = 80;
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.lights[0].azimuth = 0;
     s.lights[0].elevation = 2;
     s.lights[0].cone = 100;
@@ -172,7 +172,7 @@ class HardCase9 : public testing::TestWithParam<double> {};
 TEST_P(HardCase9, SpotAngle) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.5);
     Settings s = hard_settings();
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.lights[0].cone = GetParam();
     s.lights[0].distance = 6;
     const Shot shot = shoot(scene, s);

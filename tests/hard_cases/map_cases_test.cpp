@@ -18,8 +18,8 @@ TEST(HardCase19, BadSettings) {
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
         for (auto [near, far] : {std::pair{5.0, 5.0}, {20.0, 2.0}, {1e30, 1e-30}, {-4.0, -9.0}}) {
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
-            s.lights[0].fit = int(LightFit::Manual);
+            s.lights[0].type = type;
+            s.lights[0].fit = LightFit::Manual;
             s.lights[0].near = near;
             s.lights[0].far = far;
             const Shot shot = shoot(scene, s);
@@ -29,7 +29,7 @@ TEST(HardCase19, BadSettings) {
         for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
             Settings s = hard_settings();
             LightSettings& l = s.lights[0];
-            l.type = int(type);
+            l.type = type;
             l.azimuth = l.elevation = l.distance = l.target_x = l.target_y = l.size = l.cone = bad;
             l.intensity = l.red = l.near = l.far = l.extent = bad;
             s.bias.constant = s.bias.slope = s.bias.normal = s.bias.raster_slope = s.bias.raster_units = bad;
@@ -40,8 +40,12 @@ TEST(HardCase19, BadSettings) {
             ++tried;
         }
         Settings s = hard_settings();
-        s.lights[0].type = 77;
-        s.map.format = s.map.wrap = s.map.compare = s.filter.kernel = s.bias.unit = s.view.overlay = -3;
+        s.lights[0].type = LightType(77);
+        s.map.format = MapFormat(-3);
+        s.map.wrap = MapWrap(-3);
+        s.map.compare = Compare(-3);
+        s.bias.unit = BiasUnit(-3);
+        s.filter.kernel = s.view.overlay = -3;
         s.map.resolution = -5;
         s.light_count = 99;
         judge(19, shoot(scene, s).frame.notes.empty());
@@ -79,7 +83,7 @@ TEST(HardCase20, KernelsWiderThanTheMap) {
         for (std::size_t row = 0; row < filters().size(); ++row)
             for (LightType type : {LightType::Directional, LightType::Point}) {
                 Settings s = hard_settings();
-                s.lights[0].type = int(type);
+                s.lights[0].type = type;
                 s.map.resolution = n;
                 s.filter.kernel = int(row);
                 shoot(scene, s, 32, 24);
@@ -89,7 +93,7 @@ TEST(HardCase20, KernelsWiderThanTheMap) {
 TEST(HardCase20, BeyondTheDriversLimit) {
     Settings s = hard_settings();
     s.map.resolution = 1 << 30;
-    s.map.format = int(MapFormat::D16);
+    s.map.format = MapFormat::D16;
     FrameRequest request;
     request.width = 32;
     request.height = 24;
@@ -111,7 +115,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         s.map.resolution = 128;
         set_setting(s, "filter.kernel", filter);
         // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
-        s.lights[0].fit = int(LightFit::Manual);
+        s.lights[0].fit = LightFit::Manual;
         s.lights[0].extent = 2;
         const auto wrong_outside = [&](const Shot& shot) {
             const RayReference rays(scene);
@@ -133,12 +137,12 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
             return wrong;
         };
         for (MapWrap wrap : {MapWrap::Border, MapWrap::Range}) {
-            s.map.wrap = int(wrap);
+            s.map.wrap = wrap;
             judge(29, wrong_outside(shoot(scene, s)));
         }
-        s.map.wrap = int(MapWrap::Clamp);
+        s.map.wrap = MapWrap::Clamp;
         shows_fault(29, wrong_outside(shoot(scene, s)));
-        s.map.wrap = int(MapWrap::Repeat);
+        s.map.wrap = MapWrap::Repeat;
         shows_fault(29, wrong_outside(shoot(scene, s)));
     }
 }
@@ -157,7 +161,7 @@ TEST(HardCase29, NoErrorAlongTheBorder) {
         s.map.resolution = 256;
         set_setting(s, "filter.kernel", filter);
         s.bias = no_bias();
-        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.unit = BiasUnit::Texels;
         s.bias.constant = 2.5 * reach_of(s).bias;
         const double reach = reach_of(s).edge + 1;
         const ReferenceErrors e = compare(shoot(scene, s), scene, reach);

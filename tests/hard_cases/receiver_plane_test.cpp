@@ -32,7 +32,7 @@ Settings over(const Plane& plane, LightType type, double theta_deg) {
     s.camera.distance *= plane.size / 10;
     s.bias = no_bias();
     LightSettings& light = s.lights[0];
-    light.type = int(type);
+    light.type = type;
     light.azimuth = plane.azimuth;
     light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
@@ -87,7 +87,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 const Scene scene =
                     make_scene(make_plane(plane.size, plane.size), moved(plane.at.x, plane.at.y, plane.at.z));
                 Settings s = over(plane, c.type, theta);
-                s.map.format = int(c.format);
+                s.map.format = c.format;
                 s.map.reversed_z = c.reversed;
                 set_setting(s, "filter.kernel", filter);
                 choose(s, "receiver-plane");
@@ -156,7 +156,7 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
             SCOPED_TRACE(testing::Message() << int(type) << ", " << texels << " texels");
             Settings s = texel_settings("hard", 512, texels);
             choose(s, "receiver-plane");
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].azimuth = 23;
             s.lights[0].elevation = 35;  // from +z
             if (type == LightType::Spot) {
@@ -215,7 +215,7 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
             if (row.samples != Samples::Depth || row.searches_blockers || row.reads_light_size) continue;
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].distance = 9;
             s.lights[0].cone = 80;
             choose(s, "receiver-plane");

@@ -50,7 +50,7 @@ TEST(HardCase13, DegenerateTriangles) {
     EXPECT_EQ(clean.dropped_triangles, 0u);
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         const Shot a = shoot(clean, s), b = shoot(dirty, s);
         judge(13, differing_share(a, b, 0) * double(a.visibility.data.size()));
         EXPECT_EQ(a.maps.at(0).data, b.maps.at(0).data);
@@ -71,7 +71,7 @@ TEST(HardCase13, Slivers) {
     finalise(scene);
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         shoot(scene, s);
     }
 }
@@ -111,7 +111,7 @@ TEST(HardCase17, NothingToDo) {
     finalise(empty);
     for (LightType type : kLightTypes) {
         s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         expect_no_shadow(empty, s, "empty scene");
     }
 }
@@ -124,7 +124,7 @@ TEST(HardCase18, ZeroThicknessBounds) {
     for (LightType type : kLightTypes)
         for (bool reversed : {false, true}) {
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].elevation = 90;
             s.map.reversed_z = reversed;
             const Shot shot = shoot(scene, s);

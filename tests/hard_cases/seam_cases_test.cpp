@@ -58,11 +58,11 @@ TEST_F(HardCase30, AreNoWorseThanTheFaces) {
                 Scene scene = hard_lamp();
                 test::move_scene(scene, at);
                 Settings s = test::texel_settings(kernel, 256, 0);
-                s.bias.unit = int(BiasUnit::Metres);
+                s.bias.unit = BiasUnit::Metres;
                 s.bias.constant = 0.25;
                 s.bias.normal = 3;
                 LightSettings& light = s.lights[0];
-                light.type = int(LightType::Point);
+                light.type = LightType::Point;
                 light.size = 0.02;
                 light.distance = 1e-3;  // at its target
                 const glm::dvec3 from = at + lamp - scene.bounds.centre();
@@ -92,7 +92,7 @@ TEST_F(HardCase30, NothingIsReadBesideAFace) {
             set_setting(s, key, value);
         for (const auto& [key, value] : reach) set_setting(s, key, value);
         const test::Shot lit = test::shoot(scene, s);
-        s.map.outside = int(Outside::Unlit);
+        s.map.outside = Outside::Unlit;
         EXPECT_EQ(test::differing_share(lit, test::shoot(scene, s), 1e-6), 0) << reach[0].second;
     }
 }

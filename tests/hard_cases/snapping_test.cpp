@@ -49,9 +49,9 @@ Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, d
     l.cascades = cascades;
     l.azimuth = azimuth;
     l.elevation = elevation;
-    l.split = int(Split::Logarithmic);
+    l.split = Split::Logarithmic;
     CameraSettings& c = s.camera;
-    c.source = int(CameraSource::Manual);
+    c.source = CameraSource::Manual;
     c.target_x = at.x - 10;
     c.target_y = at.y + 1;
     c.target_z = at.z - 5;

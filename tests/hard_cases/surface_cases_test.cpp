@@ -138,7 +138,7 @@ TEST(HardCase33, AMeshThatIsNotFiniteIsLeftOutAndTheRestStays) {
     clean.scene.cameras = c.scene.cameras;
     for (LightType type : kLightTypes) {
         DrawnCase dirty = c;
-        dirty.settings.lights[0].type = clean.settings.lights[0].type = int(type);
+        dirty.settings.lights[0].type = clean.settings.lights[0].type = type;
         const Shot a = shoot(dirty), b = shoot(clean);
         EXPECT_GT(shadow_share(a), 0.01);
         judge(33, differing_share(a, b, 0) * double(a.visibility.data.size()));

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
+#include "renderer/base/index_of.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/hard_case.h"
@@ -33,7 +34,7 @@ Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
 TEST(HardCase10, FarFromTheOrigin) {
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         const Shot here = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
         EXPECT_GT(shadow_share(here), 0.01);
         for (double offset : {1e4, 1e6}) {
@@ -63,7 +64,7 @@ TEST(HardCase10Vacuity, AbsoluteFloatMatricesAreTexelsOff) {
 TEST(HardCase11, EveryScaleLooksTheSame) {
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         const Shot one = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
         for (double scale : {1e-3, 1e-1, 1e3, 1e6}) {
             const Shot other =
@@ -74,7 +75,7 @@ TEST(HardCase11, EveryScaleLooksTheSame) {
     // A bias in metres does see the scale: the comparison is not blind.
     Settings s = hard_settings();
     s.bias = no_bias();
-    s.bias.unit = int(BiasUnit::Metres);
+    s.bias.unit = BiasUnit::Metres;
     s.bias.constant = 0.05;
     const Shot one = shoot(placed_scene(glm::dmat4(1)), seen_from(s, {0, 0.5, 0}));
     const Shot other = shoot(placed_scene(scaled(1e-2, 1e-2, 1e-2)), seen_from(s, {0, 0.005, 0}, 1e-2));
@@ -140,7 +141,7 @@ TEST(HardCase15, MirroredScene) {
     Shot culled[3];
     for (Cull cull : {Cull::None, Cull::Back, Cull::Front}) {
         Settings s = hard_settings();
-        s.caster.cull = int(cull);
+        s.caster.cull = cull;
         Shot a = shoot(straight, s, 161, 120);
         Settings t = s;
         t.camera.azimuth = -s.camera.azimuth;
@@ -155,9 +156,9 @@ TEST(HardCase15, MirroredScene) {
         }();
         // The mirrored light's map has other axes, so that filtered edges differ; the half-lit contour may not.
         judge(15, differing_share(a, flipped, 0.5));
-        culled[int(cull)] = std::move(a);
+        culled[index_of(cull)] = std::move(a);
     }
-    shows_fault(15, differing_share(culled[int(Cull::Back)], culled[int(Cull::Front)], 0.5));
+    shows_fault(15, differing_share(culled[index_of(Cull::Back)], culled[index_of(Cull::Front)], 0.5));
 }
 
 // Case 16: objects whose scale is 0 along one or all axes have no inverse.
@@ -174,7 +175,7 @@ TEST(HardCase16, SingularScale) {
             add_object(flattened, "flat", 0, 1, moved(2, 1, 1) * scaled(flat.x, flat.y, flat.z));
             finalise(flattened);
             Settings s = hard_settings();
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             const Shot shot = shoot(flattened, s);
             if (flat == glm::dvec3(1, 0, 1) && type == LightType::Directional) {
                 shows_fault(16, differing_share(without, shot, 0.5));

@@ -136,7 +136,7 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
         place_scene(scene, placement.matrix());
         Settings s;
         s.map.resolution = 64;
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         s.lights[0].azimuth = 30;
         s.lights[0].elevation = 40;
         if (type == LightType::Point) s.lights[0].distance = 6;
@@ -225,7 +225,7 @@ TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
         for (LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s;
             s.map.resolution = 256;
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             s.lights[0].azimuth = 30;
             s.lights[0].elevation = 40;
             const Shot a = shoot(baked, s), b = shoot(placed, s);

@@ -31,7 +31,7 @@ struct BiasCase {
 Settings unbiased(const Bias& row) {
     Settings s = hard_settings();
     s.bias = no_bias();
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     s.bias.plane_clamp = 0;
     if (row.stage == BiasStage::Compare) set_setting(s, "bias.kind", row.key);
     return s;
@@ -101,11 +101,11 @@ protected:
     Settings settings(double value) const {
         Settings s = unbiased(row);
         s.map.resolution = 256;
-        s.map.format = int(c.format);
+        s.map.format = c.format;
         s.map.reversed_z = c.reversed;
         set_setting(s, "filter.kernel", c.kernel);
         LightSettings& light = s.lights[0];
-        light.type = int(c.light);
+        light.type = c.light;
         light.azimuth = c.place.azimuth;
         light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;

@@ -53,7 +53,7 @@ protected:
     Settings settings() const {
         Settings s = texel_settings(c.kernel, 256, 0);
         LightSettings& light = s.lights[0];
-        light.type = int(c.light);
+        light.type = c.light;
         light.azimuth = c.place.azimuth;
         light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
@@ -65,7 +65,7 @@ protected:
         }
         move_camera(s, c.place.at);
         // Enough for any of these maps: in metres, so that it is the same for all fits.
-        s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.6;
+        s.bias.unit = BiasUnit::Metres, s.bias.constant = 0.6;
         return s;
     }
 };
@@ -162,14 +162,14 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             const bool sun = type == LightType::Directional;
             Settings s = texel_settings("pcf3", 512, 0);
             LightSettings& light = s.lights[0];
-            light.type = int(type);
+            light.type = type;
             light.azimuth = 30;
             light.elevation = 60;
             light.distance = 9;
             light.cone = 100;
-            light.projection = int(sun ? LightProjection::Perspective : LightProjection::Orthographic);
+            light.projection = sun ? LightProjection::Perspective : LightProjection::Orthographic;
             set_setting(s, "light.fit", row.key);
-            s.bias.unit = int(BiasUnit::Metres);
+            s.bias.unit = BiasUnit::Metres;
             s.bias.constant = 0.4;
             const Shot shot = shoot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";

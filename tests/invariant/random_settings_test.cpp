@@ -60,7 +60,9 @@ protected:
             if (!health->sound()) return {"number", health_text(*health)};
             // Of the picture alone, which other overlays and panes hide.
             Settings plain = of.settings;
-            plain.view.overlay = plain.view.panes = plain.view.slabs = 0;
+            plain.view.overlay = 0;
+            plain.view.panes = Panes::One;
+            plain.view.slabs = Slabs::None;
             const FrameResult shadowed = plain == of.settings ? frame : draw(scene, plain, true);
             const ByteImage a = renderer->read_colour(shadowed.colour);
             for (int i = 0; i < kMaxLights; ++i) {

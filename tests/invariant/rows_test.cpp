@@ -82,7 +82,7 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
     const int kind = s.bias.kind;
     s.bias = no_bias();
     s.bias.kind = kind;
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     // Both axes of the map may rise; the sub-pixel grid's share and the depth's step come on top.
     const double kappa = std::max(reach_under(s, light, s.map.resolution).bias, 0.5) + 0.1;
     s.bias.constant = kappa * glm::root_two<double>() * steepest_tan + 1;
@@ -90,12 +90,12 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
 
 Settings settings_of(const Case& c, int resolution) {
     Settings s = hard_settings();
-    s.lights[0].type = int(c.light);
+    s.lights[0].type = c.light;
     s.lights[0].distance = c.light == LightType::Directional ? 0 : 9;
     s.lights[0].cone = 80;
     s.lights[0].size = c.light == LightType::Directional ? 0.5 : 0.05;
     s.map.resolution = resolution;
-    s.map.format = int(c.format);
+    s.map.format = c.format;
     s.map.reversed_z = c.reversed;
     set_setting(s, "filter.kernel", c.kernel);
     set_setting(s, "bias.kind", c.bias);
@@ -218,7 +218,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
     for (int y = 22; y < 110 && (partly < 3 || told < 12); y += 7)
         for (int x = 33; x < 140; x += 9) {
             const Probe p = hard_renderer().probe(scene, s, picture, x, y);
-            if (!p.hit || p.lights[0].where != "inside" || p.lights[0].n_dot_l <= 1e-3) continue;
+            if (!p.hit || p.lights[0].place != MapPlace::Inside || p.lights[0].n_dot_l <= 1e-3) continue;
             const Probe::PerLight& l = p.lights[0];
             if (!row.linear) {
                 ASSERT_TRUE(l.taps.empty()) << "its result is no sum of comparisons";
@@ -440,7 +440,7 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         Settings s = overhead(GetParam());
         s.map.resolution = 1024;
         s.bias.constant = 1;
-        s.lights[0].type = int(light.type);
+        s.lights[0].type = light.type;
         s.lights[0].size = light.size;
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
         s.lights[0].cone = 80;

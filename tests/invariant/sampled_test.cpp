@@ -30,7 +30,7 @@ Scene covered_floor_and_a_brick() {
 /// Light from straight above.
 Settings soft_settings(std::string_view kernel, LightType type) {
     Settings s = texel_settings(kernel, 1024, 1);
-    s.lights[0].type = int(type);
+    s.lights[0].type = type;
     s.lights[0].size = type == LightType::Directional ? 4 : 0.3;
     s.lights[0].distance = type == LightType::Directional ? 0 : 5;
     s.lights[0].cone = 80;
@@ -170,7 +170,7 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
             Settings s = soft_settings(kernel, LightType::Directional);
             s.map.resolution = 2048;
             s.filter.radius = 16;
-            s.filter.disk = int(Disk::Spiral);
+            s.filter.disk = Disk::Spiral;
             set_setting(s, row.noise.taps, std::to_string(places));
             s.filter.blocker_taps = places;
             s.filter.rotate = turned;

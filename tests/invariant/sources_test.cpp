@@ -51,7 +51,7 @@ protected:
         Settings s = texel_settings("hw2x2", 512, 4);
         LightSettings& light = s.lights[0];
         set_setting(s, "light.source", c.source);
-        light.type = int(c.light);
+        light.type = c.light;
         light.azimuth = c.place.azimuth;
         light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;

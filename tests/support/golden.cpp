@@ -115,8 +115,8 @@ GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const
     out.settings.camera.distance = 6.5;
     out.settings.camera.target_y = 0.6;
     out.settings.view.overlay_opacity = 1;
-    out.settings.shading.sky = int(SkyLook::Plain);
-    out.settings.shading.curve = int(ToneCurve::Plain);
+    out.settings.shading.sky = SkyLook::Plain;
+    out.settings.shading.curve = ToneCurve::Plain;
     const auto set = [&](const Sets& of) {
         for (const auto& [key, value] : of) set_setting(out.settings, key, value);
     };

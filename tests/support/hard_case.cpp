@@ -182,7 +182,7 @@ Settings hard_settings() {
     s.map.resolution = 512;
     s.lights[0].azimuth = 30;
     s.lights[0].elevation = 40;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.azimuth = -20;
     s.camera.elevation = 55;
     s.camera.distance = 9;
@@ -192,11 +192,11 @@ Settings hard_settings() {
 
 Settings texel_settings(std::string_view filter, int resolution, double constant_texels) {
     Settings s = hard_settings();
-    s.lights[0].fit = int(LightFit::Scene);
+    s.lights[0].fit = LightFit::Scene;
     s.map.resolution = resolution;
     set_setting(s, "filter.kernel", filter);
     s.bias = no_bias();
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     s.bias.constant = constant_texels;
     return s;
 }
@@ -244,7 +244,7 @@ Scene floor_under_a_sheet(const Place& place) {
 
 BiasSettings no_bias() {
     BiasSettings b;
-    b.unit = int(BiasUnit::Depth);
+    b.unit = BiasUnit::Depth;
     b.constant = b.slope = b.normal = b.raster_slope = b.raster_units = b.raster_clamp = 0;
     return b;
 }

@@ -109,7 +109,7 @@ void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
     const glm::dvec3 centre = scene.bounds.centre();
     if (chance.is(0.8)) {
         CameraSettings& c = s.camera;
-        if (c.source == int(CameraSource::Light) && chance.is(0.5)) c.source = int(CameraSource::Manual);
+        if (c.source == CameraSource::Light && chance.is(0.5)) c.source = CameraSource::Manual;
         c.target_x = centre.x + chance.between(-0.5, 0.5) * radius;
         c.target_y = centre.y + chance.between(-0.5, 0.5) * radius;
         c.target_z = centre.z + chance.between(-0.5, 0.5) * radius;
@@ -139,7 +139,7 @@ void make_cheap(Settings& s) {
     double views = 0;
     for (int i = 0; i < s.light_count; ++i) {
         const LightSettings& l = s.lights[std::size_t(i)];
-        views += l.type == int(LightType::Point) ? 6 : l.type == int(LightType::Directional) ? l.cascades : 1;
+        views += l.type == LightType::Point ? 6 : l.type == LightType::Directional ? l.cascades : 1;
     }
     const double blurred = 1 + 2 * s.map.blur_texels + 2 * s.filter.blur + s.map.samples;
     while (s.map.resolution > 16 && views * blurred * s.map.resolution * s.map.resolution > kMostBlurred)
@@ -151,7 +151,7 @@ void set_objects(Settings& s, Chance& chance, const Scene& scene) {
     for (int i = chance.below(3); i >= 0; --i) {
         const Object& object = scene.objects[std::size_t(chance.below(int(scene.objects.size())))];
         ObjectSettings& o = s.objects[scene.nodes[std::size_t(object.node)].path];
-        o.cull = chance.below(4);
+        o.cull = ObjectCull(chance.below(4));
         o.cast = chance.is(0.7);
         o.receive = chance.is(0.7);
     }

@@ -52,7 +52,7 @@ TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
     EXPECT_EQ(names(), (std::vector<std::string>{"cascade 1 of 2", "cascade 2 of 2"}));
     s.view.face = 4;
     EXPECT_EQ(names(), (std::vector<std::string>{"cascade 1 of 2", "cascade 2 of 2", "cascade 2 of 2"}));
-    s.lights[0].type = int(LightType::Point);
+    s.lights[0].type = LightType::Point;
     EXPECT_EQ(names(), (std::vector<std::string>{"face +x", "face -x", "face +y", "face -y", "face +z", "face -z"}));
     EXPECT_TRUE(view_choices(s, nullptr, "view.face").empty());
     // In the settings, too.

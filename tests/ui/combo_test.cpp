@@ -51,16 +51,16 @@ TEST(Combo, ThePressThatClosesOneOpensTheNext) {
     ui.click(*at_shown);
     EXPECT_TRUE(only_open(shown)) << "a menu was open";
     // What is pressed there is chosen.
-    const int before = ui.state.settings.view.map;
+    const MapView before = ui.state.settings.view.map;
     ui.frames(2);
-    const auto wanted = before == 0 ? 1 : 0;
+    const int wanted = before == MapView::Raw ? 1 : 0;
     const auto label = find_setting("view.map")->param->choices()[std::size_t(wanted)].label;
     const auto line = ui.find("##Combo", [&](unsigned window) {
         return ImHashStr(std::string(label).c_str(), 0, ImHashData(&wanted, sizeof wanted, window));
     });
     ASSERT_TRUE(line);
     ui.click(*line);
-    EXPECT_EQ(ui.state.settings.view.map, wanted);
+    EXPECT_EQ(ui.state.settings.view.map, MapView(wanted));
     EXPECT_TRUE(none_open());
 }
 

@@ -111,7 +111,7 @@ TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
     at(256);
     EXPECT_EQ(s.facts().view.before->cost, 64 * 64) << "the pinned ones, not those measured last";
     EXPECT_TRUE(s.facts().before_is_pinned);
-    state.settings.camera.source = int(CameraSource::Manual);
+    state.settings.camera.source = CameraSource::Manual;
     state.settings.camera.azimuth += 20;
     s.editor.settle();
     EXPECT_FALSE(s.facts().view.before) << "of another picture";

@@ -110,7 +110,7 @@ TEST(Editor, EveryOverlayAndMapView) {
     for (std::size_t overlay = 0; overlay < overlays; ++overlay) {
         for (int map = 0; map < (overlay == 0 ? 3 : 1); ++map) {
             editor.model().state.settings.view.overlay = int(overlay);
-            editor.model().state.settings.view.map = (int(overlay) + map) % 3;
+            editor.model().state.settings.view.map = MapView((int(overlay) + map) % 3);
             for (int i = 0; i < 3; ++i) editor.frame();
             if (editor.model().facts().result->panes.front().lacks_reference) editor.settle();
             EXPECT_EQ(editor.model().facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;
@@ -122,8 +122,8 @@ TEST(Editor, EveryOverlayAndMapView) {
 TEST(Editor, EveryKindOfLightEveryFace) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
-    for (int type = 0; type < 3; ++type)
-        for (int face = 0; face < (type == 2 ? 6 : 1); ++face) {
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (int face = 0; face < (type == LightType::Point ? 6 : 1); ++face) {
             Settings& s = editor.model().state.settings;
             s.light_count = 2;
             s.lights[1].type = type;

@@ -17,7 +17,7 @@ constexpr int kPictureWidth = 640, kPictureHeight = 400;
 
 Settings manual(bool orthographic) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.orthographic = orthographic;
     s.camera.target_x = 3;
     s.camera.target_y = 1;
@@ -177,7 +177,7 @@ TEST(Gesture, TheLightFollowsTheMouseOnEitherSide) {
 
 TEST(LightLines, EdgesEndAtTheCornersOfClipSpace) {
     const Scene scene = test::box_scene({{}});
-    for (const int type : {0, 1, 2}) {
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
         Settings s;
         s.lights[0].type = type;
         for (const FittedLight& light : fit_lights(scene, s))

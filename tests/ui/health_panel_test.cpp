@@ -76,7 +76,7 @@ TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
     const NumericHealth health = made_up_health();
     ui.health = &health;
     ui.state.open_tab = BottomTab::Numbers;
-    ui.state.settings.view.map_source = int(MapSource::Camera);
+    ui.state.settings.view.map_source = MapSource::Camera;
     ui.frames(4);
     const std::string text = letters_of(ui);
     for (const char* part : {"avariancebelow0", "shadowmapoflight0", "3texels", "40,7", "100,20", "-0.5", "NaN"})
@@ -84,7 +84,7 @@ TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
     const auto row = ui.find("Numbers", "findings", "a variance below 0###finding 0");
     ASSERT_TRUE(row);
     ui.click(*row);
-    EXPECT_EQ(ui.state.settings.view.map_source, int(MapSource::Light));
+    EXPECT_EQ(ui.state.settings.view.map_source, MapSource::Light);
     ASSERT_TRUE(ui.state.marked_texel);
     EXPECT_EQ(ui.state.marked_texel->texel, glm::ivec2(100, 20));
     EXPECT_GT(ui.state.map_window.zoom, 2) << "the texel is too small to see";

@@ -264,7 +264,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
     job("spot_light", 5, [&] {
         key("t");
         EXPECT_EQ(saved().value("light.type", ""), "spot");
-        twin().settings.lights[0].type = int(LightType::Spot);
+        twin().settings.lights[0].type = LightType::Spot;
         editor_->settle();
         turn_wheel(U"Coneblend");
         pull(place(U"Cone") + kBesideLabel, {-60, 0});

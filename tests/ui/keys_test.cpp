@@ -152,9 +152,9 @@ TEST_F(Keys, TGoesThroughTheTypesOfTheShownLight) {
     settings().view.light = 1;
     for (const LightType next : {LightType::Spot, LightType::Point, LightType::Directional}) {
         key('T');
-        EXPECT_EQ(settings().lights[1].type, int(next));
+        EXPECT_EQ(settings().lights[1].type, next);
     }
-    EXPECT_EQ(settings().lights[0].type, int(LightType::Directional));
+    EXPECT_EQ(settings().lights[0].type, LightType::Directional);
 }
 
 TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
@@ -175,16 +175,16 @@ TEST_F(Keys, QShowsTheTexelsOfTheProbedPixelAsQuadsAndHidesThemAgain) {
     ui.frames(2);
     key('Q');
     const ViewSettings& v = settings().view;
-    EXPECT_EQ(v.slabs, int(Slabs::Both));
+    EXPECT_EQ(v.slabs, Slabs::Both);
     const int n = settings().map.resolution;
     EXPECT_DOUBLE_EQ(v.slabs_u, 5.5 / n) << "the texel that made-up probes find";
     EXPECT_DOUBLE_EQ(v.slabs_v, 7.5 / n);
     key('Q');
-    EXPECT_EQ(v.slabs, int(Slabs::None));
+    EXPECT_EQ(v.slabs, Slabs::None);
     ui.state.probe_pixel.reset();
     ui.frames(2);
     key('Q');
-    EXPECT_EQ(v.slabs, int(Slabs::None)) << "nothing is pointed at";
+    EXPECT_EQ(v.slabs, Slabs::None) << "nothing is pointed at";
 }
 
 TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) {

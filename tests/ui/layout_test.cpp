@@ -56,7 +56,7 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
         };
         ui.state.settings.view.overlay = 5;
         unmoved("an overlay");
-        ui.state.settings.view.overlay_range = 2;
+        ui.state.settings.view.overlay_range = OverlayRange::Manual;
         unmoved("its scale");
         ui.state.settings.light_count = 3;
         unmoved("three lights");
@@ -236,7 +236,7 @@ TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
         return at;
     };
     const auto before = places();
-    ui.state.settings.view.panes = int(Panes::Four);
+    ui.state.settings.view.panes = Panes::Four;
     ui.frames(3);
     EXPECT_EQ(places(), before) << "several panes";
     ui.state.against.view = ComparisonView::Swipe;
@@ -270,7 +270,7 @@ TEST(Layout, ALegendHasOpacityAndScaleInThePicture) {
     EXPECT_LT(ui.state.settings.view.overlay_opacity, 0.9);
     EXPECT_GT(ui.state.settings.view.overlay_opacity, 0.0);
     EXPECT_FALSE(ui.state.probe_pixel) << "the picture below is not clicked";
-    ui.state.settings.view.overlay_range = int(OverlayRange::Manual);
+    ui.state.settings.view.overlay_range = OverlayRange::Manual;
     ui.frames(3);
     EXPECT_TRUE(ui.find("/legend_", "view.overlay_min", "##value"));
     ui.state.settings.view.overlay = 15;  // normals: colours without a scale
@@ -302,7 +302,7 @@ TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
 
 TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
     Shown ui(1600, 900);
-    ui.state.settings.view.panes = int(Panes::Four);
+    ui.state.settings.view.panes = Panes::Four;
     ui.frames(3);
     const glm::dvec2 origin = ui.state.scene_view->origin, size = ui.state.scene_view->size;
     ui.move(glm::vec2(origin + 1.5 * size));
@@ -470,7 +470,7 @@ TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     ui.state.search.clear();
     ui.state.settings.bias.raster_slope = 0;
     ui.state.only_changed = true;
-    ui.state.settings.map.wrap = 1;
+    ui.state.settings.map.wrap = MapWrap::Clamp;
     EXPECT_TRUE(shows("Addressing"));
 }
 

@@ -34,7 +34,7 @@ PictureView front_view() {
 
 PictureView perspective_view(const Scene& scene) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.distance = 30;
     s.camera.azimuth = 20;
     s.camera.elevation = 35;
@@ -55,7 +55,7 @@ struct Case {
     LightSettings& light = settings.lights[0];
 
     explicit Case(LightType type, double azimuth = 90, double elevation = 0) {
-        light.type = int(type);
+        light.type = type;
         light.azimuth = azimuth;
         light.elevation = elevation;
     }
@@ -138,7 +138,7 @@ TEST(LightDrag, PlanesMoveAlongTheAxis) {
         EXPECT_NEAR(after.curve.near, before.curve.near + 8 * kMetresPerPixel, 1e-9);
         EXPECT_NEAR(after.curve.far, before.curve.far + 12 * kMetresPerPixel, 1e-9);
         EXPECT_NEAR(after.half_width, before.half_width, 1e-9);
-        EXPECT_EQ(c.light.fit, int(LightFit::Manual));
+        EXPECT_EQ(c.light.fit, LightFit::Manual);
     }
 }
 
@@ -181,7 +181,7 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
         const double before = c.fitted().views[0].half_width;
         c.drag(h, front_view(), {20 * way.x + 3 * way.y, -20 * way.y + 3 * way.x});
         EXPECT_NEAR(c.fitted().views[0].half_width, before + 20 * kMetresPerPixel, 1e-9);
-        EXPECT_EQ(c.light.fit, int(LightFit::Manual));
+        EXPECT_EQ(c.light.fit, LightFit::Manual);
         c.drag(h, front_view(), {-1e4 * way.x, 1e4 * way.y});
         EXPECT_GT(c.light.extent, 0) << "dragged across the axis";
         c.light.extent = before;
@@ -356,7 +356,7 @@ TEST(LightDrag, ATargetIsCountedFromTheScenesCentre) {
     for (const LightType type : {LightType::Spot, LightType::Directional}) {
         Case c(type, 40, 30);
         c.scene = test::box_scene({{{7, -1, -2}, {13, 5, 4}}});
-        c.light.fit = int(LightFit::Manual);
+        c.light.fit = LightFit::Manual;
         c.light.distance = 20;
         const glm::dvec3 before = c.fitted().target;
         c.drag(LightHandle::Target, front_view(), {12, -7});
@@ -401,7 +401,7 @@ TEST(LightHandles, UnderAFitOnlyALightWithAPlaceHasATarget) {
     Case sun(LightType::Directional), lamp(LightType::Spot);
     EXPECT_FALSE(has_target(sun)) << "the fit places its map";
     EXPECT_TRUE(has_target(lamp));
-    sun.light.fit = int(LightFit::Manual);
+    sun.light.fit = LightFit::Manual;
     EXPECT_TRUE(has_target(sun));
 }
 
@@ -424,7 +424,7 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
     }
     EXPECT_TRUE(target);
     Case wide(LightType::Directional, 0, 60);
-    wide.light.fit = int(LightFit::Manual);
+    wide.light.fit = LightFit::Manual;
     wide.light.distance = 20;
     wide.light.extent = 100;  // the picture is 60 m wide
     const LightPose pose = wide.pose();

@@ -18,10 +18,10 @@ struct Gizmo {
     LightSettings& light = settings.lights[0];
 
     explicit Gizmo(LightType type) {
-        settings.camera.source = int(CameraSource::Manual);
+        settings.camera.source = CameraSource::Manual;
         settings.camera.distance = 4 * ui.scene.bounds.radius();
         settings.camera.azimuth = 10;
-        light.type = int(type);
+        light.type = type;
         light.elevation = 40;
         light.distance = ui.scene.bounds.radius();
         ui.frames(3);
@@ -140,7 +140,7 @@ TEST(LightGizmo, TheArrowToALightOutsideBringsItIn) {
 TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
     Gizmo g(LightType::Spot);
     g.settings.light_count = 2;
-    g.settings.lights[1].type = int(LightType::Point);
+    g.settings.lights[1].type = LightType::Point;
     g.settings.lights[1].azimuth = 120;
     g.settings.lights[1].distance = g.light.distance;
     g.ui.frames(2);
@@ -177,7 +177,7 @@ TEST(LightGizmo, ControlGoesInSteps) {
 TEST(LightGizmo, AnotherLightIsChosenByItsMark) {
     Gizmo g(LightType::Spot);
     g.settings.light_count = 3;
-    g.settings.lights[2].type = int(LightType::Point);
+    g.settings.lights[2].type = LightType::Point;
     g.settings.lights[2].azimuth = 120;
     g.settings.lights[2].distance = g.light.distance;
     g.ui.frames(3);
@@ -206,7 +206,7 @@ TEST(LightGizmo, WithoutTheFrustumThereIsNothingToDrag) {
 
 TEST(LightGizmo, SeenThroughItselfALightHasNoHandles) {
     Gizmo g(LightType::Spot);
-    g.settings.camera.source = int(CameraSource::Light);
+    g.settings.camera.source = CameraSource::Light;
     g.ui.frames(3);
     const Settings before = g.settings;
     const PictureView& v = g.view();

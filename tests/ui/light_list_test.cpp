@@ -205,7 +205,7 @@ TEST_F(LightTable, ASwatchOpensAColourToChoose) {
 }
 
 TEST_F(LightTable, TheCubesCrossChoosesAFace) {
-    ui.state.settings.lights[0].type = int(LightType::Point);
+    ui.state.settings.lights[0].type = LightType::Point;
     ui.move({0, 0});  // no tooltip, which names a face, too
     ui.frames(2);
     const auto at = [&](std::u32string_view mark) {
@@ -226,7 +226,7 @@ TEST_F(LightTable, TheCubesCrossChoosesAFace) {
         ui.move({0, 0});
         ui.frames(2);
     }
-    ui.state.settings.lights[0].type = int(LightType::Spot);
+    ui.state.settings.lights[0].type = LightType::Spot;
     ui.frames(2);
     EXPECT_FALSE(ui.drawn().find(U"-y", 0)) << "one map has no faces";
 }

@@ -215,7 +215,7 @@ TEST(MapViewer, LostCastersAreFacts) {
     const Scene& scene = *editor.model().facts().scene;
     for (const LostCaster& lost : editor.model().facts().lost_casters) {
         const int node = scene.objects[std::size_t(lost.object)].node;
-        editor.model().state.settings.objects[scene.nodes[std::size_t(node)].path].cull = int(ObjectCull::None);
+        editor.model().state.settings.objects[scene.nodes[std::size_t(node)].path].cull = ObjectCull::None;
     }
     editor.model().state.layout = test::kBeside;
     editor.settle();

@@ -91,7 +91,7 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
     EXPECT_FALSE(m.ui.frame().want_frozen_usage);
     m.ui.state.frozen = FrozenCamera{};
     EXPECT_TRUE(m.ui.frames(2).want_frozen_usage);
-    m.ui.state.settings.view.map_source = int(MapSource::Camera);
+    m.ui.state.settings.view.map_source = MapSource::Camera;
     EXPECT_FALSE(m.ui.frames(2).want_frozen_usage) << "the map is not shown";
 }
 
@@ -117,10 +117,10 @@ TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     m.ui.click(*box);
     EXPECT_TRUE(m.ui.state.exact_texels) << "it waits meanwhile";
     m.ui.state.frozen.reset();
-    m.ui.state.settings.view.map_source = int(MapSource::Camera);
+    m.ui.state.settings.view.map_source = MapSource::Camera;
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     EXPECT_FALSE(m.ui.find("editor/map", "", "Texels read"));
-    m.ui.state.settings.view.map_source = int(MapSource::Light);
+    m.ui.state.settings.view.map_source = MapSource::Light;
     m.ui.frames(2);
     m.ui.click(*m.ui.find("editor/map", "", "Texels read"));
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);

@@ -230,7 +230,7 @@ TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
     ui.state.search = "light.size";
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().find(U"0.27°"));
-    ui.state.settings.lights[0].type = int(LightType::Point);
+    ui.state.settings.lights[0].type = LightType::Point;
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().find(U"0.27m"));
 }
@@ -297,7 +297,7 @@ TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
 
 TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.settings.bias.unit = int(BiasUnit::Depth);
+    ui.state.settings.bias.unit = BiasUnit::Depth;
     ui.state.search = "bias.constant";
     const auto shows = [&](double value, const char32_t* text) {
         ui.state.settings.bias.constant = value;
@@ -433,10 +433,10 @@ TEST(Panels, ClickProbesAndDragTurnsTheCamera) {
     ui.click(kPicture);
     EXPECT_TRUE(ui.state.probe_pixel);
     EXPECT_EQ(ui.state.tab, BottomTab::Probe);
-    EXPECT_EQ(ui.state.settings.camera.source, int(CameraSource::Automatic)) << "a click moved the camera";
+    EXPECT_EQ(ui.state.settings.camera.source, CameraSource::Automatic) << "a click moved the camera";
     const auto probed = ui.state.probe_pixel;
     ui.drag(kPicture, kPicture + glm::vec2(60, 25));
-    EXPECT_EQ(ui.state.settings.camera.source, int(CameraSource::Manual));
+    EXPECT_EQ(ui.state.settings.camera.source, CameraSource::Manual);
     EXPECT_EQ(ui.state.probe_pixel, probed) << "a drag probed";
     const CameraSettings turned = ui.state.settings.camera;
     ui.drag(kPicture, kPicture + glm::vec2(60, 25), 2);
@@ -512,7 +512,7 @@ TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
 
 TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     UiHarness ui(kWidth, kHeight);
-    ui.lost_casters = {{.object = 2, .cull = int(Cull::Front), .triangles = 2}};
+    ui.lost_casters = {{.object = 2, .cull = Cull::Front, .triangles = 2}};
     ui.state.open_tab = BottomTab::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
@@ -521,14 +521,14 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     ui.click(*keep);
     const auto own = ui.state.settings.objects.find(path);
     ASSERT_NE(own, ui.state.settings.objects.end());
-    EXPECT_EQ(own->second.cull, int(ObjectCull::None));
+    EXPECT_EQ(own->second.cull, ObjectCull::None);
 }
 
 TEST(Panels, TheListOfObjectsEditsOneAtATime) {
     UiHarness ui(kWidth, kHeight);
     ui.state.open_tab = BottomTab::Objects;
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
-    ui.state.settings.objects[other].cull = int(ObjectCull::Back);
+    ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
     const Settings before = ui.state.settings;
     // Checkboxes stand somewhere at the right of the list: a click changes one, another click restores it.

@@ -38,7 +38,7 @@ Probe probe_at(const glm::dvec3& position, const FittedLight& light, double stor
     p.position_ws = position;
     Probe::PerLight l;
     l.casts = true;
-    l.where = "inside";
+    l.place = MapPlace::Inside;
     l.account.curve = light.views[0].curve;
     l.own_m = light.views[0].eye.y - position.y;
     l.stored_m = stored_m;
@@ -78,11 +78,11 @@ TEST(ProbeRay, NothingIsBlockedOutsideTheMapOrInTheLight) {
     Probe p = probe_at({1, 0, 3}, light, 5, 1);
     EXPECT_FALSE(probe_ray(p, p.lights[0], light)->blocked) << "the kernel found it lit";
     p.lights[0].visibility = 0;
-    p.lights[0].where = "sides";
+    p.lights[0].place = MapPlace::Sides;
     EXPECT_FALSE(probe_ray(p, p.lights[0], light)->blocked);
-    p.lights[0].where = "behind";
+    p.lights[0].place = MapPlace::Behind;
     EXPECT_FALSE(probe_ray(p, p.lights[0], light));
-    p.lights[0].where = "inside";
+    p.lights[0].place = MapPlace::Inside;
     p.lights[0].casts = false;
     EXPECT_FALSE(probe_ray(p, p.lights[0], light));
     p.lights[0].casts = true;

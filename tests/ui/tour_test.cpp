@@ -163,7 +163,7 @@ TEST_P(Tour, SeveralLightsAndTheViewThroughOne) {
                      "light.1.cone=50", "light.2.type=point", "light.2.azimuth=150", "light.2.distance=4",
                      "light.3.azimuth=-120", "view.light=1", "light.0.intensity=0.4", "light.3.intensity=0.3"});
     keep("lights");
-    state().settings.camera.source = int(CameraSource::Light);
+    state().settings.camera.source = CameraSource::Light;
     editor_->settle();
     keep("through_spot");
     EXPECT_FALSE(state().scene_view->camera.orthographic);
@@ -201,7 +201,7 @@ TEST_P(Tour, TheMapDownToItsTexels) {
     EXPECT_TRUE(state().hovered_texel);
     EXPECT_TRUE(facts().map_values);
     keep("texels");
-    state().settings.view.map = int(MapView::Bands);
+    state().settings.view.map = MapView::Bands;
     editor_->settle();
     keep("texels_bands");
 }

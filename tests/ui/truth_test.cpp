@@ -111,7 +111,7 @@ TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
     set_setting(editor.model().state.settings, "view.overlay_2", "truth");
-    editor.model().state.settings.view.panes = int(Panes::Two);
+    editor.model().state.settings.view.panes = Panes::Two;
     editor.model().finish_loading();
     for (int i = 0; i < 3; ++i) editor.frame();
     ASSERT_TRUE(editor.model().facts().result);

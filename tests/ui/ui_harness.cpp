@@ -49,7 +49,7 @@ Probe made_up_probe(int lights) {
         l.light = i;
         l.casts = i != 1;
         l.texel = {5, 7};
-        l.where = "inside";
+        l.place = MapPlace::Inside;
         l.n_dot_l = 0.6;
         l.taps_first = {4, 6};
         l.taps_size = {2, 2};

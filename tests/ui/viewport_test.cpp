@@ -139,7 +139,7 @@ TEST(Viewport, LettersDuringAFlightAreNoShortcuts) {
     v.ui.frames(2);
     v.ui.press(true, 1);
     v.ui.frames(2);
-    const int map = v.settings.view.map;
+    const MapView map = v.settings.view.map;
     v.press('M');
     EXPECT_EQ(v.settings.view.map, map);
     v.ui.press(false, 1);
@@ -175,16 +175,16 @@ TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
 
 TEST(Viewport, LLooksThroughTheLightAndBack) {
     Viewport v;
-    v.settings.camera.source = int(CameraSource::Manual);
+    v.settings.camera.source = CameraSource::Manual;
     v.settings.camera.azimuth = 77;
     const CameraSettings before = v.settings.camera;
     v.press('L');
-    EXPECT_EQ(v.settings.camera.source, int(CameraSource::Light));
+    EXPECT_EQ(v.settings.camera.source, CameraSource::Light);
     v.press('L');
     EXPECT_EQ(v.settings.camera, before);
-    v.settings.camera.source = int(CameraSource::Light);  // as a preset may have it
+    v.settings.camera.source = CameraSource::Light;  // as a preset may have it
     v.press('L');
-    EXPECT_NE(v.settings.camera.source, int(CameraSource::Light));
+    EXPECT_NE(v.settings.camera.source, CameraSource::Light);
     v.settings.light_count = 0;
     const CameraSettings last = v.settings.camera;
     v.press('L');
@@ -207,12 +207,12 @@ TEST(Viewport, FreezeKeepsTheCameraThatIsLeft) {
     ASSERT_TRUE(button);
     v.ui.click(*button);
     EXPECT_TRUE(v.ui.state.frozen);
-    EXPECT_NE(v.settings.camera.source, int(CameraSource::Light)) << "another button was hit";
+    EXPECT_NE(v.settings.camera.source, CameraSource::Light) << "another button was hit";
 }
 
 TEST(Viewport, AnEndOfTheAxesLooksAlongIt) {
     Viewport v;
-    v.settings.camera.source = int(CameraSource::Manual);
+    v.settings.camera.source = CameraSource::Manual;
     v.ui.frames(2);
     const PictureView view = *v.ui.state.scene_view;
     int found = 0;
@@ -235,10 +235,10 @@ TEST(Viewport, EveryMarkIsDrawnWithoutComplaint) {
     Viewport v;
     v.settings.view.frustum = v.settings.view.bounds = true;
     v.settings.light_count = 4;
-    v.settings.lights[1].type = int(LightType::Spot);
-    v.settings.lights[2].type = int(LightType::Point);
-    v.settings.lights[3].type = int(LightType::Spot);
-    v.settings.lights[3].projection = int(LightProjection::Orthographic);
+    v.settings.lights[1].type = LightType::Spot;
+    v.settings.lights[2].type = LightType::Point;
+    v.settings.lights[3].type = LightType::Spot;
+    v.settings.lights[3].projection = LightProjection::Orthographic;
     v.ui.state.selected_object = v.ui.scene.nodes[std::size_t(v.ui.scene.objects[0].node)].path;
     v.ui.state.frozen = FrozenCamera{v.camera(), camera_settings(v.camera()), {640, 360}};
     v.ui.state.probe_pixel = glm::ivec2(20, 30);

@@ -89,8 +89,8 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
          "map.virtual=false", "1024"},
         {"depth-blur", [](Settings& s, AdviceFacts&) { s.map.blur_texels = 3; }, "map.blur_texels=0", "3 texels"},
         {"map-samples", [](Settings& s, AdviceFacts&) { s.map.samples = 4; }, "map.samples=1", "4 samples"},
-        {"gathers", [](Settings& s, AdviceFacts&) { s.filter.method = int(FilterMethod::Sampler); },
-         "filter.method=auto", "gathers give the same picture"},
+        {"gathers", [](Settings& s, AdviceFacts&) { s.filter.method = FilterMethod::Sampler; }, "filter.method=auto",
+         "gathers give the same picture"},
         {"separate-visibility", [](Settings& s, AdviceFacts&) { s.shading.separate_visibility = true; },
          "shading.separate_visibility=false", "apart"},
     };

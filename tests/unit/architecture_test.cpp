@@ -197,6 +197,28 @@ TEST(Architecture, BindingsAreNamed) {
     EXPECT_GT(taken.size(), 10u);
 }
 
+// A choice is a member of its enumeration: only EnumRef (renderer/settings/param.h) turns one into a number and back.
+// Arrays, shaders and files that hold an index take it by index_of().
+TEST(Architecture, ChoicesAreTyped) {
+    const std::regex cast("\\b(int|static_cast<int>)\\((si::)?[A-Z]\\w*::[A-Z]\\w*\\)");
+    for (const char* folder : {"app", "renderer", "ui", "tests"})
+        for (const fs::path& path : sources(folder)) {
+            const std::string text = text_of(path);
+            std::smatch found;
+            if (std::regex_search(text, found, cast)) ADD_FAILURE() << path << ": " << found.str();
+        }
+    EXPECT_TRUE(std::regex_search(std::string("x == int(Cull") + "::None)", cast)) << "the search itself finds nothing";
+
+    const std::string settings = text_of(fs::path(SI_SOURCE_DIR) / "renderer/settings/settings.h");
+    const std::regex enumeration("enum class (\\w+)");
+    std::size_t read = 0;
+    for (std::sregex_iterator it(settings.begin(), settings.end(), enumeration), end; it != end; ++it, ++read) {
+        const std::regex number("int \\w+ = [^;]*;\\s*///<[^\\n]*\\b" + (*it)[1].str() + "\\b");
+        EXPECT_FALSE(std::regex_search(settings, number)) << "a member that holds a " << (*it)[1] << " is an int";
+    }
+    EXPECT_GT(read, 30u);
+}
+
 // What people read is written here, tooltips that no test hovers too.
 TEST(Architecture, TextIsEncodedOnce) {
     std::size_t read = 0;

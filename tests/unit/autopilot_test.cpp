@@ -21,13 +21,13 @@ struct World {
 
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.lights[0].cascades * s.map.resolution * s.map.resolution +
-               0.5 * cost_of(s).sampler_taps / 9.0 + (s.map.format == int(MapFormat::D16) ? 0 : 0.2) +
+               0.5 * cost_of(s).sampler_taps / 9.0 + (s.map.format == MapFormat::D16 ? 0 : 0.2) +
                10 * s.lights[0].contact;
     }
     static double error(const Settings& s) {
         return 2.0 / s.map.resolution / std::sqrt(double(taps_across(filter_of(s), s))) /
                    std::sqrt(double(s.lights[0].cascades)) +
-               (s.map.format == int(MapFormat::D16) ? 1e-5 : 0) + (s.lights[0].contact > 0 ? 0 : 1e-5);
+               (s.map.format == MapFormat::D16 ? 1e-5 : 0) + (s.lights[0].contact > 0 ? 0 : 1e-5);
     }
     AutopilotMeter meter() {
         AutopilotMeter m;
@@ -39,7 +39,7 @@ struct World {
             return JudgedSettings{.error = error(s),
                                   .noise = 0,
                                   .work = {.map_texels = texels,
-                                           .map_bytes = texels * (s.map.format == int(MapFormat::D16) ? 2 : 4),
+                                           .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
                                            .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
         };
         m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, ms(s); };

@@ -39,7 +39,7 @@ TEST(Biases, AmountsAreTheClosedForms) {
     s.bias.constant = 2;
     s.bias.slope = 8;  // 6 at 1 - n.l = 3/4
     const auto amount = [&](std::string_view kind, BiasUnit unit) {
-        s.bias.unit = int(unit);
+        s.bias.unit = unit;
         set_setting(s, "bias.kind", kind);
         return bias_of(s).amount(s.bias, b);
     };

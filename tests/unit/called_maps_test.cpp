@@ -180,7 +180,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
             const Scene& scene = scenes[round / 2 % 2];
             const std::vector<std::vector<Cluster>>& clusters = of_scenes[round / 2 % 2];
             Settings s = settings_of(kind.sets);
-            s.camera.source = int(CameraSource::Manual);
+            s.camera.source = CameraSource::Manual;
             s.camera.azimuth = random.in(0, 360);
             s.camera.elevation = random.in(-10, 80);
             s.camera.distance = random.in(0.3, 9);
@@ -197,7 +197,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
             const LookupArea area{.resolution = 512,
                                   .reach_texels = 20,
                                   .normal_texels = 4,
-                                  .wrap = MapWrap(s.map.wrap),
+                                  .wrap = s.map.wrap,
                                   .light_alone = light_alone};
             const NeededMaps called = needed_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());

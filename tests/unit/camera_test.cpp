@@ -7,6 +7,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/directions.h"
+#include "renderer/base/index_of.h"
 #include "renderer/scene/extreme_points.h"
 #include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"
@@ -25,7 +26,7 @@ void expect_orthonormal(const glm::dmat3& m) {
 
 TEST(Camera, OrbitStandsWhereTheAnglesSay) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.target_x = 1;
     s.camera.target_y = 2;
     s.camera.target_z = 3;
@@ -47,7 +48,7 @@ TEST(Camera, OrbitStandsWhereTheAnglesSay) {
 
 TEST(Camera, LookingStraightUpOrDownIsNothingSpecial) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     for (double elevation : {90.0, -90.0, 89.9999999, 0.0})
         for (double azimuth : {0.0, 35.0, -170.0, 720.0}) {
             s.camera.elevation = elevation;
@@ -69,7 +70,7 @@ TEST(Camera, PixelRayAndProjectAreInverse) {
     std::uniform_real_distribution<double> unit(0, 1);
     for (bool orthographic : {false, true}) {
         Settings s;
-        s.camera.source = int(CameraSource::Manual);
+        s.camera.source = CameraSource::Manual;
         s.camera.orthographic = orthographic;
         s.camera.roll = 17;
         s.camera.target_x = 1e6;
@@ -148,7 +149,7 @@ TEST(Camera, AutomaticFramesWhatStandsOnAFilesFloorWithItsShadow) {
         EXPECT_NEAR(farthest, 0.85, 0.01);
         EXPECT_GT(out_of_middle(c, {20, 0, 20}), 1) << "the floor goes on beyond the picture";
         Settings bare = s;
-        bare.scene.ground = int(Ground::Off);
+        bare.scene.ground = Ground::Off;
         EXPECT_LE(out_of_middle(make_camera(scene, bare, aspect), {20, 0, 20}), 1) << "all of the scene";
     }
     Scene built_in = scene;
@@ -194,7 +195,7 @@ TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
 
 TEST(Camera, OriginStaysForSmallMoves) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.target_x = 1e6 - 27;
     s.camera.distance = 10;
     const Scene scene = test::box_scene({});
@@ -246,7 +247,7 @@ TEST(Camera, ManualCameraIsTheSameView) {
         const Camera automatic = make_camera(scene, s, aspect);
         Settings manual = s;
         manual.camera = manual_camera(scene, s, aspect);
-        EXPECT_EQ(manual.camera.source, int(CameraSource::Manual));
+        EXPECT_EQ(manual.camera.source, CameraSource::Manual);
         expect_same_picture(automatic, make_camera(scene, manual, aspect));
         EXPECT_EQ(manual_camera(scene, manual, aspect), manual.camera);
     }
@@ -263,7 +264,7 @@ TEST(Camera, FiniteForWhateverComes) {
     for (const Scene& scene : scenes)
         for (double bad : {nan, inf, -1.0, 0.0, 1e300}) {
             Settings s;
-            for (int source : {0, 1})
+            for (const CameraSource source : {CameraSource::Automatic, CameraSource::Manual})
                 for (bool orthographic : {false, true}) {
                     s.camera = {};
                     s.camera.source = source;
@@ -278,7 +279,8 @@ TEST(Camera, FiniteForWhateverComes) {
                     const Camera c = make_camera(scene, s, bad == 1e300 ? 1 : bad);
                     const glm::dmat4 m = c.clip_from_relative(c.origin());
                     for (int i = 0; i < 4; ++i)
-                        for (int j = 0; j < 4; ++j) ASSERT_TRUE(std::isfinite(m[i][j])) << bad << " " << source;
+                        for (int j = 0; j < 4; ++j)
+                            ASSERT_TRUE(std::isfinite(m[i][j])) << bad << " " << index_of(source);
                     ASSERT_LT(c.curve.near, c.curve.far);
                     ASSERT_TRUE(c.orthographic || c.curve.near > 0);
                     expect_orthonormal(c.axes);

@@ -44,7 +44,7 @@ TEST(Cascades, SplitsAreTheClosedForm) {
 Settings looking(const glm::dvec3& target, double azimuth, double elevation, double distance, bool orthographic) {
     Settings s;
     CameraSettings& c = s.camera;
-    c.source = int(CameraSource::Manual);
+    c.source = CameraSource::Manual;
     c.target_x = target.x;
     c.target_y = target.y;
     c.target_z = target.z;
@@ -145,7 +145,7 @@ struct Cascaded {
         l.azimuth = c.azimuth;
         l.elevation = c.elevation;
         l.cascades = count;
-        l.cascade_choice = int(c.choice);
+        l.cascade_choice = c.choice;
         settings.map.resolution = 512;
         camera = make_camera(scene, settings, 1.5);
         light = fit_lights(scene, settings, &camera)[0];
@@ -262,15 +262,15 @@ TEST(Cascades, AreLeftToTheFit) {
     Case c{{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval};
     Settings s = Cascaded(c).settings;
     EXPECT_TRUE(fit_reads_camera(s, 0));
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].fit = int(LightFit::Scene);
-    s.lights[0].projection = int(LightProjection::Perspective);
+    s.lights[0].fit = LightFit::Scene;
+    s.lights[0].projection = LightProjection::Perspective;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].projection = 0;
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].projection = LightProjection::Automatic;
+    s.lights[0].type = LightType::Spot;
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].type = 0;
+    s.lights[0].type = LightType::Directional;
     s.lights[0].cascades = 1;
     EXPECT_FALSE(fit_reads_camera(s, 0));
     // A camera that looks away from everything still gets maps.

@@ -145,8 +145,8 @@ TEST_F(CaseSessionsTest, EachSceneOfAFileIsItsOwn) {
         const auto p = sessions.prepare({{"scene.index", index}});
         return std::pair(p.scene.triangle_count(), p.settings.lights[0].type);
     };
-    EXPECT_EQ(triangles("0"), std::pair(std::size_t(1), int(LightType::Directional)));
-    EXPECT_EQ(triangles("1"), std::pair(std::size_t(2), int(LightType::Spot))) << "the scene's own light is suggested";
+    EXPECT_EQ(triangles("0"), std::pair(std::size_t(1), LightType::Directional));
+    EXPECT_EQ(triangles("1"), std::pair(std::size_t(2), LightType::Spot)) << "the scene's own light is suggested";
     EXPECT_EQ(triangles("0").first, 1u);
     // The light moves by 4 m in 2 s; the suggestion follows.
     const auto target = [&](const char* time) {

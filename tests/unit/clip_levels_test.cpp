@@ -26,7 +26,7 @@ constexpr ClipLevelRequest kRequest{.convention = {true, false},
 Settings looking_at(const glm::dvec3& target, double azimuth, double elevation, double distance, bool orthographic) {
     Settings s;
     CameraSettings& c = s.camera;
-    c.source = int(CameraSource::Manual);
+    c.source = CameraSource::Manual;
     c.target_x = target.x;
     c.target_y = target.y;
     c.target_z = target.z;

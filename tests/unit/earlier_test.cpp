@@ -58,7 +58,7 @@ TEST(EarlierVersions, AFileOfOneSpeaksOfTheLightsThatItHas) {
     EXPECT_EQ(parse_preset(preset_of(kSettingsVersion, R"("light.count":2)"), "a.json").settings.lights[0].fit,
               now.lights[0].fit);
     EXPECT_EQ(parse_preset(preset_of(1, R"("light.1.fit":"manual")"), "a.json").settings.lights[1].fit,
-              int(LightFit::Manual))
+              LightFit::Manual)
         << "what the file says holds";
 }
 

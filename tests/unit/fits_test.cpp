@@ -523,11 +523,11 @@ TEST(ViewFit, OfWhatIsNotSeenItHoldsTheScene) {
             EXPECT_FALSE(m.fit(fit_view, view, {}, &beside)) << "it sees lit floor only";
         }
         Settings s;
-        s.lights[0].fit = int(LightFit::View);
+        s.lights[0].fit = LightFit::View;
         const Camera away = camera_at(offset + glm::dvec3(0, 5, 12), offset + glm::dvec3(0, 9, 40), 50, 0.01, 100);
         const FittedLight of_view = fit_lights(m.scene, s, &away)[0];
         EXPECT_FALSE(of_view.closed);
-        s.lights[0].fit = int(LightFit::Scene);
+        s.lights[0].fit = LightFit::Scene;
         EXPECT_EQ(of_view.views[0].half_width, fit_lights(m.scene, s, &away)[0].views[0].half_width);
     }
 }

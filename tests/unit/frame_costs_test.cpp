@@ -24,7 +24,7 @@ TEST(FrameCosts, TheCameraMovesInEveryFrameAndNothingElse) {
     const Scene scene = load_scene("boxes");
     for (const CameraSource source : {CameraSource::Automatic, CameraSource::Manual, CameraSource::Light}) {
         Settings s;
-        s.camera.source = int(source);
+        s.camera.source = source;
         s.camera.azimuth = 359.9;
         const std::vector<Settings> frames = motion(scene, s, CostCase::Camera);
         ASSERT_GT(frames.size(), 1u);
@@ -49,7 +49,7 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
             Settings s;
             s.light_count = 2;
             s.view.light = 1;
-            s.lights[1].type = int(type);
+            s.lights[1].type = type;
             s.lights[1].elevation = elevation;
             const std::vector<Settings> frames = motion(scene, s, CostCase::Light);
             ASSERT_GT(frames.size(), 1u);
@@ -69,7 +69,7 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
 TEST(FrameCosts, TheCameraThatLooksThroughTheLightStaysWhereItWas) {
     const Scene scene = load_scene("boxes");
     Settings s;
-    s.camera.source = int(CameraSource::Light);
+    s.camera.source = CameraSource::Light;
     const std::vector<Settings> frames = motion(scene, s, CostCase::Light);
     for (const Settings& f : frames) EXPECT_EQ(make_camera(scene, f, 1.5).eye, make_camera(scene, frames[0], 1.5).eye);
 }

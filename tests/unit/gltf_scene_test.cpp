@@ -118,15 +118,15 @@ TEST(GltfScene, LightsOfThreeKinds) {
     }
     const Scene scene = file.load();
     ASSERT_EQ(scene.lights.size(), 4u);
-    EXPECT_EQ(scene.lights[0].type, static_cast<int>(LightType::Directional));
+    EXPECT_EQ(scene.lights[0].type, LightType::Directional);
     EXPECT_EQ(scene.lights[0].intensity, 3);
     EXPECT_EQ(scene.lights[0].colour, glm::dvec3(1, 0.5, 0.25));
     expect_place_near(-glm::dvec3(scene.lights[0].world[2]), {0, 1, 0});  // -z turned by +90 degrees about x
-    EXPECT_EQ(scene.lights[1].type, static_cast<int>(LightType::Point));
+    EXPECT_EQ(scene.lights[1].type, LightType::Point);
     EXPECT_EQ(scene.lights[1].range, 12);
     EXPECT_EQ(scene.lights[2].range, 0) << "unlimited";
     EXPECT_TRUE(scene.warnings.empty()) << scene.warnings.front();
-    EXPECT_EQ(scene.lights[2].type, static_cast<int>(LightType::Spot));
+    EXPECT_EQ(scene.lights[2].type, LightType::Spot);
     EXPECT_EQ(scene.lights[2].inner_cone_rad, 0.2);
     EXPECT_EQ(scene.lights[2].outer_cone_rad, 0.6);
     EXPECT_NEAR(scene.lights[3].outer_cone_rad, std::numbers::pi / 4, 1e-12);

@@ -60,7 +60,7 @@ TEST(Hidden, TheGroundUnderAModelMayBe) {
     pose_scene(scene, {});
     EXPECT_EQ(scene.objects.size(), all - 1);
     EXPECT_EQ(scene.hidden.size(), 1u);
-    pose_scene(scene, {.ground = int(Ground::Off)});
+    pose_scene(scene, {.ground = Ground::Off});
     EXPECT_EQ(scene.objects.size(), all - 1);
     EXPECT_TRUE(scene.hidden.empty()) << "there is none";
     EXPECT_TRUE(scene.ground_bounds.empty());

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "renderer/base/directions.h"
+#include "renderer/base/index_of.h"
 #include "renderer/settings/fits.h"
 #include "tests/support/box_scene.h"
 
@@ -18,7 +19,7 @@ using test::BoxExtent;
 Settings one_light(LightType type) {
     Settings s;
     s.light_count = 1;
-    s.lights[0].type = int(type);
+    s.lights[0].type = type;
     return s;
 }
 
@@ -134,11 +135,11 @@ TEST(LightFit, SceneFitHoldsTheScene) {
         }
         const Scene scene = box_scene(boxes, offset);
         Settings s = one_light(LightType(i % 3));
-        s.lights[0].fit = int(LightFit::Scene);
+        s.lights[0].fit = LightFit::Scene;
         s.lights[0].azimuth = 180 * unit(random);
         s.lights[0].elevation = 90 * unit(random);
         s.lights[0].cone = 85 + 80 * unit(random);
-        s.lights[0].projection = i % 3 == 0 && i % 2 ? int(LightProjection::Perspective) : 0;
+        s.lights[0].projection = i % 3 == 0 && i % 2 ? LightProjection::Perspective : LightProjection::Automatic;
         s.map.reversed_z = i % 5 == 0;
         s.map.resolution = 64 << (i % 6);
         const FittedLight light = fit_lights(scene, s)[0];
@@ -219,21 +220,22 @@ TEST(LightFit, SpotAnglesStayFinite) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     for (double cone :
          {0.0, 1e-4, 89.9, 90.0, 120.0, 170.0, 2 * 89.9, 180.0, 360.0, 1e9, -5.0, double(NAN), double(INFINITY)})
-        for (int projection : {0, 1, 2})
+        for (const LightProjection projection :
+             {LightProjection::Automatic, LightProjection::Orthographic, LightProjection::Perspective})
             for (double distance : {0.0, 0.1, 30.0}) {
                 Settings s = one_light(LightType::Spot);
                 s.lights[0].cone = cone;
                 s.lights[0].projection = projection;
                 s.lights[0].distance = distance;
-                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << cone << " " << projection;
-                s.lights[0].fit = int(LightFit::Scene);
+                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << cone << " " << index_of(projection);
+                s.lights[0].fit = LightFit::Scene;
                 const FittedLight light = fit_lights(scene, s)[0];
-                ASSERT_TRUE(all_finite(light)) << cone << " " << projection;
+                ASSERT_TRUE(all_finite(light)) << cone << " " << index_of(projection);
                 const bool wide = 0.5 * cone * M_PI / 180 > 1.5;
                 EXPECT_EQ(light.views.size(), wide ? 6u : 1u) << cone;
                 const bool narrow = std::isnan(cone) || cone < 0.1;
                 EXPECT_EQ(!light.notes.empty(), wide || narrow) << cone;
-                if (!wide && !narrow && projection != 1) {
+                if (!wide && !narrow && projection != LightProjection::Orthographic) {
                     EXPECT_NEAR(light.views[0].half_width, std::tan(0.5 * cone * M_PI / 180), 0.01 * std::tan(1.5));
                 }
                 EXPECT_LE(light.cos_cone_outer, light.cos_cone_inner);
@@ -244,7 +246,7 @@ TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     LightSettings& l = s.lights[0];
-    l.fit = int(LightFit::Manual);
+    l.fit = LightFit::Manual;
     l.cone = 60;
     l.distance = 8;
     const double of_cone = fit_lights(scene, s)[0].views[0].half_width;
@@ -267,41 +269,42 @@ TEST(LightFit, DegenerateScenes) {
             scenes.push_back(box_scene({{glm::dvec3(-scale, 0, 0), glm::dvec3(scale, 0, 0)}}, glm::dvec3(offset)));
         }
     for (std::size_t i = 0; i < scenes.size(); ++i)
-        for (int type : {0, 1, 2})
-            for (int projection : {0, 1, 2})
+        for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+            for (const LightProjection projection :
+                 {LightProjection::Automatic, LightProjection::Orthographic, LightProjection::Perspective})
                 for (double distance : {0.0, 1e-9, 1.0, 1e7})
                     for (double elevation : {90.0, 0.0, 30.0})
                         for (int resolution : {1, 16384})
                             for (LightFit fit : {LightFit::Scene, LightFit::Casters}) {
-                                Settings s = one_light(LightType(type));
-                                s.lights[0].fit = int(fit);
+                                Settings s = one_light(type);
+                                s.lights[0].fit = fit;
                                 s.lights[0].projection = projection;
                                 s.lights[0].distance = distance;
                                 s.lights[0].elevation = elevation;
                                 s.map.resolution = resolution;
                                 const FittedLight light = fit_lights(scenes[i], s)[0];
                                 ASSERT_TRUE(all_finite(light))
-                                    << i << " " << type << " " << projection << " " << distance;
+                                    << i << " " << index_of(type) << " " << index_of(projection) << " " << distance;
                                 const LightView& v = light.views[0];
                                 // A wide perspective map of one texel has none that is shorter than its range.
                                 const double texel = v.texel_size(v.curve.far, resolution);
                                 const double least =
                                     v.curve.perspective ? std::min(2 * texel, 1e-4 * v.curve.far) : 2 * texel;
-                                ASSERT_GE(v.curve.far - v.curve.near, least * 0.999) << i << " " << type;
+                                ASSERT_GE(v.curve.far - v.curve.near, least * 0.999) << i << " " << index_of(type);
                             }
 }
 
 TEST(LightFit, NonFiniteSettingsAreReplaced) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     for (double bad : {double(NAN), double(INFINITY), -double(INFINITY), -1.0})
-        for (int type : {0, 1, 2})
+        for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
             for (int fit = 0; fit < int(fits().size()); ++fit) {
-                Settings s = one_light(LightType(type));
+                Settings s = one_light(type);
                 LightSettings& l = s.lights[0];
-                l.fit = fit;
+                l.fit = LightFit(fit);
                 l.azimuth = l.elevation = l.distance = l.target_x = l.target_y = l.target_z = bad;
                 l.cone = l.cone_blend = l.intensity = l.red = l.near = l.far = l.extent = bad;
-                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << bad << " " << type << " " << fit;
+                EXPECT_TRUE(all_finite(fit_lights(scene, s)[0])) << bad << " " << index_of(type) << " " << fit;
             }
 }
 
@@ -318,7 +321,7 @@ TEST(LightFit, LightInsideTheScene) {
     s.objects.clear();
     s.lights[0].distance = 20;
     EXPECT_EQ(fit_lights(scene, s)[0].clipped_casters, 0);
-    s.lights[0].fit = int(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     s.lights[0].near = 19.4;
     s.lights[0].far = 21;
     light = fit_lights(scene, s)[0];
@@ -330,7 +333,9 @@ TEST(LightFit, LightInsideTheScene) {
 TEST(LightFit, TheRangeEndsTheMap) {
     // A floor 10 m below the light and a wall 30 m away from it.
     const Scene scene = box_scene({{glm::dvec3(-40, -1, -40), glm::dvec3(40, 0, 40)}, {{30, 0, -40}, {31, 20, 40}}});
-    for (const auto& [type, projection] : {std::pair{LightType::Point, 0}, {LightType::Spot, 0}, {LightType::Spot, 1}})
+    for (const auto& [type, projection] : {std::pair{LightType::Point, LightProjection::Automatic},
+                                           {LightType::Spot, LightProjection::Automatic},
+                                           {LightType::Spot, LightProjection::Orthographic}})
         for (const double range : {0.001, 5.0, 12.0, 25.0, 1e4}) {
             Settings s = one_light(type);
             LightSettings& l = s.lights[0];
@@ -345,7 +350,8 @@ TEST(LightFit, TheRangeEndsTheMap) {
             ASSERT_TRUE(all_finite(light)) << int(type) << " " << range;
             EXPECT_EQ(light.range_m, range);
             // By parallel rays the wall's box reaches past the light.
-            EXPECT_EQ(!light.notes.empty(), range < 10 && projection == 0) << "which says that it reaches nothing";
+            EXPECT_EQ(!light.notes.empty(), range < 10 && projection == LightProjection::Automatic)
+                << "which says that it reaches nothing";
             EXPECT_EQ(light.radiance, endless.radiance) << "a range changes no brightness near the light";
             for (std::size_t v = 0; v < light.views.size(); ++v) {
                 const DepthCurve &limited = light.views[v].curve, &free = endless.views[v].curve;
@@ -361,7 +367,7 @@ TEST(LightFit, TheRangeEndsTheMap) {
                     EXPECT_NEAR(limited.near, free.near, 0.01 * range);
                 }
             }
-            l.type = int(LightType::Directional);
+            l.type = LightType::Directional;
             EXPECT_EQ(fit_lights(scene, s)[0].range_m, 0);
         }
     EXPECT_TRUE(within_range(1e9, 0));
@@ -373,7 +379,7 @@ TEST(LightFit, ByHand) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Directional);
     LightSettings& l = s.lights[0];
-    l.fit = int(LightFit::Manual);
+    l.fit = LightFit::Manual;
     l.distance = 12;
     l.extent = 3;
     l.near = 2;
@@ -391,9 +397,9 @@ TEST(LightFit, ByHand) {
     EXPECT_FALSE(light.notes.empty());
     // Zeros leave the fit's values.
     l = LightSettings();
-    l.fit = int(LightFit::Scene);
+    l.fit = LightFit::Scene;
     const FittedLight fitted = fit_lights(scene, s)[0];
-    l.fit = int(LightFit::Manual);
+    l.fit = LightFit::Manual;
     EXPECT_EQ(fit_lights(scene, s)[0].views[0].projection, fitted.views[0].projection);
 }
 
@@ -418,10 +424,10 @@ TEST(LightFit, BrightestPunctualLightIsOneAtTheCentre) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}}, glm::dvec3(50, 0, 0));
     Settings s;
     s.light_count = 3;
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.lights[0].distance = 10;
     s.lights[0].intensity = 100;
-    s.lights[1].type = int(LightType::Point);
+    s.lights[1].type = LightType::Point;
     s.lights[1].distance = 5;
     s.lights[1].intensity = 50;
     s.lights[1].green = 0.5;

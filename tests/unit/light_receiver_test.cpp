@@ -16,12 +16,12 @@ struct Lit {
     explicit Lit(LightType type, bool reversed, double aside = 2) {
         settings.map.reversed_z = reversed;
         LightSettings& l = settings.lights[0];
-        l.type = int(type);
+        l.type = type;
         l.azimuth = 0;
         l.elevation = 90;
         l.distance = 10;
         l.cone = 60;
-        l.fit = int(LightFit::Manual);
+        l.fit = LightFit::Manual;
         l.near = 0.05;
         l.far = 12;
         settings.bias = {};
@@ -38,7 +38,7 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
             for (const double offset_texels : {0.0, 3.0})
                 for (const double metres : {1e-3, 1.0, 9.0}) {
                     Lit lit(type, reversed);
-                    lit.settings.bias.unit = int(BiasUnit::Metres);
+                    lit.settings.bias.unit = BiasUnit::Metres;
                     lit.settings.bias.constant = metres;
                     lit.settings.bias.normal = offset_texels;
                     const BiasBreakdown a = lit.account();
@@ -46,7 +46,7 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
                     EXPECT_NEAR(curve.distance(a.receiver.tap.z) - curve.distance(a.receiver.compared), metres, 1e-9)
                         << int(type) << reversed;
                     EXPECT_NEAR(a.receiver.bias_m, metres, 1e-12);
-                    lit.settings.bias.unit = int(BiasUnit::Texels);
+                    lit.settings.bias.unit = BiasUnit::Texels;
                     lit.settings.bias.constant = metres / a.receiver.texel_m;
                     EXPECT_NEAR(lit.account().receiver.compared / a.receiver.compared, 1, 1e-12) << "texels are metres";
                 }

@@ -38,7 +38,7 @@ Scene floor_and_box(const glm::dmat4& floor = glm::dmat4(1), const glm::dmat4& b
 
 Settings with_cull(Cull cull) {
     Settings s;
-    s.caster.cull = int(cull);
+    s.caster.cull = cull;
     return s;
 }
 
@@ -76,7 +76,7 @@ TEST(LostCasters, MirroringAndUnevenScaleChangeNothing) {
 
 TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
     Settings s = with_cull(Cull::Back);
-    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     s.lights[0].elevation = 60;
     EXPECT_TRUE(lost(floor_and_box(), s).empty());
     s.lights[0].elevation = -60;  // below the floor
@@ -87,12 +87,12 @@ TEST(LostCasters, SpotLightsJudgeFromTheirPlace) {
 
 TEST(LostCasters, AnObjectsOwnCullingAndCastingCount) {
     Settings s = with_cull(Cull::Front);
-    s.objects["Floor"].cull = int(ObjectCull::None);
+    s.objects["Floor"].cull = ObjectCull::None;
     EXPECT_TRUE(lost(floor_and_box(), s).empty());
     s.objects["Floor"] = {.cast = false};
     EXPECT_TRUE(lost(floor_and_box(), s).empty());
     Settings own = with_cull(Cull::None);
-    own.objects["Floor"].cull = int(ObjectCull::Front);
+    own.objects["Floor"].cull = ObjectCull::Front;
     EXPECT_EQ(lost(floor_and_box(), own).size(), 1u);
 }
 

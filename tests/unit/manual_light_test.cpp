@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "renderer/base/index_of.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
@@ -27,12 +28,13 @@ double apart(const LightView& a, const LightView& b) {
 
 std::vector<Settings> lights_to_try() {
     std::vector<Settings> all;
-    for (int type = 0; type < 3; ++type)
-        for (int projection = 0; projection < 3; ++projection)
+    for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point})
+        for (const LightProjection projection :
+             {LightProjection::Automatic, LightProjection::Orthographic, LightProjection::Perspective})
             for (const double cone : {3.0, 60.0, 200.0})
                 for (const double distance : {0.0, 0.3, 40.0})
                     for (const double elevation : {45.0, 90.0, -10.0}) {
-                        if (type != 1 && cone != 60.0) continue;
+                        if (type != LightType::Spot && cone != 60.0) continue;
                         Settings s;
                         LightSettings& l = s.lights[0];
                         l.type = type;
@@ -43,9 +45,9 @@ std::vector<Settings> lights_to_try() {
                         l.target_x = 0.7;
                         l.target_z = -2;
                         all.push_back(s);
-                        l.fit = int(LightFit::Scene);
+                        l.fit = LightFit::Scene;
                         all.push_back(s);
-                        l.fit = int(LightFit::Manual);  // zeros are the fit's values
+                        l.fit = LightFit::Manual;  // zeros are the fit's values
                         all.push_back(s);
                         l.near = 0.25;
                         all.push_back(s);
@@ -64,7 +66,7 @@ TEST(ManualLight, KeepsEveryMapWhereItIs) {
             Settings by_hand = automatic;
             by_hand.lights[0] = manual_light(automatic.lights[0], before);
             const LightSettings& l = by_hand.lights[0];
-            EXPECT_EQ(l.fit, int(LightFit::Manual));
+            EXPECT_EQ(l.fit, LightFit::Manual);
             EXPECT_GT(l.distance, 0);
             EXPECT_GE(l.near, 0);
             EXPECT_EQ(l.azimuth, automatic.lights[0].azimuth);
@@ -72,8 +74,8 @@ TEST(ManualLight, KeepsEveryMapWhereItIs) {
             ASSERT_EQ(after.views.size(), before.views.size());
             for (std::size_t i = 0; i < after.views.size(); ++i)
                 EXPECT_LT(apart(after.views[i], before.views[i]), 1e-9)
-                    << "type " << l.type << " projection " << l.projection << " cone " << l.cone << " distance "
-                    << automatic.lights[0].distance << " elevation " << l.elevation;
+                    << "type " << index_of(l.type) << " projection " << index_of(l.projection) << " cone " << l.cone
+                    << " distance " << automatic.lights[0].distance << " elevation " << l.elevation;
             EXPECT_EQ(manual_light(l, after), l) << "a light by hand stays as it is";
             ++tried;
         }

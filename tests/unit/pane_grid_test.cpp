@@ -12,14 +12,14 @@ namespace si {
 namespace {
 
 TEST(PaneGrid, PanesAndGapsFillThePicture) {
-    const PaneGrid one = pane_grid(int(Panes::One), 640, 480, 3);
+    const PaneGrid one = pane_grid(Panes::One, 640, 480, 3);
     EXPECT_EQ(one.count(), 1);
     EXPECT_EQ(glm::ivec2(one.width, one.height), glm::ivec2(640, 480));
-    const PaneGrid two = pane_grid(int(Panes::Two), 641, 480, 3);
+    const PaneGrid two = pane_grid(Panes::Two, 641, 480, 3);
     EXPECT_EQ(two.count(), 2);
     EXPECT_EQ(glm::ivec2(two.width, two.height), glm::ivec2(319, 480));
     EXPECT_EQ(two.corner(1), glm::ivec2(322, 0));
-    const PaneGrid four = pane_grid(int(Panes::Four), 643, 483, 3);
+    const PaneGrid four = pane_grid(Panes::Four, 643, 483, 3);
     EXPECT_EQ(four.count(), 4);
     EXPECT_EQ(glm::ivec2(four.width, four.height), glm::ivec2(320, 240));
     EXPECT_EQ(four.corner(3), glm::ivec2(323, 243));
@@ -27,7 +27,7 @@ TEST(PaneGrid, PanesAndGapsFillThePicture) {
 }
 
 TEST(PaneGrid, FindsThePaneUnderAPixel) {
-    const PaneGrid grid = pane_grid(int(Panes::Four), 643, 483, 3);
+    const PaneGrid grid = pane_grid(Panes::Four, 643, 483, 3);
     const auto place = grid.at({330, 10});
     ASSERT_TRUE(place);
     EXPECT_EQ(place->pane, 1);
@@ -40,7 +40,7 @@ TEST(PaneGrid, FindsThePaneUnderAPixel) {
 }
 
 TEST(PaneGrid, APaneIsNeverEmpty) {
-    const PaneGrid grid = pane_grid(int(Panes::Four), 1, 1, 3);
+    const PaneGrid grid = pane_grid(Panes::Four, 1, 1, 3);
     EXPECT_EQ(glm::ivec2(grid.width, grid.height), glm::ivec2(1));
 }
 

@@ -19,7 +19,7 @@ TEST(Placement, MovesAndScalesAllOfAScene) {
     Scene scene = placed({}).scene;
     const Bounds home = scene.bounds;
     const std::uint64_t id = scene.id;
-    SceneSettings far{.distance = 1e6, .direction = int(PlacedAlong::X), .scale = 100};
+    SceneSettings far{.distance = 1e6, .direction = PlacedAlong::X, .scale = 100};
     pose_scene(scene, far);
     EXPECT_NE(scene.id, id);
     EXPECT_NEAR(scene.bounds.centre().x, 1e6 + 100 * home.centre().x, 1e-6);
@@ -38,7 +38,7 @@ TEST(Placement, TakesCamerasAndLightsOfTheSceneAlong) {
     scene.cameras[0].world[3] = {1, 2, 3, 1};
     finalise(scene);
     for (int turn = 0; turn < 2; ++turn) {
-        place(scene, placement_of({.distance = 10, .direction = int(PlacedAlong::Y), .scale = 2}));
+        place(scene, placement_of({.distance = 10, .direction = PlacedAlong::Y, .scale = 2}));
         EXPECT_EQ(glm::dvec3(scene.cameras[0].world[3]), glm::dvec3(2, 14, 6));
         EXPECT_EQ(glm::dvec3(scene.lights[0].world[3]), glm::dvec3(0, 10, 0));
     }

@@ -6,6 +6,8 @@
 #include <array>
 #include <set>
 
+#include "renderer/base/index_of.h"
+
 namespace si {
 namespace {
 
@@ -142,7 +144,7 @@ TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
 
 TEST(PlanTest, EveryResultHasWordsOfItsOwn) {
     std::set<std::string_view> words;
-    for (int i = 0; i <= int(Result::MapView); ++i) {
+    for (int i = 0; i <= index_of(Result::MapView); ++i) {
         EXPECT_FALSE(result_name(Result(i)).empty()) << i;
         EXPECT_TRUE(words.insert(result_name(Result(i))).second) << result_name(Result(i));
     }

@@ -23,7 +23,7 @@ Scene lit_scene(const std::vector<SceneLight>& lights) {
 
 SceneLight light_of(LightType type, const glm::dvec3& position, const glm::dvec3& towards) {
     SceneLight light;
-    light.type = int(type);
+    light.type = type;
     const glm::dvec3 up = std::abs(glm::normalize(towards).y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     // Scaled, as nodes are: only place and direction count.
     light.world =

@@ -47,7 +47,7 @@ Value other_value(const SettingRef& ref) {
 
 Settings every_setting_changed() {
     Settings s;
-    s.objects["Root/Fence.001"] = {1, true, true};
+    s.objects["Root/Fence.001"] = {true, ObjectCull::None, true};
     for (const SettingRef& ref : all_settings(s)) set_value(s, ref, other_value(ref));
     return s;
 }
@@ -78,7 +78,15 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
     ObjectSettings object;
     std::set<void*> members;
     for (const Param& p : params()) {
-        void* address = std::visit([](auto* at) -> void* { return at; }, p.field(s, 3, &object));
+        const FieldRef field = p.field(s, 3, &object);
+        const auto* choice = std::get_if<EnumRef>(&field);
+        void* address = choice ? choice->address()
+                               : std::visit(
+                                     [](auto member) -> void* {
+                                         if constexpr (std::is_pointer_v<decltype(member)>) return member;
+                                         return nullptr;
+                                     },
+                                     field);
         EXPECT_TRUE(members.insert(address).second) << p.key;
     }
     EXPECT_EQ(members.size(),
@@ -212,14 +220,14 @@ TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
 
 TEST(SettingsText, NumbersHaveNoExponentsAndTheUnitOfTheirKind) {
     Settings s;
-    s.bias.unit = int(BiasUnit::Depth);
+    s.bias.unit = BiasUnit::Depth;
     const auto bias = *find_setting("bias.constant"), size = *find_setting("light.1.size");
     EXPECT_EQ(shown_value(s, bias, 5e-4), "0.0005 depth");
     EXPECT_EQ(shown_value(s, bias, 1e-7), "0.0000001 depth");
-    s.bias.unit = int(BiasUnit::Texels);
+    s.bias.unit = BiasUnit::Texels;
     EXPECT_EQ(shown_value(s, bias, 0.3639), "0.3639 texels");
     EXPECT_EQ(shown_value(s, size, 4.0), "4°");
-    s.lights[1].type = int(LightType::Spot);
+    s.lights[1].type = LightType::Spot;
     EXPECT_EQ(shown_value(s, size, 4.0), "4 m");
     EXPECT_EQ(shown_value(s, *find_setting("light.0.size"), 4.0), "4°") << "each light by itself";
 }
@@ -252,7 +260,7 @@ TEST(SettingsObjects, AnOverrideEqualToTheDefaultsIsNone) {
     Settings s;
     set_setting(s, "object.Floor.cull", "none");
     ASSERT_EQ(s.objects.count("Floor"), 1u);
-    EXPECT_EQ(s.objects["Floor"].cull, static_cast<int>(ObjectCull::None));
+    EXPECT_EQ(s.objects["Floor"].cull, ObjectCull::None);
     set_setting(s, "object.Floor.cull", "inherit");
     EXPECT_EQ(s, Settings{});
 }
@@ -294,7 +302,7 @@ TEST(SettingsRepair, NonFiniteAndOutOfRange) {
     s.lights[4].azimuth = std::numeric_limits<double>::infinity();
     s.camera.fov = 500;
     s.map.resolution = -3;
-    s.map.format = 77;
+    s.map.format = MapFormat(77);
     const auto lines = sanitise(s);
     EXPECT_EQ(lines.size(), 5u);
     EXPECT_EQ(s.bias.slope, Settings{}.bias.slope);
@@ -310,8 +318,8 @@ TEST(SettingsRepair, ReversedPlanes) {
     s.lights[2].near = 50;
     s.lights[2].far = 2;
     EXPECT_TRUE(sanitise(s).empty()) << "an automatic fit does not read near and far";
-    s.lights[2].fit = static_cast<int>(LightFit::Manual);
-    s.camera.source = static_cast<int>(CameraSource::Manual);
+    s.lights[2].fit = LightFit::Manual;
+    s.camera.source = CameraSource::Manual;
     s.camera.near = s.camera.far = 7;
     const auto lines = sanitise(s);
     ASSERT_EQ(lines.size(), 2u);
@@ -328,27 +336,27 @@ TEST(SettingsIdle, SaysWhy) {
     Settings s;
     const auto idle = [&](const char* key) { return idle_reason(s, *find_setting(key)); };
     EXPECT_FALSE(idle("light.near").empty());
-    s.lights[0].fit = static_cast<int>(LightFit::Manual);
+    s.lights[0].fit = LightFit::Manual;
     EXPECT_TRUE(idle("light.near").empty());
     EXPECT_TRUE(idle("light.extent").empty());
     EXPECT_FALSE(idle("light.cone").empty());
-    s.lights[0].type = static_cast<int>(LightType::Spot);
+    s.lights[0].type = LightType::Spot;
     EXPECT_TRUE(idle("light.cone").empty());
     EXPECT_TRUE(idle("light.extent").empty());
-    s.lights[0].type = static_cast<int>(LightType::Point);
+    s.lights[0].type = LightType::Point;
     EXPECT_FALSE(idle("light.extent").empty());
     EXPECT_FALSE(idle("light.1.azimuth").empty());
     s.light_count = 2;
     EXPECT_TRUE(idle("light.1.azimuth").empty());
     EXPECT_TRUE(idle("map.outside").empty());
-    s.map.wrap = static_cast<int>(MapWrap::Repeat);
+    s.map.wrap = MapWrap::Repeat;
     EXPECT_TRUE(idle("map.outside").empty()) << "the far guard asks it";
     s.map.far_guard = false;
     EXPECT_TRUE(idle("map.outside").empty()) << "what lies behind the spot light asks it";
-    s.lights[0].type = s.lights[1].type = static_cast<int>(LightType::Directional);
+    s.lights[0].type = s.lights[1].type = LightType::Directional;
     EXPECT_FALSE(idle("map.outside").empty());
     EXPECT_FALSE(idle("camera.fov").empty());
-    s.camera.source = static_cast<int>(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     EXPECT_TRUE(idle("camera.fov").empty());
 }
 

@@ -24,7 +24,7 @@ struct Divided {
 /// Boxes before a camera that looks along -z, and the borders of the cascades of a sun.
 Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0), bool orthographic = false) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     s.camera.target_x = at.x;
     s.camera.target_y = at.y;
     s.camera.target_z = at.z;
@@ -51,7 +51,7 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
             for (const Split split : {Split::Uniform, Split::Logarithmic, Split::Practical, Split::Manual}) {
                 LightSettings light;
                 light.cascades = count;
-                light.split = int(split);
+                light.split = split;
                 light.split_lambda = 0.3;
                 const Divided d = divided(light, at);
                 ASSERT_EQ(d.ends.size(), std::size_t(count));
@@ -72,12 +72,12 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
 TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
     LightSettings light;
     light.cascades = 4;
-    light.split = int(Split::Logarithmic);
+    light.split = Split::Logarithmic;
     const Divided d = divided(light, glm::dvec3(0), true);
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(d.ends[std::size_t(i)], 8 + 48 * (i + 1), 1e-6);
     ASSERT_EQ(d.notes.size(), 1u);
     EXPECT_NE(d.notes[0].find("evenly"), std::string::npos);
-    light.split = int(Split::Practical);
+    light.split = Split::Practical;
     EXPECT_TRUE(divided(light, glm::dvec3(0), true).notes.empty());
 }
 

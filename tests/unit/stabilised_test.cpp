@@ -16,7 +16,7 @@ namespace {
 // The sphere holds every corner of the slice, touches some, and is as large wherever the camera stands.
 TEST(Stabilised, TheSphereIsTheSmallest) {
     Settings s;
-    s.camera.source = int(CameraSource::Manual);
+    s.camera.source = CameraSource::Manual;
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 1);
     for (const double fov : {15., 60., 110.})
         for (const bool orthographic : {false, true})

@@ -26,7 +26,7 @@ std::vector<LightView> views_of_every_kind() {
             Settings s;
             s.map.resolution = kTexels;
             s.map.reversed_z = reversed;
-            s.lights[0].type = int(type);
+            s.lights[0].type = type;
             const FittedLight light = fit_lights(scene, s)[0];
             out.insert(out.end(), light.views.begin(), light.views.end());
         }
@@ -55,8 +55,8 @@ TEST(TexelSlabs, StandAtTheirStoredDepthOnTheirTexel) {
 /// The bias that receiver.glsl subtracts at distance z, in depth.
 double bias_at(const LightView& view, const BiasSettings& bias, double z) {
     const double per_m = view.curve.slope(z);
-    if (bias.unit == int(BiasUnit::Texels)) return bias.constant * view.texel_size(z, kTexels) * per_m;
-    return bias.unit == int(BiasUnit::Metres) ? bias.constant * per_m : bias.constant;
+    if (bias.unit == BiasUnit::Texels) return bias.constant * view.texel_size(z, kTexels) * per_m;
+    return bias.unit == BiasUnit::Metres ? bias.constant * per_m : bias.constant;
 }
 
 TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
@@ -64,7 +64,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
         for (const auto& [unit, constant] :
              {std::pair{BiasUnit::Depth, 0.01}, {BiasUnit::Texels, 3.0}, {BiasUnit::Metres, 0.4}}) {
             BiasSettings bias;
-            bias.unit = int(unit);
+            bias.unit = unit;
             bias.constant = constant;
             for (const double stored : {0.2, 0.6, 0.9}) {
                 const auto z = compared_distance(view, bias, kTexels, stored, {0.5, 0.5});
@@ -86,7 +86,7 @@ TEST(TexelSlabs, BeyondInfinityThereIsNoSlab) {
     LightView view;
     view.curve = {.perspective = true, .near = 1, .far = 10, .convention = {}};
     BiasSettings bias;
-    bias.unit = int(BiasUnit::Depth);
+    bias.unit = BiasUnit::Depth;
     bias.constant = 0.5;  // the curve reaches infinity at depth 10 / 9
     EXPECT_TRUE(compared_distance(view, bias, kTexels, 0.5, {0.5, 0.5}));
     EXPECT_FALSE(compared_distance(view, bias, kTexels, 0.7, {0.5, 0.5}));

@@ -155,17 +155,17 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
     const int gathers = cost_of(s).gathers;
     EXPECT_EQ(cost.taps_per_pixel, 4.0 * gathers);
     EXPECT_EQ(cost.bytes_touched, cost.map_bytes + 10 * 20 * 4 * std::uint64_t(cost.taps_per_pixel));
-    s.filter.method = int(FilterMethod::Sampler);
-    s.map.format = int(MapFormat::D16);
+    s.filter.method = FilterMethod::Sampler;
+    s.map.format = MapFormat::D16;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * cost.map_texels);
     // Blurred depths are a second set of maps, and one map blurred along x alone as floats.
     s.map.blur_texels = 3;
     EXPECT_EQ(work_cost(s, f).map_bytes, 2 * 2 * cost.map_texels + 4 * 512 * 512);
-    s.map.format = int(MapFormat::Colour);
+    s.map.format = MapFormat::Colour;
     EXPECT_EQ(work_cost(s, f).map_bytes, (8 + 4) * cost.map_texels + 4 * 512 * 512) << "without a depth buffer";
     f.lights[0].casts = false;
     EXPECT_EQ(work_cost(s, f).map_bytes, 0u);
-    s.map.format = int(MapFormat::D16);
+    s.map.format = MapFormat::D16;
     f.lights[0].casts = true;
     // A bilinear tap of a sampler compares 2x2 texels; a nearest one a single texel, as do nearest kernels by gathers.
     for (std::size_t i = 0; i < filters().size(); ++i) {
@@ -177,7 +177,7 @@ TEST(WorkCost, CountsTexelsTapsAndDraws) {
         EXPECT_EQ(work_cost(s, f).taps_per_pixel, across * across * (f2.bilinear ? 4 : 1)) << f2.key;
     }
     s.filter.kernel = Settings{}.filter.kernel;
-    s.map.format = int(MapFormat::Colour);  // which no sampler can compare
+    s.map.format = MapFormat::Colour;  // which no sampler can compare
     EXPECT_EQ(work_cost(s, f).taps_per_pixel, 4.0 * gathers);
 }
 

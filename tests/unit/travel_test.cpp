@@ -267,7 +267,7 @@ TEST(Travel, TheAutomaticCameraStaysWhereAFilesAnimationBegan) {
     EXPECT_NEAR(c.focus, 2 * cameras[0].focus, 1e-6) << "but goes with where the scene is placed";
     away.scene.distance = 0;
     away.scene.scale = 1;
-    away.scene.ground = int(Ground::Off);
+    away.scene.ground = Ground::Off;
     pose_scene(scene, away.scene);
     EXPECT_NE(make_camera(scene, away, 1.5).eye, cameras[0].eye) << "without a ground all of what is there is shown";
 }

@@ -43,7 +43,7 @@ struct MadeUpFrame {
         t.needs.gap_p95_m = gap;
         t.needs.gap_median_m = gap / 2;
         BiasSettings one;
-        one.unit = int(BiasUnit::Texels);
+        one.unit = BiasUnit::Texels;
         one.constant = worst([&](int i) { return need(i); });
         one.slope = one.normal = 0;
         t.needs.least[std::size_t(BiasFamily::Constant)] = one;

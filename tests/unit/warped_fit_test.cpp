@@ -17,10 +17,10 @@ namespace {
 
 Settings warped(const glm::dvec3& target) {
     Settings s;
-    s.lights[0].fit = int(LightFit::Lispsm);
+    s.lights[0].fit = LightFit::Lispsm;
     s.map.resolution = 512;
     CameraSettings& c = s.camera;
-    c.source = int(CameraSource::Manual);
+    c.source = CameraSource::Manual;
     c.target_x = target.x;
     c.target_y = target.y;
     c.target_z = target.z;
@@ -76,7 +76,7 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
             l.azimuth = i % 5 ? 180 * unit(random) : 90;
             l.elevation = i % 7 ? 8 + 80 * std::abs(unit(random)) : 90;
             l.cascades = i % 3 ? 1 : 3;
-            l.near_far = int(kNearFars[i % 5]);
+            l.near_far = kNearFars[i % 5];
             l.near = 1;
             l.far = 2;
             s.map.reversed_z = i % 2;
@@ -106,12 +106,12 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
                     }
                     // Receivers that no caster stands before may lie before a range that begins at the casters.
                     const double share = s.map.reversed_z ? 1 - at_map.z : at_map.z;
-                    if (l.near_far != int(NearFar::Casters)) {
+                    if (l.near_far != NearFar::Casters) {
                         EXPECT_GT(share, 0);
                     }
                     EXPECT_LT(share, 1);
                     ++seen;
-                    if (l.near_far == int(NearFar::Pancaking)) continue;
+                    if (l.near_far == NearFar::Pancaking) continue;
                     for (const Box& caster : f.shape->boxes)
                         for (const glm::dvec3& q : caster) {
                             const glm::dvec4 of_caster = test::uvdw(view, q);
@@ -254,13 +254,13 @@ TEST(WarpedFit, SaysWhereNothingIsWarped) {
     EXPECT_NE(flat.notes[0].find("orthographic camera"), std::string::npos) << flat.notes[0];
     s = level_view(60);
     for (const LightType type : {LightType::Spot, LightType::Point}) {
-        s.lights[0].type = int(type);
+        s.lights[0].type = type;
         EXPECT_FALSE(fitted(scene, s).light.is_warped());
     }
-    s.lights[0].type = int(LightType::Directional);
-    s.lights[0].projection = int(LightProjection::Perspective);
+    s.lights[0].type = LightType::Directional;
+    s.lights[0].projection = LightProjection::Perspective;
     EXPECT_FALSE(fitted(scene, s).light.is_warped());
-    s.lights[0].projection = int(LightProjection::Automatic);
+    s.lights[0].projection = LightProjection::Automatic;
     EXPECT_TRUE(fitted(scene, s).light.is_warped());
     EXPECT_FALSE(fit_lights(scene, s)[0].is_warped()) << "without a camera";
 }

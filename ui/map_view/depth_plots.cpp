@@ -68,7 +68,7 @@ bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, doubl
 
 void drag_ends(EditorState& state, const FrameResult& result, const DepthHistogram& h, ImVec2 lo, ImVec2 hi) {
     ViewSettings& v = state.settings.view;
-    if (v.map == int(MapView::Bands)) {
+    if (v.map == MapView::Bands) {
         if (marker("low", lo, hi, h, v.band_low, kMiddleBand, "Lower band", state))
             v.band_high = std::max(v.band_high, v.band_low);
         if (marker("high", lo, hi, h, v.band_high, kFarBand, "Upper band", state))
@@ -93,8 +93,8 @@ double distance_at_share(const DepthCurve& curve, double share) {
 
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
     const ViewSettings& v = state.settings.view;
-    const bool bands = v.map == int(MapView::Bands);
-    const char* unit = v.map == int(MapView::Linear) ? "linear depth" : bands ? "depth from near" : "stored depth";
+    const bool bands = v.map == MapView::Bands;
+    const char* unit = v.map == MapView::Linear ? "linear depth" : bands ? "depth from near" : "stored depth";
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     const float markers = ImGui::GetFontSize() * kMarker * 1.5f;
     const auto [lo, hi] = frame_of_plot(size, fmt::format("Histogram of {}", unit), markers);

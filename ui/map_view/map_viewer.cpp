@@ -33,7 +33,7 @@ constexpr float kZoomPerStep = 1.25f, kMaxTexelPixels = 160;
 constexpr int kMarksOpacity = 90;
 
 bool of_camera(const Settings& s) {
-    return s.view.map_source == int(MapSource::Camera);
+    return s.view.map_source == MapSource::Camera;
 }
 
 void save_menu(EditorState& state, EditorRequests& actions) {
@@ -127,7 +127,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& actio
         if (filter_of(s).samples == Samples::Moments) setting("Channel", "view.map_channel", em * 7);
         if (shown_channel(s) > 0 && keeps_mips(s)) setting("Mip level", "view.map_mip", em * 4);
     }
-    const bool bands = s.view.map == int(MapView::Bands);
+    const bool bands = s.view.map == MapView::Bands;
     const float end = em * 4.2f;
     bar.item(bands ? "Bands" : "Range", 2 * end + ImGui::GetStyle().ItemSpacing.x, [&s, bands, end](float) {
         setting_widget(s, bands ? "view.band_low" : "view.map_black", end);
@@ -344,7 +344,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
                 if (p.casts && p.light == shown_light(state.settings) && p.face == shown_face(state.settings, result) &&
-                    p.where == "inside")
+                    p.place == MapPlace::Inside)
                     mark_taps(rect, p);
         mark_finding(state, result, shown);
         if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
@@ -360,9 +360,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         if (rect.holds(texel)) {
             state.hovered_texel = texel;
             outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
-            text =
-                texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
-                              state.frozen.has_value(), result.shown_map, state.settings.view.map != int(MapView::Raw));
+            text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
+                                 state.frozen.has_value(), result.shown_map, state.settings.view.map != MapView::Raw);
             if (result.shown_map.channel == 0 && frame.map_values && frame.map_values->width == n.x &&
                 frame.map_values->height == n.y)
                 marked_m = result.map_view_curve.at_row((texel.y + 0.5) / n.y)

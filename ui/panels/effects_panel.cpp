@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <ranges>
 
+#include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/optimisation_times.h"
@@ -192,16 +193,16 @@ void time_bar(const EditorState& state, double ms) {
 /// What a pass took when it was timed last, in grey.
 void last_time_cell(const EditorState& state, const PassInfo& pass) {
     const auto last = state.times.pass_ms.find(pass.name);
-    if (last == state.times.pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
+    if (last == state.times.pass_ms.end() || !ImGui::TableSetColumnIndex(index_of(Column::Ms))) return;
     right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
     wrapped_tooltip("When it was drawn last; this frame spares it");
 }
 
 void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, Room room, PassCost& sum) {
     ImGui::TableNextRow();
-    ImGui::TableSetColumnIndex(int(Column::State));
+    ImGui::TableSetColumnIndex(index_of(Column::State));
     state_cell(effect.state, room);
-    ImGui::TableSetColumnIndex(int(Column::Effect));
+    ImGui::TableSetColumnIndex(index_of(Column::Effect));
     const bool needed = effect.state != EffectState::NotNeeded;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
     if (indent > 0) ImGui::Indent(indent);
@@ -210,7 +211,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     ImGui::PopStyleColor();
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
     if (indent > 0) ImGui::Unindent(indent);
-    if (ImGui::TableSetColumnIndex(int(Column::Why))) {
+    if (ImGui::TableSetColumnIndex(index_of(Column::Why))) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
         ImGui::PushTextWrapPos(0);
         ImGui::TextUnformatted(effect.reason.c_str());
@@ -220,17 +221,17 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
     if (pass && pass->state != PassState::Drawn) last_time_cell(state, *pass);
     if (pass && pass->state == PassState::Drawn) {
-        if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
+        if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(index_of(Column::Ms))) time_bar(state, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
         sum.gpu_ms += pass->gpu_ms;
         sum.cpu_ms += pass->cpu_ms;
         sum.draws += pass->draws;
         sum.triangles += pass->triangles;
     }
-    if (ImGui::TableSetColumnIndex(int(Column::Saved)))
+    if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
         saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, saved_together(frame.effects, effect),
                    frame.saved_current);
-    if (effect.saving && ImGui::TableSetColumnIndex(int(Column::Force)))
+    if (effect.saving && ImGui::TableSetColumnIndex(index_of(Column::Force)))
         force_box(state.effects.forced, *effect.saving, "##force");
 }
 
@@ -242,7 +243,7 @@ bool left_out(const EffectsPanel& panel, const Effect& effect) {
 
 void sum_row(const PassCost& sum) {
     ImGui::TableNextRow();
-    ImGui::TableSetColumnIndex(int(Column::Effect));
+    ImGui::TableSetColumnIndex(index_of(Column::Effect));
     ImGui::PushFont(theme::strong());
     ImGui::TextUnformatted("Frame");
     cost_cells(sum);

@@ -20,7 +20,7 @@ bool is_of_map(const NumberFinding& f) {
 /// Has the map viewer show a texel, and outline it.
 void show_texel(EditorState& state, const FrameResult& result, const NumberFinding& f) {
     ViewSettings& v = state.settings.view;
-    v.map_source = int(MapSource::Light);
+    v.map_source = MapSource::Light;
     v.light = f.light;
     v.face = f.view;
     const bool moments = f.image == Result::Moments && filter_of(state.settings).samples == Samples::Moments;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/precision.h"
 #include "renderer/scene/placement.h"
@@ -123,13 +124,13 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests
         return;
     const ImU32 colour = frame.pipelines_current ? theme::text() : theme::muted();
     for (const PipelineError& e : frame.pipelines) {
-        const bool used =
-            int(e.origin) == state.settings.map.origin && int(e.transform) == state.settings.map.transform;
+        const bool used = e.origin == state.settings.map.origin && e.transform == state.settings.map.transform;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, colour);
-        ImGui::TextUnformatted(fmt::format("{}{}, {}", used ? "\u25cf " : "", choice_label("map.origin", int(e.origin)),
-                                           choice_label("map.transform", int(e.transform)))
+        ImGui::TextUnformatted(fmt::format("{}{}, {}", used ? "\u25cf " : "",
+                                           choice_label("map.origin", index_of(e.origin)),
+                                           choice_label("map.transform", index_of(e.transform)))
                                    .c_str());
         ImGui::PopStyleColor();
         for (const double number : {e.texels.median, e.texels.p99, e.ulps.median, e.ulps.p99})

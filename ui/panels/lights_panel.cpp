@@ -80,7 +80,9 @@ void rename_field(EditorState& state) {
 void light_name(EditorState& state, int i) {
     Settings& s = state.settings;
     const LightSettings& light = s.lights[std::size_t(i)];
-    const std::string type = shown_value(s, *find_setting("light.type"), light.type);
+    SettingRef type_of = *find_setting("light.type");
+    type_of.light = i;
+    const std::string type = shown_value(s, type_of, get_value(s, type_of));
     const std::string text = fmt::format("{} {}###shown", i, light.name.empty() ? type : light.name);
     ImGui::AlignTextToFramePadding();
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());

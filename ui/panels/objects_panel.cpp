@@ -156,7 +156,7 @@ bool has_override(const Settings& s, const std::string& path) {
 /// Lets the objects cast with all of their faces.
 void keep(Settings& s, const Tree& tree) {
     for (const Row& row : tree.rows)
-        if (row.placed && row.lost) s.objects[*row.path].cull = int(ObjectCull::None);
+        if (row.placed && row.lost) s.objects[*row.path].cull = ObjectCull::None;
 }
 
 void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
@@ -247,7 +247,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     state.hovered_object = *row.path;
     if (row.lost)
         ImGui::SetTooltip("%s-face culling removes all %zu triangles.\nSet Cull to none to keep it.",
-                          row.lost->cull == int(Cull::Front) ? "Front" : "Back", row.lost->triangles);
+                          row.lost->cull == Cull::Front ? "Front" : "Back", row.lost->triangles);
     else
         ImGui::SetTooltip("%s\nClick to select, Ctrl one more, Shift all between; F frames them", row.path->c_str());
 }

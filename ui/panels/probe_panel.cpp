@@ -58,7 +58,7 @@ void verdict(const std::string& text) {
 
 /// Draws the texels around the probed one into the scene, or takes them away.
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
-    if (p.where != "inside" || resolution <= 0) return;
+    if (p.place != MapPlace::Inside || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
     if (ImGui::Button(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
@@ -153,7 +153,7 @@ void space(const Probe::PerLight& p) {
         "Position times the light's view and projection");
     row("divided by w", vec(p.ndc, 5));
     row("map coordinates and depth", vec(p.uvd, 5), "From clip range to [0,1]");
-    row("place in the map", p.where);
+    row("place in the map", std::string(place_name(p.place)));
     row("texel", fmt::format("{}, {}   {} wide", p.texel.x, p.texel.y, metres_text(p.texel_m)));
     row("N·L", fmt::format("{:.5f}   {:.1f}°", p.n_dot_l, p.account.theta_rad * 180 / M_PI),
         "Of the triangle's normal; the angle between it and the light");

@@ -114,19 +114,19 @@ void reset_camera(EditorState& state, const EditorFrame& frame) {
 
 void toggle_light_camera(EditorState& state) {
     CameraSettings& camera = state.settings.camera;
-    if (camera.source != int(CameraSource::Light)) {
+    if (camera.source != CameraSource::Light) {
         if (shown_light(state.settings) < 0) return;
         state.camera_before_light = camera;
-        camera.source = int(CameraSource::Light);
+        camera.source = CameraSource::Light;
         return;
     }
     camera = state.camera_before_light.value_or(CameraSettings{});
-    if (camera.source == int(CameraSource::Light)) camera.source = int(CameraSource::Automatic);
+    if (camera.source == CameraSource::Light) camera.source = CameraSource::Automatic;
     state.camera_before_light.reset();
 }
 
 FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {
-    const bool manual = settings.source == int(CameraSource::Manual);
+    const bool manual = settings.source == CameraSource::Manual;
     return {.camera = result.camera,
             .settings = manual ? settings : camera_settings(result.camera),
             .pixels = {result.colour.width, result.colour.height},

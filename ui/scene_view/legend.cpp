@@ -48,7 +48,7 @@ std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& p
     std::vector<LegendWidget> out = {{"Opacity", "view.overlay_opacity", 4.5f}};
     if (!overlays()[std::size_t(pane.overlay - 1)].scalar) return out;
     out.push_back({"Scale", "view.overlay_range", 6.5f});
-    if (settings.view.overlay_range != int(OverlayRange::Manual)) return out;
+    if (settings.view.overlay_range != OverlayRange::Manual) return out;
     out.push_back({"from", "view.overlay_min", 4.5f});
     out.push_back({"to", "view.overlay_max", 4.5f});
     return out;

@@ -8,6 +8,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/base/directions.h"
+#include "renderer/base/index_of.h"
 #include "renderer/view/fits/manual_light.h"
 #include "ui/state/panels.h"
 
@@ -170,7 +171,7 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
         const auto t = nearest_on_line(ray, tip, way);
         if (!t) return {};
         glm::dvec3 p = start.position + way * *t;
-        const int axis = int(h) - int(LightHandle::AxisX);
+        const int axis = index_of(h) - index_of(LightHandle::AxisX);
         p[axis] = snapped(p[axis], step);
         move_place(s, p, start);
     } else if (h == LightHandle::Target) {
@@ -213,7 +214,7 @@ std::string handle_numbers(const LightPose& pose, LightHandle h) {
     };
     if (h == LightHandle::Position) return place(pose.position);
     if (is_axis(h)) {
-        const int axis = int(h) - int(LightHandle::AxisX);
+        const int axis = index_of(h) - index_of(LightHandle::AxisX);
         return fmt::format("{} {}", "xyz"[axis], metres(pose.position[axis]));
     }
     if (h == LightHandle::Target) return place(pose.target);

@@ -25,7 +25,7 @@ int light_count(const EditorState& state, const FrameResult& result) {
 
 /// Seen through itself a light has no handles: the camera would move with each.
 bool shows_handles(const EditorState& state) {
-    return state.settings.camera.source != int(CameraSource::Light);
+    return state.settings.camera.source != CameraSource::Light;
 }
 
 LightPose pose_of(const EditorState& state, const FrameResult& result, int light) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "renderer/base/directions.h"
+#include "renderer/base/index_of.h"
 #include "renderer/view/fits/manual_light.h"
 
 namespace si {
@@ -80,7 +81,7 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
         if (!pose.cascaded()) pose.position = pose.view.eye;
         // The fit places the map; the target's setting then means nothing, and a light that turns about the scene's
         // centre stays under the cursor.
-        if (settings.fit != int(LightFit::Manual)) pose.target = pose.centre;
+        if (settings.fit != LightFit::Manual) pose.target = pose.centre;
     }
     return pose;
 }
@@ -92,7 +93,7 @@ std::vector<LightHandle> handles_of(const LightPose& pose) {
     std::vector<LightHandle> all{Position, AxisX, AxisY, AxisZ};
     if (pose.type != LightType::Point) all.push_back(Direction);
     const bool placed_by_fit =
-        pose.type == LightType::Directional && pose.orthographic() && pose.settings.fit != int(LightFit::Manual);
+        pose.type == LightType::Directional && pose.orthographic() && pose.settings.fit != LightFit::Manual;
     if (pose.type != LightType::Point && !placed_by_fit) all.push_back(Target);
     if (pose.type == LightType::Spot) all.insert(all.end(), {ConeRight, ConeTop, ConeLeft, ConeBottom});
     if (pose.ranged()) all.push_back(Range);
@@ -103,8 +104,8 @@ std::vector<LightHandle> handles_of(const LightPose& pose) {
 }
 
 glm::dvec3 handle_way(const LightPose& pose, LightHandle h) {
-    if (is_axis(h)) return glm::dmat3(1.0)[int(h) - int(LightHandle::AxisX)];
-    const int side = int(h) - int(is_cone(h) ? LightHandle::ConeRight : LightHandle::ExtentRight);
+    if (is_axis(h)) return glm::dmat3(1.0)[index_of(h) - index_of(LightHandle::AxisX)];
+    const int side = index_of(h) - index_of(is_cone(h) ? LightHandle::ConeRight : LightHandle::ExtentRight);
     const glm::dmat3 axes = is_cone(h) ? orthonormal_basis(pose.to_light) : pose.view.axes;
     return (side < 2 ? 1.0 : -1.0) * axes[side % 2];
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "renderer/base/directions.h"
+#include "renderer/base/index_of.h"
 #include "shaders/shared/colours.h"
 #include "ui/scene_view/light_lines.h"
 #include "ui/state/panels.h"
@@ -152,7 +153,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
             return h.on_screen - view.point(from).value_or(h.on_screen);
         };
         if (is_axis(h.handle)) {
-            const ImU32 axis = theme::kAxes[int(h.handle) - int(LightHandle::AxisX)];
+            const ImU32 axis = theme::kAxes[index_of(h.handle) - index_of(LightHandle::AxisX)];
             p.line(pose.position, h.at, hot ? kHot : axis, 1.6);
             arrow_head(p, h.on_screen, way_from(pose.position), 10 + 2 * more, hot ? kHot : axis);
         } else if (h.handle == LightHandle::Direction) {

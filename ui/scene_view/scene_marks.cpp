@@ -135,7 +135,7 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         p.caption({right - width, y}, text, colour);
         y += font.FontSize + p.px(10);
     };
-    if (state.settings.camera.source == int(CameraSource::Light) && shown_light(state.settings) >= 0)
+    if (state.settings.camera.source == CameraSource::Light && shown_light(state.settings) >= 0)
         say(fmt::format("Through {}; L goes back", light_title(state.settings, shown_light(state.settings))),
             theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);

@@ -66,7 +66,7 @@ void header(EditorState& state, const EditorFrame& frame) {
         if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
     });
     bar.item("", button_width("Through light"), [&](float) {
-        if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
+        if (toggle("Through light", s.camera.source == CameraSource::Light, "Look through the shown light (L)"))
             toggle_light_camera(state);
     });
     bar.item("", button_width("Freeze view"), [&](float) {
@@ -255,8 +255,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
     const ComparisonView against = state.against.view;
     const int shown_panes = against == ComparisonView::Off          ? state.settings.view.panes
-                            : against == ComparisonView::SideBySide ? int(Panes::Two)
-                                                                    : int(Panes::One);
+                            : against == ComparisonView::SideBySide ? Panes::Two
+                                                                    : Panes::One;
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
     actions.scene_width = panes.grid.width;

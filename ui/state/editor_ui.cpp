@@ -8,6 +8,7 @@
 #include <cmath>
 #include <utility>
 
+#include "renderer/base/index_of.h"
 #include "renderer/settings/overlays.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/frame_times.h"
@@ -179,8 +180,8 @@ void shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& act
     for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
         if (state.against.view == ComparisonView::Swipe && ImGui::IsKeyPressed(int(key)))
             state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
-    if (pressed('N')) state.layout.map_place = MapSpot((int(state.layout.map_place) + 1) % 4);
-    if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
+    if (pressed('N')) state.layout.map_place = next_of(state.layout.map_place, 4);
+    if (pressed('M')) s.view.map = next_of(s.view.map, 3);
     if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
     if (ImGui::IsKeyPressed(kF11, false)) maximise(state, state.maximised ? *state.maximised : state.hovered_panel);
     if (pressed(ImGuiKey_Escape) && state.maximised) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/base/index_of.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
@@ -31,7 +32,7 @@ std::optional<TexelPlace> probed_place(const EditorState& state, const EditorFra
     const int n = frame.result->map_resolution;
     if (!state.probe_pixel || !frame.probe || !frame.probe->hit || n <= 0) return {};
     for (const Probe::PerLight& p : frame.probe->lights)
-        if (p.light == shown_light(state.settings) && p.where == "inside")
+        if (p.light == shown_light(state.settings) && p.place == MapPlace::Inside)
             return TexelPlace{p.light, p.face, (p.texel.x + 0.5) / n, (p.texel.y + 0.5) / n};
     return {};
 }
@@ -46,8 +47,8 @@ void remove_bias(Settings& settings) {
 void next_light_type(Settings& settings) {
     const int light = shown_light(settings);
     if (light < 0) return;
-    int& type = settings.lights[std::size_t(light)].type;
-    type = (type + 1) % int(find_setting("light.type")->param->choices().size());
+    LightType& type = settings.lights[std::size_t(light)].type;
+    type = next_of(type, int(find_setting("light.type")->param->choices().size()));
 }
 
 void scale_resolution(Settings& settings, bool twice) {
@@ -105,17 +106,17 @@ void point_quads(EditorState& state, const EditorFrame& frame) {
 
 bool quads_at(const Settings& settings, const TexelPlace& place) {
     const ViewSettings& v = settings.view;
-    return v.slabs != int(Slabs::None) && v.light == place.light && v.face == place.face && v.slabs_u == place.u &&
+    return v.slabs != Slabs::None && v.light == place.light && v.face == place.face && v.slabs_u == place.u &&
            v.slabs_v == place.v;
 }
 
 void toggle_quads(Settings& settings, const TexelPlace& place) {
     ViewSettings& v = settings.view;
     if (quads_at(settings, place)) {
-        v.slabs = int(Slabs::None);
+        v.slabs = Slabs::None;
         return;
     }
-    if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
+    if (v.slabs == Slabs::None) v.slabs = Slabs::Both;
     v.light = place.light;
     v.face = place.face;
     v.slabs_u = place.u;

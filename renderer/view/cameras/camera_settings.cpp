@@ -9,7 +9,7 @@ namespace si {
 
 CameraSettings camera_settings(const Camera& c) {
     CameraSettings s;
-    s.source = int(CameraSource::Manual);
+    s.source = CameraSource::Manual;
     const glm::dvec3 back = c.axes[2];
     const double level = std::hypot(back.x, back.z);
     // Straight up or down the azimuth is free: roll then says everything.

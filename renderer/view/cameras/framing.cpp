@@ -136,7 +136,7 @@ void frame_bounds(Camera& c, const Bounds& bounds) {
 
 bool frames_shadow(const Scene& scene, const Settings& settings) {
     const double size = scene.standing.radius();
-    return settings.scene.ground == int(Ground::Auto) && !scene.file_scenes.empty() && std::isfinite(size) &&
+    return settings.scene.ground == Ground::Auto && !scene.file_scenes.empty() && std::isfinite(size) &&
            size > std::max(1e-7, 1e-9 * glm::length(scene.standing.centre()));
 }
 

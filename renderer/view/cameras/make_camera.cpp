@@ -105,7 +105,7 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
     c.height = positive_or(s.height, 10);
     c.curve.convention = {true, true};
     double near = 0, far = 0;
-    if (s.source == int(CameraSource::Light)) {
+    if (s.source == CameraSource::Light) {
         std::vector<FittedLight> own;
         if (as_placed.empty()) as_placed = own = fit_lights(scene, settings);
         if (look_through_light(c, settings, bounds, as_placed)) {
@@ -113,7 +113,7 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
             return c;
         }
     }
-    if (s.source == int(CameraSource::Manual)) {
+    if (s.source == CameraSource::Manual) {
         c.axes = orbit_axes(finite_or(s.azimuth, 35), finite_or(s.elevation, 25), finite_or(s.roll, 0));
         c.focus = positive_or(s.distance, bounds.radius());
         const glm::dvec3 target(finite_or(s.target_x, 0), finite_or(s.target_y, 0), finite_or(s.target_z, 0));
@@ -147,11 +147,11 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
 }
 
 CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect) {
-    if (settings.camera.source == int(CameraSource::Manual)) return settings.camera;
+    if (settings.camera.source == CameraSource::Manual) return settings.camera;
     CameraSettings s = camera_settings(make_camera(scene, settings, aspect));
     s.index = settings.camera.index;
     glm::dmat3 unused;
-    const bool light = settings.camera.source == int(CameraSource::Light);
+    const bool light = settings.camera.source == CameraSource::Light;
     const SceneCamera* sc = light ? nullptr : scene_camera(scene, s.index, unused);
     s.near = sc ? positive_or(sc->near, 0) : 0;
     s.far = sc ? positive_or(sc->far, 0) : 0;

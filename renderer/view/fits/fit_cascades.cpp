@@ -14,7 +14,7 @@ namespace si {
 namespace {
 
 bool is_stabilised(const FitContext& c) {
-    return c.settings.fit == int(LightFit::Stabilised);
+    return c.settings.fit == LightFit::Stabilised;
 }
 
 bool is_warped(const FitContext& c) {
@@ -24,7 +24,7 @@ bool is_warped(const FitContext& c) {
 /// Where the cascades of camera depths end, metres; the last one is `all.to_m`.
 std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const Camera& camera, const DepthSpan& all,
                                  int count) {
-    const auto split = Split(c.settings.split);
+    const auto split = c.settings.split;
     if (split == Split::Manual) {
         std::vector<double> ends;
         for (int i = 0; i + 1 < count; ++i) {
@@ -120,7 +120,7 @@ void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera)
         all = *c.seen_m;
     const std::vector<double> ends = cascade_ends(light, c, camera, all, count);
     const double margin = reach_of_lookups(c.all_settings);
-    const bool by_map = c.settings.cascade_choice == int(CascadeChoice::Map);
+    const bool by_map = c.settings.cascade_choice == CascadeChoice::Map;
     if (count > 1) light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
     double begins = all.from_m, holds_from = begins;
     for (int i = 0; i < count; ++i) {

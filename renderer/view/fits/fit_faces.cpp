@@ -53,7 +53,7 @@ void fit_faces(FittedLight& light, const FitContext& c) {
         finish_view(light, face, c, range.far);
     }
     light.chooser = {ViewChoice::Face, light.position, {}, {}};
-    if (c.settings.projection == int(LightProjection::Orthographic))
+    if (c.settings.projection == LightProjection::Orthographic)
         note(light, "six faces are always perspective: light.projection has no effect");
 }
 

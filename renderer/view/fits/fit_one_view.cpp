@@ -14,7 +14,7 @@ namespace {
 
 /// Half extent in metres by hand, or 0.
 double manual_half_extent(const LightSettings& s) {
-    return s.fit == int(LightFit::Manual) ? positive_or(s.extent, 0) : 0;
+    return s.fit == LightFit::Manual ? positive_or(s.extent, 0) : 0;
 }
 
 /// An orthographic map over all boxes (`half` 0) or of a given half extent about the view's axis.
@@ -60,7 +60,7 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
 
 /// Depths along the light of what the camera sees of receivers, where the fit goes by it.
 std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext& c) {
-    const bool asked = c.settings.near_far == int(NearFar::Casters) || c.settings.near_far == int(NearFar::Pancaking);
+    const bool asked = c.settings.near_far == NearFar::Casters || c.settings.near_far == NearFar::Pancaking;
     if (!asked || !c.camera || !fit_row(c.settings.fit).reads_camera) return std::nullopt;
     const DepthSpan depths = c.seen_m.value_or(DepthSpan{c.camera->curve.near, c.camera->curve.far});
     const CameraSlice slice(*c.camera, depths.from_m, depths.to_m);
@@ -133,9 +133,9 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     const bool directional = light.type == LightType::Directional;
     // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
     double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
-    const int projection = c.settings.projection;
-    const bool perspective = directional ? projection == int(LightProjection::Perspective)
-                                         : projection != int(LightProjection::Orthographic);
+    const LightProjection projection = c.settings.projection;
+    const bool perspective =
+        directional ? projection == LightProjection::Perspective : projection != LightProjection::Orthographic;
     if (perspective != directional) {  // else its rays are not the light's
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);

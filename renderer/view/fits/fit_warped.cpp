@@ -116,7 +116,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     view.projection[3][3] = 1;
     // 1 / w is 1 - k y / w, and so falls evenly over the map.
     const auto inverse_w = [&](double ndc) { return 1 - k * (ndc - bv) / av; };
-    const auto near_far = NearFar(c.settings.near_far);
+    const auto near_far = c.settings.near_far;
     view.clamps_near = near_far == NearFar::Pancaking;
 
     // Along the rays: depth is (z - middle) / w, so that with w its unit grows away from the camera; counted from the

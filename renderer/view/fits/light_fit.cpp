@@ -118,7 +118,7 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
 }  // namespace
 
 bool shades_nothing(const FittedLight& light, const Settings& settings) {
-    return !light.dark.empty() && settings.shading.composition != int(Composition::DimLit);
+    return !light.dark.empty() && settings.shading.composition != Composition::DimLit;
 }
 
 bool never_shadows(const FittedLight& light, const Settings& settings) {
@@ -127,9 +127,9 @@ bool never_shadows(const FittedLight& light, const Settings& settings) {
     // What faces the light is moved towards it.
     const BiasSettings& b = settings.bias;
     const bool nearer = b.constant >= 0 && b.slope >= 0 &&
-                        (b.normal == 0 || (b.normal > 0 && b.normal_source == int(NormalSource::Geometric)));
+                        (b.normal == 0 || (b.normal > 0 && b.normal_source == NormalSource::Geometric));
     return !light.empty.empty() && compares && nearer && !compares_per_texel(settings) && !draws_pages(settings) &&
-           settings.map.outside == int(Outside::Lit) && settings.map.compare == int(Compare::LessEqual);
+           settings.map.outside == Outside::Lit && settings.map.compare == Compare::LessEqual;
 }
 
 double fit_margin_texels(const Settings& settings, int resolution) {
@@ -186,7 +186,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         light.casts = light.reason.empty();
         if (!light.casts) continue;
         if (!light.views.front().clamps_near) light.clipped_casters = count_clipped(shape, light.views);
-        light.limits = map_limits(shape, light.views, MapFormat(settings.map.format), resolution);
+        light.limits = map_limits(shape, light.views, settings.map.format, resolution);
         if (!fit_reads_camera(settings, int(i))) light.empty = why_empty(light, shape, context);
         for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
     }

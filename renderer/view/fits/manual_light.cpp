@@ -10,7 +10,7 @@ constexpr double kStandBack = 0.01;
 constexpr double kSamePlace = 1e-12;  // of the light's distance
 
 bool leaves_nothing(const LightSettings& s, bool orthographic) {
-    return s.fit == int(LightFit::Manual) && takes_near_far(s) && s.distance > 0 && s.near > 0 && s.far > 0 &&
+    return s.fit == LightFit::Manual && takes_near_far(s) && s.distance > 0 && s.near > 0 && s.far > 0 &&
            (s.extent > 0 || !orthographic);
 }
 
@@ -24,8 +24,8 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     LightSettings s = settings;
     const bool orthographic = !fitted.views.empty() && !fitted.views[0].curve.perspective;
     if (leaves_nothing(s, orthographic)) return s;
-    s.fit = int(LightFit::Manual);
-    s.near_far = int(NearFar::Fitted);
+    s.fit = LightFit::Manual;
+    s.near_far = NearFar::Fitted;
     if (!(s.distance > 0)) s.distance = glm::distance(fitted.position, fitted.target);
     if (fitted.views.empty()) return s;
     const LightView& view = fitted.views[0];

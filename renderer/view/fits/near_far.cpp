@@ -13,7 +13,7 @@ constexpr double kFlattest = 3;       // cotangent of a sun's height
 constexpr double kMostOfMap = 0.125;  // of its width, that kernels have room for beyond a shadow on the ground
 
 NearFar choice_of(const FitContext& c) {
-    return NearFar(c.settings.near_far);
+    return c.settings.near_far;
 }
 
 /// Whether a box bounds the near plane, or the far one.
@@ -39,7 +39,7 @@ double room_for_bias(const FitContext& c, double texel_m, double range_m) {
     const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
     // Where each texel has a depth of its own, a kernel's taps lie on the slope of the receiver's plane.
     const double aside = 2 * reach_of_lookups(c.all_settings) * texel_m;
-    switch (BiasUnit(b.unit)) {
+    switch (b.unit) {
         case BiasUnit::Depth:
             return aside + range_m * std::min(amount, 0.9) / (1 - std::min(amount, 0.9));
         case BiasUnit::Texels:
@@ -57,7 +57,7 @@ double reach_of_lookups(const Settings& s) {
 double room_beyond_shadow(const LightView& view, const FitContext& c, double texel_m) {
     if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
     const double rise = view.axes[2].y;
-    if (c.settings.type != int(LightType::Directional) || !(rise > 0)) return 0;
+    if (c.settings.type != LightType::Directional || !(rise > 0)) return 0;
     // A flatter light's shadows run to the ground's end.
     const double texels = std::min(reach_of_lookups(c.all_settings), kMostOfMap * c.resolution);
     return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kFlattest);

@@ -17,11 +17,11 @@ namespace {
 
 double size_of(const LightSettings& s) {
     const double size = positive_or(s.size, 0);
-    return s.type == int(LightType::Directional) ? std::tan(std::min(size, 89.0) * kDegree) : size;
+    return s.type == LightType::Directional ? std::tan(std::min(size, 89.0) * kDegree) : size;
 }
 
 double range_of(const LightSettings& s) {
-    return s.type == int(LightType::Directional) ? 0 : positive_or(s.range, 0);
+    return s.type == LightType::Directional ? 0 : positive_or(s.range, 0);
 }
 
 /// Half the cone's angle in radians, clamped.
@@ -48,7 +48,7 @@ void place_spot(PlacedLight& light, const LightSettings& s) {
 double automatic_distance(const PlacedLight& light, const LightSettings& s, double radius) {
     switch (light.type) {
         case LightType::Directional:
-            return (s.projection == int(LightProjection::Perspective) ? 4 : 2) * radius;
+            return (s.projection == LightProjection::Perspective ? 4 : 2) * radius;
         case LightType::Spot:  // far enough for the sphere around the scene to fit into the cone
             return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
         case LightType::Point:
@@ -63,7 +63,7 @@ double intensity_of(const LightSettings& s) {
 
 PlacedLight place(const LightSettings& s, const SceneShape& shape) {
     PlacedLight light;
-    light.type = LightType(std::clamp(s.type, 0, 2));
+    light.type = s.type;
     light.to_light = direction_from_angles(finite_or(s.azimuth, -40), finite_or(s.elevation, 45));
     light.radiance =
         intensity_of(s) * glm::dvec3(positive_or(s.red, 0), positive_or(s.green, 0), positive_or(s.blue, 0));
