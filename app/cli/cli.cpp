@@ -53,7 +53,7 @@ void add_session_options(CLI::App& command, SessionOptions& session, bool scene_
         ->type_name("KEY=VALUE")
         ->allow_extra_args(false);
     command.add_flag_callback(
-        "--no-cache", [] { light_maps().keep_in({}); },
+        "--no-cache", [] { light_maps().set_disk_folder({}); },
         "Neither read nor keep baked light maps ($XDG_CACHE_HOME/shadow-inspector, by default below ~/.cache)");
     command.footer([] { return settings_help(); });
 }
@@ -256,7 +256,7 @@ void start_editor(Options& o) {
     e.session = o.session;
     e.welcome = o.session.scene.empty() && o.session.preset.empty() && e.sweep.empty() && e.tab.empty();
     if (!e.headless && !o.no_state) e.state_folder = state_folder();
-    if (o.no_state) light_maps().keep_in({});
+    if (o.no_state) light_maps().set_disk_folder({});
     if (lower_extension(o.session.preset) == ".json") e.preset = o.session.preset;
     print_notes(run_editor(e));
 }
@@ -439,7 +439,7 @@ int run_cli(int argc, const char* const* argv) {
                          [](CLI::App& c, SessionOptions& session) { add_session_options(c, session, true); });
     add_presets(app, options, run);
     add_others(app, options, run);
-    if (const auto folder = cache_folder(); !folder.empty()) light_maps().keep_in(folder / "light-maps");
+    if (const auto folder = cache_folder(); !folder.empty()) light_maps().set_disk_folder(folder / "light-maps");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

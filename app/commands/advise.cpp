@@ -101,7 +101,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
 
 void print_advice(const TriedAdvice& t) {
     fmt::print("  {:>10} {:>+11.3g}  {}{}\n      {}\n", time_text(t.ms), t.added_error(), t.idea.sentence,
-               t.why_not.empty() ? "" : ": " + t.why_not, sets_text(t.settings));
+               t.why_not.empty() ? "" : ": " + t.why_not, set_options_text(t.settings));
 }
 
 void print_report(const AdviceReport& r) {
@@ -110,7 +110,7 @@ void print_report(const AdviceReport& r) {
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
         fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.cure.empty() ? "" : "; ", f.cure,
-                   f.settings.empty() ? "" : "\n      " + sets_text(f.settings));
+                   f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
     for (const TriedAdvice& t : r.holds) print_advice(t);

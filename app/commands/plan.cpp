@@ -86,7 +86,7 @@ Json plan_json(const Session& session, const PlanOptions& options, const Planned
     json["rounds"] = saved ? Json(saved->rounds) : Json();
     json["clock"] = saved ? Json(saved->frame.clock) : Json();
     json["waste"] = plan.waste ? waste_json(*plan.waste) : Json();
-    json["memory"] = memory_json(memory_facts());
+    json["memory"] = memory_json(memory_report());
     json["driver"] = driver_json(driver);
     return json;
 }

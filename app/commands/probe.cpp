@@ -80,7 +80,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
 }
 
 /// @param endless what an infinite amount is called
-void print_amount(const char* name, const DepthAmount& a, const char* about = "", const char* endless = "infinite") {
+void print_amount(const char* name, const DepthShift& a, const char* about = "", const char* endless = "infinite") {
     if (std::isfinite(a.depth))
         fmt::print("    {:<23} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres,
                    a.depth, about);
@@ -92,9 +92,9 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d, const Settings& s
     fmt::print("  verdict: {}\n", d.verdict);
     if (d.remedy)
         fmt::print("  fix: {}{} ({})\n", fix_text(*d.remedy, settings), fix_worth_text(*d.remedy),
-                   sets_text(d.remedy->settings));
+                   set_options_text(d.remedy->settings));
     if (!p.casts) return;
-    const BiasAccount& a = p.account;
+    const BiasBreakdown& a = p.account;
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));

@@ -25,7 +25,7 @@ void Canvas::bind() const {
 ByteImage Canvas::picture() const {
     ByteImage image{width_, height_, {}};
     image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(texture_, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(image.data.size()), image.data.data());
     flip_rows(image.data, width_, height_, 4);
     for (std::size_t i = 3; i < image.data.size(); i += 4) image.data[i] = 255;

@@ -18,11 +18,11 @@ struct EditorAgainst::Texture {
 
     explicit Texture(const ByteImage& image) : width(image.width), height(image.height) {
         glCreateTextures(GL_TEXTURE_2D, 1, &id);
-        gl::forget_errors();
+        gl::clear_gl_errors();
         glTextureStorage2D(id, 1, GL_RGBA8, width, height);
         try {
-            gl::require_memory(fmt::format("the picture compared with ({} x {})", width, height),
-                               "make the window smaller, or switch comparing off");
+            gl::check_memory_errors(fmt::format("the picture compared with ({} x {})", width, height),
+                                    "make the window smaller, or switch comparing off");
         } catch (...) {
             glDeleteTextures(1, &id);
             throw;

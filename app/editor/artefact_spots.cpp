@@ -15,7 +15,7 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
     judged.outputs = {.colour = false, .judged = true};
     judged.timing = judged.force = false;
     const FrameResult frame = renderer.render(scene, settings, judged);
-    const MeasuredError measured = read_judged(renderer, frame, *request.truth, settings.view.light);
+    const MeasuredError measured = read_classified_pixels(renderer, frame, *request.truth, settings.view.light);
     const Receivers& receivers = *measured.traced.receivers;
     const int step = request.truth->step;
     ArtefactSpots out{.number = wish.number, .spots = {}, .camera = frame.camera, .height = request.height};

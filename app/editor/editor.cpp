@@ -77,7 +77,7 @@ private:
 ByteImage read_window(int width, int height) {
     ByteImage image{width, height, {}};
     image.data.resize(std::size_t(width) * std::size_t(height) * 4);
-    gl::begin_reading();
+    gl::prepare_read_back();
     glReadBuffer(GL_BACK);
     glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.data.data());
     flip_rows(image.data, width, height, 4);
@@ -182,7 +182,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             model.save_shot(*actions.shot, read_window(width, height), scale);
         window.swap();
         try {
-            gl::require_context();
+            gl::check_context_alive();
         } catch (const gl::ContextLost&) {
             model.keep_now();  // the next start offers it
             throw;

@@ -191,7 +191,7 @@ std::filesystem::path path_of_file_uri(const std::string& uri) {
     const std::size_t slash = uri.find('/', kScheme.size());
     const std::string host = uri.substr(kScheme.size(), slash - kScheme.size());
     if (slash == uri.npos || (!host.empty() && host != "localhost")) return {};
-    const std::string path = percent_decoded(std::string_view(uri).substr(slash));
+    const std::string path = percent_decode(std::string_view(uri).substr(slash));
     return path.find('\0') == path.npos ? std::filesystem::path(path) : std::filesystem::path();
 }
 

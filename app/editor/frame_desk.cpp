@@ -157,7 +157,7 @@ private:
 FrameDesk::FrameDesk(EditorState& state, FrameThread thread, SessionReport& session)
     : state_(state), session_(session), patience_(thread.patience), hand_(std::make_unique<Hand>(std::move(thread))) {
     call([&] {
-        if (hand_->has_thread()) gl::let_others_draw();
+        if (hand_->has_thread()) gl::set_background_drawing();
         loop_ = std::make_unique<FrameLoop>(hand_->has_thread());
         if (hand_->has_thread()) copies_ = std::make_unique<Copies>();
     });

@@ -158,7 +158,7 @@ void EditorModel::follow_memory(bool wanted) {
     constexpr double kFreshSeconds = 0.5;
     if (!wanted) held_.reset();
     if (!wanted || (held_ && steady_seconds() < held_at_s_ + kFreshSeconds)) return;
-    held_ = memory_facts();
+    held_ = memory_report();
     held_at_s_ = steady_seconds();
 }
 

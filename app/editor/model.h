@@ -105,7 +105,7 @@ private:
     const bool check_numeric_;
     const bool offers_pictures_;  ///< screenshots to the clipboard, too
     SessionReport session_;
-    std::optional<MemoryFacts> held_;
+    std::optional<MemoryReport> held_;
     double held_at_s_ = 0;
     EditorMemory memory_;
     SceneDesk scenes_;

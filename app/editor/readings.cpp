@@ -65,7 +65,7 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
     std::uint64_t bytes = 0;
     for (const auto& image : {facts_.map_values, facts_.map_coordinates, facts_.overlay_values})
         if (image) bytes += array_bytes(image->data);
-    if (bytes != held_.bytes()) held_ = HeldMemory("numbers read back", bytes);
+    if (bytes != held_.bytes()) held_ = TrackedMemory("numbers read back", bytes);
     changed |= dossier_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
     changed |= dossier_.update_sections(facts_.probe.get(), state.settings, state.tab == BottomTab::Probe);
     return changed || probed;
@@ -217,7 +217,7 @@ bool EditorReadings::update_loupe(const PictureState& state, const FrameResult& 
     const glm::ivec2 hi = glm::clamp(*at + kLoupeReach + 1, glm::ivec2(0), size), n = hi - lo;
     if (n.x > 0 && n.y > 0) {
         std::vector<std::uint8_t> read(std::size_t(n.x) * std::size_t(n.y) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureSubImage(picture.texture, 0, lo.x, size.y - hi.y, 0, n.x, n.y, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                              GLsizei(read.size()), read.data());
         for (int y = lo.y; y < hi.y; ++y)

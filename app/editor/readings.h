@@ -52,7 +52,7 @@ private:
     ReadingFacts facts_;  ///< but what the dossiers' work knows
     EditorDossier dossier_;
     std::optional<glm::ivec2> probed_pixel_;
-    HeldMemory held_;           ///< what the numbers take
+    TrackedMemory held_;        ///< what the numbers take
     Settings frozen_settings_;  ///< that the frozen camera's texels were found under, as far as they depend on them
     std::uint64_t frozen_scene_ = 0;  ///< Scene::id
 };

@@ -32,7 +32,7 @@ void SessionReport::note_driver(const std::string& message) {
 
 void SessionReport::sample(double now_s) {
     if (began_s_ < 0) began_s_ = now_s;
-    samples_.push_back({now_s - began_s_, memory_facts()});
+    samples_.push_back({now_s - began_s_, memory_report()});
     if (samples_.size() < kMostSamples) return;
     std::vector<Sample> fewer;
     for (std::size_t i = 1; i < samples_.size(); i += 2) fewer.push_back(std::move(samples_[i]));
@@ -55,7 +55,7 @@ void SessionReport::write(const Log& log) {
                  {"driver_messages", {{"count", driver_count_}, {"first", driver_}}},
                  {"errors", errors_json(log)},
                  {"unsound", unsound_.empty() ? Json() : Json(unsound_)},
-                 {"memory", memory_json(memory_facts())},
+                 {"memory", memory_json(memory_report())},
                  {"memory_over_time", Json::array()}};
     for (const Sample& s : samples_) {
         Json row = {{"seconds", s.seconds}};

@@ -36,7 +36,7 @@ public:
 private:
     struct Sample {
         double seconds = 0;
-        MemoryFacts memory;
+        MemoryReport memory;
     };
     void sample(double now_s);
 

@@ -117,10 +117,11 @@ void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Setti
     judged.outputs = {.colour = false, .judged = true};
     judged.timing = judged.force = false;
     const FrameResult frame = renderer.render(scene, settings, judged);
-    auto measured = std::make_shared<MeasuredError>(read_judged(renderer, frame, *request.truth, settings.view.light));
+    auto measured =
+        std::make_shared<MeasuredError>(read_classified_pixels(renderer, frame, *request.truth, settings.view.light));
     doing_ = "Measuring", doing_key_ = request.truth->key;
     job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
-        sum_up(*measured);
+        sum_error_metrics(*measured);
         write_file(path, json_text(saved_error(*measured)));
         return Found{.remark = "Saved " + path};
     });

@@ -48,7 +48,7 @@ void print_cures(const CureTable& table, std::size_t rows) {
         fmt::print("  {:>8} {:>8} {:>10} {:>9}  {}{}\n      {}\n", cure.cured, cure.broken, time_text(cure.ms),
                    map_bytes_text(cure.map_bytes), cure.shown_name(),
                    cure.pixel_right ? *cure.pixel_right ? ": this pixel is right" : ": this pixel stays wrong" : "",
-                   sets_text(cure.settings));
+                   set_options_text(cure.settings));
     }
 }
 

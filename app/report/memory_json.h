@@ -8,6 +8,6 @@
 namespace si {
 
 /// {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, bytes.
-nlohmann::ordered_json memory_json(const MemoryFacts& facts);
+nlohmann::ordered_json memory_json(const MemoryReport& facts);
 
 }  // namespace si

@@ -11,7 +11,7 @@
 namespace si {
 
 std::string sets_beyond(const Settings& base, const Settings& settings) {
-    return sets_text(setting_changes(base, settings));
+    return set_options_text(setting_changes(base, settings));
 }
 
 NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json amount_json(const DepthAmount& a) {
+Json amount_json(const DepthShift& a) {
     return {{"depth", a.depth}, {"texels", a.texels}, {"metres", a.metres}};
 }
 
@@ -43,15 +43,15 @@ Json taps_json(const Probe::PerLight& p) {
     return taps;
 }
 
-Json account_json(const BiasAccount& a) {
+Json account_json(const BiasBreakdown& a) {
     return {{"terms",
              {{"constant", amount_json(a.amount(a.constant))},
               {"slope", amount_json(a.amount(a.slope))},
               {"by_itself", amount_json(a.amount(a.by_itself))},
               {"normal", amount_json(a.amount(a.normal))},
               {"raster", amount_json(a.amount(a.raster))}}},
-            {"worth", amount_json(a.amount(a.clears()))},
-            {"lifted", amount_json(a.amount(a.lifts))},
+            {"worth", amount_json(a.amount(a.equivalent_depth()))},
+            {"lifted", amount_json(a.amount(a.depth_shift))},
             {"least", amount_json(a.amount(a.least.total()))},
             {"least_parts",
              {{"kernel", amount_json(a.amount(a.least.kernel))},

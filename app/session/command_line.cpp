@@ -24,8 +24,8 @@ SessionPlan session_plan(const std::string& scene_name, const Scene& scene, cons
 std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
                          int height) {
     std::string text =
-        fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_word(scene_name), width, height);
-    for (const std::string& set : session_plan(scene_name, scene, settings).sets) text += " --set " + shell_word(set);
+        fmt::format("shadow-inspector render {} -o out.png --size {}x{}", shell_quoted(scene_name), width, height);
+    for (const std::string& set : session_plan(scene_name, scene, settings).sets) text += " --set " + shell_quoted(set);
     return text;
 }
 

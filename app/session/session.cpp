@@ -119,17 +119,17 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
         }
         // What the lights of a file are placed by is known before they are placed.
-        measure_travel(scene, settings.fit_animation ? settings.animation : -1);
+        measure_animation_bounds(scene, settings.fit_animation ? settings.animation : -1);
         // Where the ground lies and what the camera frames do not depend on the moment that is shown.
         if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
             pose(scene, 0, 0);
-            keep_framed(scene);
+            store_framing_points(scene);
             if (grounded) add_ground(scene);
         }
         pose(scene, settings.animation, settings.time);
     }
     const bool moves = scene.rig && !scene.rig->animations.empty();
-    if (scene.framed.empty() && !scene.file_scenes.empty() && !moves) keep_framed(scene);
+    if (scene.framed.empty() && !scene.file_scenes.empty() && !moves) store_framing_points(scene);
     if (grounded) add_ground(scene);
     if (const glm::dmat4 placement = placement_of(settings); placement != scene.placement) place(scene, placement);
     hide_objects(scene, hidden);

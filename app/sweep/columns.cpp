@@ -107,7 +107,7 @@ std::string label_of(const Column& column, CostCase cost) {
 }
 
 double plotted_value(const Column& column, const CaseNumbers& numbers) {
-    return shortfall(column.better, column.value(numbers));
+    return distance_from_best(column.better, column.value(numbers));
 }
 
 double noise_of(const Column& column, const CaseNumbers& numbers) {

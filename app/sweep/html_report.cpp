@@ -68,9 +68,9 @@ Json setting_info(const Json& axes) {
 /// How to look at a case in the editor.
 std::string command_of(const Json& results, const Json& row) {
     std::string text = fmt::format("shadow-inspector edit {} --preset {}",
-                                   shell_word(results.at("scene").at("name").get<std::string>()), kBasePreset);
+                                   shell_quoted(results.at("scene").at("name").get<std::string>()), kBasePreset);
     for (const auto& [key, value] : row.at("settings").items())
-        text += " --set " + shell_word(key + "=" + value.get<std::string>());
+        text += " --set " + shell_quoted(key + "=" + value.get<std::string>());
     return text;
 }
 

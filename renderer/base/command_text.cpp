@@ -2,7 +2,7 @@
 
 namespace si {
 
-std::string shell_word(std::string_view text) {
+std::string shell_quoted(std::string_view text) {
     static constexpr std::string_view kPlain =
         "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%@";
     if (!text.empty() && text.find_first_not_of(kPlain) == text.npos) return std::string(text);
@@ -11,10 +11,10 @@ std::string shell_word(std::string_view text) {
     return quoted + "'";
 }
 
-std::string sets_text(std::span<const std::pair<std::string, std::string>> changes) {
+std::string set_options_text(std::span<const std::pair<std::string, std::string>> changes) {
     std::string text;
     for (const auto& [key, value] : changes)
-        text += (text.empty() ? "--set " : " --set ") + shell_word(key + "=" + value);
+        text += (text.empty() ? "--set " : " --set ") + shell_quoted(key + "=" + value);
     return text;
 }
 

@@ -14,57 +14,57 @@
 
 namespace si {
 
-struct HeldRow {
+struct MemoryLedgerRow {
     std::uint64_t bytes = 0, most = 0;
     std::size_t count = 0;
 };
 
 /// Outlives all that static storage holds: never destroyed.
-struct HeldLedger {
+struct MemoryLedger {
     std::mutex mutex;
-    std::map<std::string, HeldRow, std::less<>> rows;
+    std::map<std::string, MemoryLedgerRow, std::less<>> rows;
 
-    static HeldLedger& get() {
-        static auto* ledger = new HeldLedger;
+    static MemoryLedger& get() {
+        static auto* ledger = new MemoryLedger;
         return *ledger;
     }
-    void take(HeldMemory& held, HeldRow* row, std::uint64_t bytes) {
+    void take(TrackedMemory& held, MemoryLedgerRow* row, std::uint64_t bytes) {
         const std::lock_guard lock(mutex);
         held.row_ = row;
         if (!row) return;
         ++row->count;
         change(held, std::int64_t(bytes));
     }
-    static void change(HeldMemory& held, std::int64_t by) {
+    static void change(TrackedMemory& held, std::int64_t by) {
         held.bytes_ += std::uint64_t(by);
         held.row_->bytes += std::uint64_t(by);
         held.row_->most = std::max(held.row_->most, held.row_->bytes);
     }
-    HeldRow* row(std::string_view holder) {
+    MemoryLedgerRow* row(std::string_view holder) {
         const std::lock_guard lock(mutex);
         const auto known = rows.find(holder);
         return known != rows.end() ? &known->second : &rows[std::string(holder)];
     }
 };
 
-HeldMemory::HeldMemory(std::string_view holder, std::uint64_t bytes) {
-    HeldLedger& ledger = HeldLedger::get();
+TrackedMemory::TrackedMemory(std::string_view holder, std::uint64_t bytes) {
+    MemoryLedger& ledger = MemoryLedger::get();
     ledger.take(*this, ledger.row(holder), bytes);
 }
 
-HeldMemory::HeldMemory(const HeldMemory& other) {
-    HeldLedger::get().take(*this, other.row_, other.bytes_);
+TrackedMemory::TrackedMemory(const TrackedMemory& other) {
+    MemoryLedger::get().take(*this, other.row_, other.bytes_);
 }
 
-HeldMemory::HeldMemory(HeldMemory&& other) noexcept
+TrackedMemory::TrackedMemory(TrackedMemory&& other) noexcept
     : row_(std::exchange(other.row_, nullptr)), bytes_(std::exchange(other.bytes_, 0)) {}
 
-HeldMemory& HeldMemory::operator=(const HeldMemory& other) {
-    if (this != &other) *this = HeldMemory(other);
+TrackedMemory& TrackedMemory::operator=(const TrackedMemory& other) {
+    if (this != &other) *this = TrackedMemory(other);
     return *this;
 }
 
-HeldMemory& HeldMemory::operator=(HeldMemory&& other) noexcept {
+TrackedMemory& TrackedMemory::operator=(TrackedMemory&& other) noexcept {
     if (this != &other) {
         drop();
         row_ = std::exchange(other.row_, nullptr);
@@ -73,24 +73,24 @@ HeldMemory& HeldMemory::operator=(HeldMemory&& other) noexcept {
     return *this;
 }
 
-void HeldMemory::add(std::int64_t bytes) {
+void TrackedMemory::add(std::int64_t bytes) {
     if (!row_) return;
-    const std::lock_guard lock(HeldLedger::get().mutex);
-    HeldLedger::change(*this, bytes);
+    const std::lock_guard lock(MemoryLedger::get().mutex);
+    MemoryLedger::change(*this, bytes);
 }
 
-void HeldMemory::drop() {
+void TrackedMemory::drop() {
     if (!row_) return;
-    const std::lock_guard lock(HeldLedger::get().mutex);
+    const std::lock_guard lock(MemoryLedger::get().mutex);
     row_->bytes -= bytes_;
     --row_->count;
     row_ = nullptr;
     bytes_ = 0;
 }
 
-std::uint64_t MemoryFacts::held() const {
+std::uint64_t MemoryReport::held() const {
     std::uint64_t sum = 0;
-    for (const HeldBytes& h : holders) sum += h.bytes;
+    for (const MemoryUse& h : holders) sum += h.bytes;
     return sum;
 }
 
@@ -112,21 +112,21 @@ ProcessMemory process_memory() {
     return out;
 }
 
-void give_back_free_pages() {
+void trim_heap() {
 #if defined(__GLIBC__)
     malloc_trim(0);
 #endif
 }
 
-MemoryFacts memory_facts() {
-    MemoryFacts facts{.process = process_memory(), .holders = {}};
-    HeldLedger& ledger = HeldLedger::get();
+MemoryReport memory_report() {
+    MemoryReport facts{.process = process_memory(), .holders = {}};
+    MemoryLedger& ledger = MemoryLedger::get();
     {
         const std::lock_guard lock(ledger.mutex);
         for (const auto& [holder, row] : ledger.rows) facts.holders.push_back({holder, row.bytes, row.most, row.count});
     }
     std::stable_sort(facts.holders.begin(), facts.holders.end(),
-                     [](const HeldBytes& a, const HeldBytes& b) { return a.bytes > b.bytes; });
+                     [](const MemoryUse& a, const MemoryUse& b) { return a.bytes > b.bytes; });
     return facts;
 }
 

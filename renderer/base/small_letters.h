@@ -1,4 +1,4 @@
-// Texts without capitals, to be compared. ASCII alone: other bytes stay as they are, in any locale.
+// Lower case for comparisons, of ASCII letters alone and in any locale.
 #pragma once
 
 #include <filesystem>
@@ -7,16 +7,17 @@
 
 namespace si {
 
-inline std::string in_small_letters(std::string_view text) {
+/// Returns `text` with ASCII capitals in lower case; all other bytes stay.
+inline std::string lower_ascii(std::string_view text) {
     std::string out(text);
     for (char& c : out)
         if (c >= 'A' && c <= 'Z') c = char(c - 'A' + 'a');
     return out;
 }
 
-/// The file's extension in small letters, with its dot.
+/// Returns the extension of a file name in lower case, with its dot: ".gltf".
 inline std::string lower_extension(const std::filesystem::path& path) {
-    return in_small_letters(path.extension().string());
+    return lower_ascii(path.extension().string());
 }
 
 }  // namespace si

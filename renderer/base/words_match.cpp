@@ -13,7 +13,7 @@ bool holds_word(std::string_view place, std::string_view word) {
 
 }  // namespace
 
-bool words_match(std::string_view text, std::initializer_list<std::string_view> places) {
+bool matches_all_words(std::string_view text, std::initializer_list<std::string_view> places) {
     while (true) {
         const auto begin = std::ranges::find_if_not(text, [](unsigned char c) { return std::isspace(c); });
         text.remove_prefix(std::size_t(begin - text.begin()));

@@ -24,24 +24,24 @@ double extent_m(const FittedLight& light, const LightReceiver& r, int resolution
 
 }  // namespace
 
-double BiasAccount::contact_gap_m() const {
-    return contact_gap(amount(clears()).metres, theta_rad);
+double BiasBreakdown::contact_gap_m() const {
+    return contact_gap(amount(equivalent_depth()).metres, theta_rad);
 }
 
-double BiasAccount::compared_at(const glm::dvec2& centre) const {
+double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     if (!per_texel || plane.edge_on()) return receiver.compared;
     const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
-    const double depth = receiver.compared + std::clamp(moved, -most_moved, most_moved);
+    const double depth = receiver.compared + std::clamp(moved, -max_texel_shift, max_texel_shift);
     // Where the plane runs on beyond the far plane, the map may be empty.
     return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
                                      : std::min(depth, std::max(receiver.compared, 1.0));
 }
 
-BiasAccount bias_account(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& p,
-                         const RasterTraits& driver) {
+BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, int resolution, const SurfacePoint& p,
+                             const RasterTraits& driver) {
     const BiasSettings& bias = settings.bias;
     const Bias& row = bias_of(settings);
-    BiasAccount a;
+    BiasBreakdown a;
     a.receiver = light_receiver(light, bias, resolution, p.position_ws, p.geometric, p.bias_normal);
     LightReceiver& r = a.receiver;
     const LightView& view = light.views[r.view];
@@ -61,10 +61,10 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
                          rounding_bias(view, p.position_ws, extent));
     a.per_texel = compares_per_texel(settings);
     if (a.per_texel) {
-        a.most_moved = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
-        a.least.kernel = a.least.kernel > a.most_moved ? a.least.kernel - a.most_moved : 0;
-        a.least.rounding += placing_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
-        b.rest = a.least.rest();
+        a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
+        a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
+        a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
+        b.rest = a.least.without_kernel();
     }
     b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
@@ -80,9 +80,10 @@ BiasAccount bias_account(const FittedLight& light, const Settings& settings, int
     }
     const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
-    if (bias.normal != 0) a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
+    if (bias.normal != 0)
+        a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
     a.raster = offsets_polygons(settings) ? bias_at(BiasStage::Raster).amount(bias, b) : 0;
-    a.lifts = away * (r.uvd.z - r.compared) + a.raster;
+    a.depth_shift = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }
 

@@ -39,7 +39,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     const double rim = 1.0 / resolution;
     const bool shadowless = light.closed && (r.uvd.x < rim || r.uvd.x > 1 - rim || r.uvd.y < rim || r.uvd.y > 1 - rim);
     r.place = w <= 0                   ? MapPlace::Behind
-              : shadowless             ? MapPlace::BeyondShadows
+              : shadowless             ? MapPlace::OutsideCasterRegion
               : beyond                 ? MapPlace::BeyondFar
               : sides                  ? MapPlace::Sides
               : r.own_m < r.curve.near ? MapPlace::BeforeNear

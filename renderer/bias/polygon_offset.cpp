@@ -121,7 +121,7 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
         }
     }
     std::vector<float> depths(std::size_t(width) * std::size_t(height));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(stored.texture.id(), 0, colour ? GL_RED : GL_DEPTH_COMPONENT, GL_FLOAT,
                       GLsizei(depths.size() * sizeof(float)), depths.data());
     std::vector<double> out;

@@ -70,8 +70,8 @@ double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double e
            std::max(extent_m * (curve.slope(z) + view.warp_per_m(point_ws) * curve.depth(z)), curve.depth(z));
 }
 
-double placing_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
-                    int resolution) {
+double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
+                        int resolution) {
     const double across_m = view.texel_size_at(point_ws, resolution).shortest * resolution;
     return 4 * 0x1p-23 * extent_m * (1 / across_m + view.warp_per_m(point_ws)) *
            (std::abs(gradient.x) + std::abs(gradient.y));

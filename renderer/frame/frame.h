@@ -193,7 +193,7 @@ struct FrameResult {
         texels_read;  ///< R32F, a value a texel of the map of view.light and view.face: 1 where some kernel fetches it
     Image surface_ids;                            ///< RG32UI, see SurfaceIds
     Image true_colour;                            ///< RGBA8, as `colour` without overlays
-    Image judged;                                 ///< RG32F, see judged_pixels()
+    Image judged;                                 ///< RG32F, see classified_pixels()
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< of the evidence's CauseContext
     TruthNeed truth;

@@ -8,9 +8,10 @@ namespace {
 std::vector<float> read_whole(const gl::Target& maps, int layer, glm::ivec2 first, glm::ivec2 size) {
     std::vector<float> out(std::size_t(size.x) * std::size_t(size.y));
     if (out.empty()) return out;
-    gl::begin_reading();
-    glGetTextureSubImage(maps.texture.id(), 0, first.x, first.y, layer, size.x, size.y, 1, gl::one_channel(maps.format),
-                         GL_FLOAT, GLsizei(out.size() * sizeof(float)), out.data());
+    gl::prepare_read_back();
+    glGetTextureSubImage(maps.texture.id(), 0, first.x, first.y, layer, size.x, size.y, 1,
+                         gl::single_channel_format(maps.format), GL_FLOAT, GLsizei(out.size() * sizeof(float)),
+                         out.data());
     return out;
 }
 

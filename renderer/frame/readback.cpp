@@ -41,7 +41,7 @@ const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, cons
 ByteImage Renderer::read_colour(const Image& image) {
     ByteImage out{image.width, image.height, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * 4);
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.data.size()), out.data.data());
     flip_rows(out.data, out.width, out.height, 4);
     return out;
@@ -52,7 +52,7 @@ FloatImage read_floats(const Image& image, int channels) {
     out.data.resize(std::size_t(image.width) * std::size_t(image.height) * std::size_t(channels));
     constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const GLenum format = kFormats[channels - 1];
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(image.texture, 0, format, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)), out.data.data());
     flip_rows(out.data, out.width, out.height, channels);
     return out;
@@ -61,7 +61,7 @@ FloatImage read_floats(const Image& image, int channels) {
 SurfaceIds read_ids(const Image& image) {
     SurfaceIds out{image.width, image.height, {}};
     out.data.resize(std::size_t(image.width) * std::size_t(image.height));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(image.texture, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, GLsizei(out.data.size() * sizeof(glm::uvec2)),
                       out.data.data());
     flip_rows(out.data, out.width, out.height, 1);
@@ -110,7 +110,7 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
     if (shown.source == MapSource::Light) return read_shadow_map(frame, shown.light, shown.face);
     const gl::Target& t = require(frame, impl_->number, impl_->resources, Result::CameraDepth);
     FloatImage out{t.width, t.height, 1, std::vector<float>(std::size_t(t.width) * std::size_t(t.height))};
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(t.texture.id(), 0, GL_DEPTH_COMPONENT, GL_FLOAT, GLsizei(out.data.size() * sizeof(float)),
                       out.data.data());
     flip_rows(out.data, t.width, t.height, 1);

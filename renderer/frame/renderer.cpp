@@ -45,7 +45,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
         infos[i].cpu_ms =
             clock ? std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count() : 0;
         if (clock) timed.emplace_back(i, clock->end());
-        if (f.driver.software) gl::end_of_picture();
+        if (f.driver.software) gl::throttle_background_drawing();
     }
     for (const auto& [pass, slot] : timed) infos[pass].gpu_ms = clock->milliseconds(slot);
 }
@@ -104,7 +104,7 @@ FrameResult Renderer::Impl::render(const Scene& scene, const Settings& settings,
         request.height > driver.max_texture_size)
         throw Error(fmt::format("a picture of {} x {} pixels cannot be drawn; each side is 1 to {}", request.width,
                                 request.height, driver.max_texture_size));
-    gl::require_context();
+    gl::check_context_alive();
     while (true) {
         FrameState f = prepare(scene, settings, request);
         plan_frame(f);
@@ -115,7 +115,7 @@ FrameResult Renderer::Impl::render(const Scene& scene, const Settings& settings,
             if (!take_smaller_maps(settings, f, e.what())) throw;
             continue;
         }
-        gl::require_context();
+        gl::check_context_alive();
         result.seen_m = f.seen_m;
         if (f.seen_m) result.passes.insert(result.passes.begin(), resources.seen.info);
         return result;
@@ -191,7 +191,7 @@ FrameResult Renderer::Impl::draw(FrameState& f) {
             if (pass.cached) *pass.cached = 0;
         throw;
     }
-    resources.programs.end_frame(gl::trouble_seam().most_programs);
+    resources.programs.end_frame(gl::fault_injection().max_programs);
     describe_frame(f, result);
     result.contents = contents_of(f, result.passes);
     result.contents.renderer = number;
@@ -206,11 +206,11 @@ const DriverInfo& Renderer::driver() const {
 }
 
 std::vector<std::string> Renderer::take_gl_messages() {
-    return impl_->messages.take();
+    return impl_->messages.take_messages();
 }
 void Renderer::give_back_memory() {
-    if (impl_->driver.renderer.starts_with("llvmpipe")) gl::let_go_of_done_pictures();
-    give_back_free_pages();
+    if (impl_->driver.renderer.starts_with("llvmpipe")) gl::release_finished_images();
+    trim_heap();
 }
 std::string Renderer::shader_log() const {
     return impl_->resources.programs.log();

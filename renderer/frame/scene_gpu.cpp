@@ -87,11 +87,11 @@ SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu
 
 bool SceneGpu::has_textures_of(const Scene& scene) const {
     return std::ranges::equal(textures_as_uploaded_, scene.textures,
-                              [](const SameTexture& before, const Texture& now) { return before.is(now); });
+                              [](const TextureIdentity& before, const Texture& now) { return before.is(now); });
 }
 
 bool SceneGpu::goes_on_with(const Scene& scene) {
-    const auto same_mesh = [&](const SameMesh& before, const Mesh& now) { return before.is(scene, now); };
+    const auto same_mesh = [&](const MeshIdentity& before, const Mesh& now) { return before.is(scene, now); };
     if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) || !has_textures_of(scene)) return false;
     scene_id_ = scene.id;
     return true;
@@ -105,14 +105,14 @@ void SceneGpu::find_bodies_of(const Scene& scene, SceneGpu* before) {
             bodies_[i] = std::move(before->bodies_[i]);
         // What is deformed changes with each pose.
         else if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
-            bodies_[i] = find_bodies(m.positions, m.indices);
+            bodies_[i] = check_watertight(m.positions, m.indices);
     }
 }
 
 void SceneGpu::upload_geometry(const Scene& scene) {
     std::size_t vertex_count = 0, index_count = 0;
     bool coloured = false;
-    std::vector<FacedMesh> faced(scene.meshes.size());
+    std::vector<FlatNormalMesh> faced(scene.meshes.size());
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& m = scene.meshes[i];
         faced[i] = face_normals(m.positions, m.indices);
@@ -140,7 +140,7 @@ void SceneGpu::upload_geometry(const Scene& scene) {
     std::vector<Attributes> attributes;
     for (std::size_t mesh = 0; mesh < scene.meshes.size(); ++mesh) {
         const Mesh& m = scene.meshes[mesh];
-        const FacedMesh& f = faced[mesh];
+        const FlatNormalMesh& f = faced[mesh];
         const std::size_t n = f.normals.size();
         ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
@@ -235,13 +235,13 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         }
         auto texture = gl::Texture::create(t.name.empty() ? "texture" : t.name, GLenum(GL_TEXTURE_2D));
         const int levels = t.mipmaps ? gl::mip_levels(std::max(t.width, t.height)) : 1;
-        gl::forget_errors();
+        gl::clear_gl_errors();
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
-        gl::require_memory(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
-                           "use a scene with smaller textures, or map.resolution below what it is");
+        gl::check_memory_errors(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
+                                "use a scene with smaller textures, or map.resolution below what it is");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
-        gl::hold_images(texture, "scene's textures", {.levels = levels});
+        gl::track_image_memory(texture, "scene's textures", {.levels = levels});
         const GLint mag_filter = t.nearest_mag ? GL_NEAREST : GL_LINEAR;
         const auto set = [&](GLuint id, GLint min_filter) {
             glTextureParameteri(id, GL_TEXTURE_WRAP_S, GLint(wrap_mode(t.wrap_s)));

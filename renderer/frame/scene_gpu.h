@@ -28,7 +28,7 @@ struct Batch {
     GLuint normal_texture = 0;  ///< 0: none
     bool tangents = false;      ///< the mesh brings its tangents
     bool mirrored = false, masked = false, blend = false, double_sided = false, cast = true;
-    bool closed = false;      ///< see find_bodies()
+    bool closed = false;      ///< see check_watertight()
     bool ground = false;      ///< Object::ground
     int cull = 0;             ///< ObjectCull
     glm::dvec3 centre_ws{0};  ///< of the first instance, to order blended batches
@@ -72,8 +72,8 @@ public:
 
 private:
     std::uint64_t scene_id_ = 0;
-    std::vector<SameMesh> meshes_as_uploaded_;
-    std::vector<SameTexture> textures_as_uploaded_;
+    std::vector<MeshIdentity> meshes_as_uploaded_;
+    std::vector<TextureIdentity> textures_as_uploaded_;
     gl::VertexArray vao_;
     gl::Buffer positions_, attributes_, faces_, colours_, normal_map_;
     gl::Buffer indices_, faced_indices_;  ///< as the lights draw, and as the camera does: see face_normals.h
@@ -92,7 +92,7 @@ private:
         std::size_t source(std::size_t own, std::size_t i) const { return i < own ? i : copies[i - own]; }
     };
     std::vector<MeshRange> ranges_;
-    std::vector<Bodies> bodies_;           // by mesh
+    std::vector<WatertightCheck> bodies_;  // by mesh
     std::vector<std::uint32_t> order_;     // objects in instance order
     std::vector<std::uint32_t> batch_of_;  // by instance
     std::vector<Batch> batches_;

@@ -30,7 +30,7 @@ void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum sever
     if (log->messages_.size() < 100) log->messages_.emplace_back(message, std::size_t(length));
 }
 
-std::vector<std::string> MessageLog::take() {
+std::vector<std::string> MessageLog::take_messages() {
     // A lost context reports one at every call.
     for (int i = 0; i < kMostErrors; ++i) {
         const GLenum error = glGetError();

@@ -17,13 +17,13 @@ thread_local Turns turns;
 
 }  // namespace
 
-void let_others_draw(bool on) {
+void set_background_drawing(bool on) {
     turns.lets_others = on;
     if (turns.before) glDeleteSync(turns.before);
     turns.before = nullptr;
 }
 
-void end_of_picture() {
+void throttle_background_drawing() {
     if (!turns.lets_others) return;
     const GLsync done = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     glFlush();
@@ -34,16 +34,16 @@ void end_of_picture() {
     turns.before = done;
 }
 
-void keep_few_under_way() {
+void limit_pending_draws() {
     constexpr int kMost = 8;
-    end_of_picture();
+    throttle_background_drawing();
     thread_local int under_way = 0;  // a context is current in one thread
     if (++under_way < kMost) return;
     under_way = 0;
     glFinish();
 }
 
-bool let_go_of_done_pictures() {
+bool release_finished_images() {
     constexpr int kPlaces = 56;  // with the one that takes long fewer than the 64 after which none is used anew
     constexpr float kBlack[4] = {};
     Target tiny;

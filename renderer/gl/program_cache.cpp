@@ -42,7 +42,9 @@ GLuint compile(GLenum stage, const std::string& text, const std::vector<std::str
     glCompileShader(shader);
     GLint ok = 0;
     glGetShaderiv(shader, GL_COMPILE_STATUS, &ok);
-    if (made_to_fail(Trouble::Shader, files.empty() ? std::string_view() : std::string_view(files.front()))) ok = 0;
+    if (is_injected_failure(DriverFailure::Shader,
+                            files.empty() ? std::string_view() : std::string_view(files.front())))
+        ok = 0;
     if (!ok) {
         const std::string log = info_log(shader, false);
         glDeleteShader(shader);
@@ -104,7 +106,7 @@ GLuint ProgramCache::get(const ProgramRequest& request) {
             files.resize(vertex_files);
             const auto& named = fragment_files.size() > files.size() ? fragment_files : files;
             Kept kept{build(head + vertex, head + fragment, request.fragment, named)};
-            kept.program.holds("texts of shader programs", 2 * head.size() + vertex.size() + fragment.size());
+            kept.program.track_memory("texts of shader programs", 2 * head.size() + vertex.size() + fragment.size());
             it = programs_.emplace(text_key.value(), std::move(kept)).first;
         }
         log_.clear();

@@ -16,7 +16,7 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
         return false;
     texture.reset();
     key = 0;
-    forget_errors();
+    clear_gl_errors();
     texture = Texture::create(label, GLenum(more.samples  ? GL_TEXTURE_2D_MULTISAMPLE
                                             : layer_count ? GL_TEXTURE_2D_ARRAY
                                                           : GL_TEXTURE_2D));
@@ -27,15 +27,15 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     else
         glTextureStorage2D(texture.id(), more.levels, internal_format, w, h);
     try {
-        require_memory(fmt::format("{} ({} x {} x {})", label, w, h, layer_count ? layer_count : 1),
-                       "use a smaller size, map.resolution or fewer lights");
+        check_memory_errors(fmt::format("{} ({} x {} x {})", label, w, h, layer_count ? layer_count : 1),
+                            "use a smaller size, map.resolution or fewer lights");
     } catch (...) {
         texture.reset();
         width = height = layers = 0;
         throw;
     }
     width = w, height = h, layers = layer_count, format = internal_format, extent = more;
-    hold_images(texture, label, more);
+    track_image_memory(texture, label, more);
     if (more.samples) return true;  // such textures have no sampler's state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -44,7 +44,7 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     return true;
 }
 
-void hold_images(Texture& texture, std::string_view holder, const TargetExtent& extent) {
+void track_image_memory(Texture& texture, std::string_view holder, const TargetExtent& extent) {
     const auto of_level = [&](int level, GLenum what) {
         GLint value = 0;
         glGetTextureLevelParameteriv(texture.id(), level, what, &value);
@@ -57,7 +57,7 @@ void hold_images(Texture& texture, std::string_view holder, const TargetExtent& 
     for (int level = 0; level < extent.levels; ++level)
         texels +=
             of_level(level, GL_TEXTURE_WIDTH) * of_level(level, GL_TEXTURE_HEIGHT) * of_level(level, GL_TEXTURE_DEPTH);
-    texture.holds(holder, texels * std::uint64_t(std::max(extent.samples, 1)) * bits / 8);
+    texture.track_memory(holder, texels * std::uint64_t(std::max(extent.samples, 1)) * bits / 8);
 }
 
 namespace {
@@ -111,11 +111,11 @@ Framebuffer make_layers_framebuffer(std::string_view label, const Target& colour
     return fb;
 }
 
-GLenum one_channel(GLenum internal_format) {
+GLenum single_channel_format(GLenum internal_format) {
     return internal_format == GL_R32F || internal_format == GL_R16 ? GL_RED : GL_DEPTH_COMPONENT;
 }
 
-void begin_reading() {
+void prepare_read_back() {
     glFinish();
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
 }

@@ -16,23 +16,23 @@ constexpr int kMostForgotten = 64;  ///< a lost context reports one at every cal
 
 }  // namespace
 
-TroubleSeam& trouble_seam() {
-    static TroubleSeam seam;
+FaultInjection& fault_injection() {
+    static FaultInjection seam;
     return seam;
 }
 
-bool made_to_fail(Trouble kind, std::string_view what) {
-    const auto& fails = trouble_seam().fails;
+bool is_injected_failure(DriverFailure kind, std::string_view what) {
+    const auto& fails = fault_injection().fails;
     return fails && fails(kind, what);
 }
 
-void forget_errors() {
+void clear_gl_errors() {
     for (int i = 0; i < kMostForgotten && glGetError() != GL_NO_ERROR; ++i) {
     }
 }
 
-void require_memory(std::string_view what, std::string_view remedy) {
-    const GLenum error = made_to_fail(Trouble::Memory, what) ? GLenum(GL_OUT_OF_MEMORY) : glGetError();
+void check_memory_errors(std::string_view what, std::string_view remedy) {
+    const GLenum error = is_injected_failure(DriverFailure::Memory, what) ? GLenum(GL_OUT_OF_MEMORY) : glGetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_CONTEXT_LOST) throw_lost("while it made room for " + std::string(what));
     throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, remedy));
@@ -41,27 +41,28 @@ void require_memory(std::string_view what, std::string_view remedy) {
 namespace {
 
 void require_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size) {
-    require_memory(fmt::format("the {} ({} bytes)", label, size),
-                   "use a scene of fewer triangles or fewer lights, or close what else draws");
-    buffer.holds(label, std::uint64_t(size));
+    check_memory_errors(fmt::format("the {} ({} bytes)", label, size),
+                        "use a scene of fewer triangles or fewer lights, or close what else draws");
+    buffer.track_memory(label, std::uint64_t(size));
 }
 
 }  // namespace
 
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags) {
-    forget_errors();
+    clear_gl_errors();
     glNamedBufferStorage(buffer.id(), size, bytes, flags);
     require_buffer(buffer, label, size);
 }
 
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage) {
-    forget_errors();
+    clear_gl_errors();
     glNamedBufferData(buffer.id(), size, bytes, usage);
     require_buffer(buffer, label, size);
 }
 
-void require_context() {
-    GLenum status = made_to_fail(Trouble::Context, "frame") ? GLenum(GL_UNKNOWN_CONTEXT_RESET) : GLenum(GL_NO_ERROR);
+void check_context_alive() {
+    GLenum status =
+        is_injected_failure(DriverFailure::Context, "frame") ? GLenum(GL_UNKNOWN_CONTEXT_RESET) : GLenum(GL_NO_ERROR);
     if (status == GL_NO_ERROR && epoxy_gl_version() >= 45) status = glGetGraphicsResetStatus();
     switch (status) {
         case GL_NO_ERROR:

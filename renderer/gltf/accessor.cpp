@@ -128,7 +128,7 @@ void Accessors::expect_width(int accessor, int expected, const Place& place) con
     if (width(accessor) == expected && !is_matrix) return;
     context_.fail(place,
                   fmt::format("accessor {} has {} components, {} are expected", accessor, width(accessor), expected),
-                  kRepair);
+                  kRepairHint);
 }
 
 void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
@@ -159,7 +159,7 @@ std::vector<std::uint32_t> Accessors::sparse_positions(int accessor, const Place
             context_.fail(place,
                           fmt::format("accessor {}: sparse index {} (the {}th) is out of range or not ascending",
                                       accessor, out[i], i),
-                          kRepair);
+                          kRepairHint);
         }
     }
     return out;
@@ -229,7 +229,7 @@ std::vector<float> Accessors::scalars(int accessor, const Place& place) {
 std::vector<glm::mat4> Accessors::matrices(int accessor, const Place& place) {
     const auto& a = model_.accessors[static_cast<std::size_t>(accessor)];
     if (a.type != TINYGLTF_TYPE_MAT4 || a.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT) {
-        context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor), kRepair);
+        context_.fail(place, fmt::format("accessor {} is not of float matrices (MAT4)", accessor), kRepairHint);
     }
     spend(accessor, a.count * sizeof(glm::mat4), place);
     std::vector<glm::mat4> out(a.count);
@@ -247,7 +247,7 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT &&
         a.componentType != TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) {
         context_.fail(place, fmt::format("accessor {} has a component type that is none for indices", accessor),
-                      kRepair);
+                      kRepairHint);
     }
     std::uint32_t greatest = 0;
     if (a.bufferView >= 0) {
@@ -270,7 +270,7 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         context_.fail(
             place,
             fmt::format("accessor {}: index {} is out of range, there are {} vertices", accessor, greatest, limit),
-            kRepair);
+            kRepairHint);
     }
     return out;
 }

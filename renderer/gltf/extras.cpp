@@ -53,7 +53,7 @@ void read_scene_extras(Context& context, const Json& root, int scene_index, Scen
     }
 }
 
-bool camera_flag(const Json& camera, const char* name) {
+bool is_automatic_camera_field(const Json& camera, const char* name) {
     const Json* own = own_extras(camera);
     return own && own->value(name, Json()) == Json(true);
 }

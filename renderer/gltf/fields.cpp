@@ -16,11 +16,11 @@ std::string shown(const Json& value) {
 
 std::uint64_t checked_whole(const Context& context, const Json& value, const Place& place, std::uint64_t most) {
     if (!value.is_number_unsigned()) {
-        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)), kRepair);
+        context.fail(place, fmt::format("{} is not a whole number of at least 0", shown(value)), kRepairHint);
     }
     const auto number = value.get<std::uint64_t>();
     if (number > most)
-        context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most), kRepair);
+        context.fail(place, fmt::format("{} is more than the greatest possible value {}", number, most), kRepairHint);
     return number;
 }
 
@@ -28,18 +28,19 @@ std::uint64_t checked_whole(const Context& context, const Json& value, const Pla
 
 std::size_t checked_index(const Context& context, const Json& value, const Place& place, std::size_t size) {
     if (!value.is_number_unsigned()) {
-        context.fail(place, fmt::format("{} is not an index", shown(value)), kRepair);
+        context.fail(place, fmt::format("{} is not an index", shown(value)), kRepairHint);
     }
     const auto number = value.get<std::uint64_t>();
     if (number >= size) {
-        context.fail(place, fmt::format("index {} is out of range, there are {}", number, size), kRepair);
+        context.fail(place, fmt::format("index {} is out of range, there are {}", number, size), kRepairHint);
     }
     return static_cast<std::size_t>(number);
 }
 
 Fields::Fields(const Context& context, const Json& object, const Place& place)
     : context_(context), object_(object), place_(place) {
-    if (!object.is_object()) context.fail(place, fmt::format("{} where an object is expected", shown(object)), kRepair);
+    if (!object.is_object())
+        context.fail(place, fmt::format("{} where an object is expected", shown(object)), kRepairHint);
 }
 
 std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) const {
@@ -50,7 +51,7 @@ std::optional<std::uint64_t> Fields::whole(const char* key, std::uint64_t most) 
 
 std::uint64_t Fields::whole_required(const char* key, std::uint64_t most) const {
     const auto value = whole(key, most);
-    if (!value) context_.fail(Place(place_, key), "is missing", kRepair);
+    if (!value) context_.fail(Place(place_, key), "is missing", kRepairHint);
     return *value;
 }
 
@@ -62,14 +63,14 @@ std::optional<std::size_t> Fields::index(const char* key, std::size_t size) cons
 
 std::size_t Fields::index_required(const char* key, std::size_t size) const {
     const auto value = index(key, size);
-    if (!value) context_.fail(Place(place_, key), "is missing", kRepair);
+    if (!value) context_.fail(Place(place_, key), "is missing", kRepairHint);
     return *value;
 }
 
 std::optional<std::string> Fields::string(const char* key) const {
     const auto it = object_.find(key);
     if (it == object_.end()) return std::nullopt;
-    if (!it->is_string()) context_.fail(Place(place_, key), fmt::format("{} is not a string", shown(*it)), kRepair);
+    if (!it->is_string()) context_.fail(Place(place_, key), fmt::format("{} is not a string", shown(*it)), kRepairHint);
     return it->get<std::string>();
 }
 
@@ -78,13 +79,13 @@ std::optional<std::vector<double>> Fields::numbers(const char* key, std::size_t 
     if (it == object_.end()) return std::nullopt;
     const Place here(place_, key);
     if (!it->is_array() || it->size() != n) {
-        context_.fail(here, fmt::format("{} where {} numbers are expected", shown(*it), n), kRepair);
+        context_.fail(here, fmt::format("{} where {} numbers are expected", shown(*it), n), kRepairHint);
     }
     std::vector<double> out;
     out.reserve(n);
     for (const auto& value : *it) {
         if (!value.is_number() || !std::isfinite(value.get<double>())) {
-            context_.fail(here, fmt::format("{} is not a number", shown(value)), kRepair);
+            context_.fail(here, fmt::format("{} is not a number", shown(value)), kRepairHint);
         }
         out.push_back(value.get<double>());
     }
@@ -95,7 +96,7 @@ std::vector<std::size_t> Fields::indices(const char* key, std::size_t size) cons
     const auto it = object_.find(key);
     if (it == object_.end()) return {};
     if (!it->is_array())
-        context_.fail(Place(place_, key), fmt::format("{} where an array is expected", shown(*it)), kRepair);
+        context_.fail(Place(place_, key), fmt::format("{} where an array is expected", shown(*it)), kRepairHint);
     std::vector<std::size_t> out;
     out.reserve(it->size());
     for (std::size_t i = 0; i < it->size(); ++i) {
@@ -106,9 +107,9 @@ std::vector<std::size_t> Fields::indices(const char* key, std::size_t size) cons
 
 const Json& Fields::object(const char* key) const {
     const auto it = object_.find(key);
-    if (it == object_.end()) context_.fail(Place(place_, key), "is missing", kRepair);
+    if (it == object_.end()) context_.fail(Place(place_, key), "is missing", kRepairHint);
     if (!it->is_object())
-        context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)), kRepair);
+        context_.fail(Place(place_, key), fmt::format("{} where an object is expected", shown(*it)), kRepairHint);
     return *it;
 }
 

@@ -148,7 +148,7 @@ void place_camera(Context& context, const Json& root, const Json& node, const Pl
         if (!fov || *fov < 0 || !near || *near < 0 || !far || (*far != 0 && *far <= *near))
             return ignore("has an invalid yfov, znear or zfar");
         camera.fov_y_deg = *fov * 180 / std::numbers::pi;
-        camera.near = camera_flag(json, "znear_automatic") ? 0 : *near;
+        camera.near = is_automatic_camera_field(json, "znear_automatic") ? 0 : *near;
         camera.far = *far;
     } else if (orthographic && orthographic->is_object()) {
         const auto half = number(*orthographic, "ymag", -1e30, 1e30, 0);
@@ -158,8 +158,8 @@ void place_camera(Context& context, const Json& root, const Json& node, const Pl
             return ignore("has an invalid ymag, znear or zfar");
         camera.orthographic = true;
         camera.height = 2 * std::abs(*half);
-        camera.near = camera_flag(json, "znear_automatic") ? 0 : *near;
-        camera.far = camera_flag(json, "zfar_automatic") ? 0 : *far;
+        camera.near = is_automatic_camera_field(json, "znear_automatic") ? 0 : *near;
+        camera.far = is_automatic_camera_field(json, "zfar_automatic") ? 0 : *far;
     } else {
         return ignore("is neither perspective nor orthographic");
     }

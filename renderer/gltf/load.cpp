@@ -48,7 +48,7 @@ void load(Context& context, Scene& scene) {
     Textures textures(context, root, model, buffers, scene);
     Materials materials(context, root, model, textures, scene);
     Primitives primitives(context, model, accessors, materials, scene);
-    const Placed placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    const PlacedNodes placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");

@@ -109,13 +109,13 @@ glm::dmat4 local_transform(Context& context, const tinygltf::Node& node, const P
     return m;
 }
 
-Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-                   Primitives& primitives, int scene_index, Scene& scene) {
+PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+                        Primitives& primitives, int scene_index, Scene& scene) {
     struct Visit {
         int node;
         int parent;
     };
-    Placed placed;
+    PlacedNodes placed;
     placed.scene_node.assign(model.nodes.size(), -1);
     std::vector<Visit> stack;
     const auto push_reversed = [&](const std::vector<int>& nodes, int parent) {

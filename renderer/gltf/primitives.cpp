@@ -154,7 +154,7 @@ void Primitives::read_attributes(const tinygltf::Primitive& primitive, const Pla
             context_.fail(Place(here, name),
                           fmt::format("accessor {} has {} elements, POSITION has {}", accessor,
                                       accessors_.count(accessor), vertex_count),
-                          kRepair);
+                          kRepairHint);
         }
     }
     const auto find = [&](const char* name) {

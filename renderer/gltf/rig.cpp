@@ -38,7 +38,7 @@ void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
 class Builder {
 public:
     Builder(Context& context, const tinygltf::Model& model, Accessors& accessors, Primitives& primitives,
-            const Placed& placed, Scene& scene)
+            const PlacedNodes& placed, Scene& scene)
         : context_(context),
           model_(model),
           accessors_(accessors),
@@ -155,7 +155,7 @@ private:
                 context_.fail(here,
                               fmt::format("accessor {} has {} elements, POSITION has {}", it->second,
                                           accessors_.count(it->second), vertices),
-                              kRepair);
+                              kRepairHint);
             }
             return accessors_.floats<3>(it->second, here, pick);
         };
@@ -190,7 +190,7 @@ private:
                         context_.fail(
                             Place(place, "attributes.JOINTS_0"),
                             fmt::format("vertex {}: joint {} is out of range, the skin has {}", v, joint, joint_count),
-                            kRepair);
+                            kRepairHint);
                     }
                     influence[s].joints[static_cast<std::size_t>(k)] = static_cast<std::uint16_t>(joint);
                     influence[s].weights[k] = weight;
@@ -211,15 +211,15 @@ private:
     const tinygltf::Model& model_;
     Accessors& accessors_;
     Primitives& primitives_;
-    const Placed& placed_;
+    const PlacedNodes& placed_;
     Scene& scene_;
     std::map<int, std::shared_ptr<const Skin>> skins_;
     std::map<std::tuple<int, std::size_t, int>, Part> parts_;
     std::size_t vertices_ = 0;
 };
 
-NodeRest rest_of(const tinygltf::Model& model, const tinygltf::Node& node) {
-    NodeRest out;
+NodeRestPose rest_of(const tinygltf::Model& model, const tinygltf::Node& node) {
+    NodeRestPose out;
     out.has_trs = false;
     if (node.translation.size() == 3) out.translation = {node.translation[0], node.translation[1], node.translation[2]};
     if (node.scale.size() == 3) out.scale = {node.scale[0], node.scale[1], node.scale[2]};
@@ -247,14 +247,14 @@ std::size_t target_count(const tinygltf::Model& model, int mesh) {
 }
 
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-             Primitives& primitives, const Placed& placed, Scene& scene) {
+             Primitives& primitives, const PlacedNodes& placed, Scene& scene) {
     auto rig = std::make_shared<Rig>();
     rig->animations = read_animations(context, root, model, accessors, placed.scene_node);
     if (rig->animations.empty() && placed.deformed.empty()) return;
 
     Builder builder(context, model, accessors, primitives, placed, scene);
     for (const int node : placed.deformed) builder.add(node);
-    NodeRest fixed;
+    NodeRestPose fixed;
     fixed.has_trs = false;
     rig->rest.assign(scene.nodes.size(), fixed);
     for (std::size_t i = 0; i < model.nodes.size(); ++i) {

@@ -25,7 +25,7 @@ std::vector<std::uint64_t> check_buffers(const Context& context, const Json& roo
         const Fields fields(context, (*buffers)[i], place);
         fields.string("uri");
         bytes.push_back(fields.whole_required("byteLength", kMostBytes));
-        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0", kRepair);
+        if (bytes.back() == 0) context.fail(Place(place, "byteLength"), "is 0", kRepairHint);
     }
     return bytes;
 }
@@ -40,12 +40,12 @@ std::vector<View> check_views(const Context& context, const Json& root, const st
         const std::size_t buffer = fields.index_required("buffer", buffers.size());
         const std::uint64_t offset = fields.whole("byteOffset", kMostBytes).value_or(0);
         const View view{fields.whole_required("byteLength", kMostBytes), fields.whole("byteStride", 65535).value_or(0)};
-        if (view.bytes == 0) context.fail(Place(place, "byteLength"), "is 0", kRepair);
+        if (view.bytes == 0) context.fail(Place(place, "byteLength"), "is 0", kRepairHint);
         if (offset + view.bytes > buffers[buffer]) {
             context.fail(place,
                          fmt::format("bytes {} to {} pass the end of buffer {}, which has {}", offset,
                                      offset + view.bytes, buffer, buffers[buffer]),
-                         kRepair);
+                         kRepairHint);
         }
         out.push_back(view);
     }
@@ -59,7 +59,7 @@ void check_range(const Context& context, const Place& place, const View& view, s
     const std::uint64_t end = offset + (count - 1) * stride + element;
     if (end > view.bytes) {
         context.fail(place, fmt::format("{} elements end at byte {}, its buffer view has {}", count, end, view.bytes),
-                     kRepair);
+                     kRepairHint);
     }
 }
 
@@ -68,14 +68,15 @@ void check_sparse(const Context& context, const Json& accessor, const Place& acc
     const Place place(accessor_place, "sparse");
     const Fields fields(context, accessor["sparse"], place);
     const std::uint64_t changed = fields.whole_required("count", count);
-    if (changed == 0) context.fail(Place(place, "count"), "is 0", kRepair);
+    if (changed == 0) context.fail(Place(place, "count"), "is 0", kRepairHint);
 
     const Place indices_place(place, "indices"), values_place(place, "values");
     const Fields indices(context, fields.object("indices"), indices_place);
     const Fields values(context, fields.object("values"), values_place);
     const std::uint64_t type = indices.whole_required("componentType", 65535);
     if (type != 5121 && type != 5123 && type != 5125) {
-        context.fail(Place(indices_place, "componentType"), fmt::format("{} is no type for indices", type), kRepair);
+        context.fail(Place(indices_place, "componentType"), fmt::format("{} is no type for indices", type),
+                     kRepairHint);
     }
     const auto check = [&](const Fields& part, std::uint64_t bytes) {
         const std::size_t view = part.index_required("bufferView", views.size());
@@ -97,17 +98,18 @@ void check_accessors(const Context& context, const Json& root, const std::vector
         const std::uint64_t component = fields.whole_required("componentType", 65535);
         const auto type = fields.string("type");
         if (component_bytes(component) == 0) {
-            context.fail(Place(place, "componentType"), fmt::format("{} is no component type", component), kRepair);
+            context.fail(Place(place, "componentType"), fmt::format("{} is no component type", component), kRepairHint);
         }
-        if (!type) context.fail(Place(place, "type"), "is missing", kRepair);
+        if (!type) context.fail(Place(place, "type"), "is missing", kRepairHint);
         const std::uint64_t element = element_bytes(*type, component);
-        if (element == 0) context.fail(Place(place, "type"), fmt::format("\"{}\" is no element type", *type), kRepair);
+        if (element == 0)
+            context.fail(Place(place, "type"), fmt::format("\"{}\" is no element type", *type), kRepairHint);
         const std::uint64_t count = fields.whole_required("count", kMostElements);
-        if (count == 0) context.fail(Place(place, "count"), "is 0", kRepair);
+        if (count == 0) context.fail(Place(place, "count"), "is 0", kRepairHint);
         const std::uint64_t offset = fields.whole("byteOffset", kMostBytes).value_or(0);
         if (const auto normalized = accessor.find("normalized");
             normalized != accessor.end() && !normalized->is_boolean()) {
-            context.fail(Place(place, "normalized"), "is neither true nor false", kRepair);
+            context.fail(Place(place, "normalized"), "is neither true nor false", kRepairHint);
         }
         if (const auto view = fields.index("bufferView", views.size())) {
             const std::uint64_t stride = views[*view].stride == 0 ? element : views[*view].stride;
@@ -115,12 +117,12 @@ void check_accessors(const Context& context, const Json& root, const std::vector
                 context.fail(place,
                              fmt::format("its buffer view's byteStride {} is less than its element of {} bytes", stride,
                                          element),
-                             kRepair);
+                             kRepairHint);
             }
             check_range(context, place, views[*view], offset, count, stride, element);
         } else if (count > kMostZeros) {
             context.fail(place, fmt::format("{} elements have no bufferView, at most {} are read", count, kMostZeros),
-                         kRepair);
+                         kRepairHint);
         }
         if (accessor.contains("sparse")) check_sparse(context, accessor, place, views, count, element);
     }

@@ -17,7 +17,7 @@ void check_primitive(const Context& context, const Json& root, const Json& primi
                      const Sizes& sizes) {
     const Fields fields(context, primitive, place);
     const auto check_attributes = [&](const Json& attributes, const Place& here) {
-        if (!attributes.is_object()) context.fail(here, "is not an object", kRepair);
+        if (!attributes.is_object()) context.fail(here, "is not an object", kRepairHint);
         for (const auto& [name, accessor] : attributes.items()) {
             checked_index(context, accessor, Place(here, name), sizes.accessors);
         }
@@ -27,11 +27,11 @@ void check_primitive(const Context& context, const Json& root, const Json& primi
     fields.whole("mode", 6);
     if (const auto indices = fields.index("indices", sizes.accessors);
         indices && !root["accessors"][*indices].contains("bufferView")) {
-        context.fail(Place(place, "indices"), fmt::format("accessor {} has no bufferView", *indices), kRepair);
+        context.fail(Place(place, "indices"), fmt::format("accessor {} has no bufferView", *indices), kRepairHint);
     }
     const auto targets = primitive.find("targets");
     if (targets == primitive.end()) return;
-    if (!targets->is_array()) context.fail(Place(place, "targets"), "is not an array", kRepair);
+    if (!targets->is_array()) context.fail(Place(place, "targets"), "is not an array", kRepairHint);
     for (std::size_t t = 0; t < targets->size(); ++t) {
         check_attributes((*targets)[t], Place(place, "targets", static_cast<std::int64_t>(t)));
     }
@@ -43,7 +43,7 @@ void check_meshes(Context& context, const Json& root, const Sizes& sizes) {
         const Json& mesh = root["meshes"][i];
         const auto primitives = mesh.find("primitives");
         if (primitives == mesh.end() || !primitives->is_array()) {
-            context.fail(Place(place, "primitives"), "is not an array", kRepair);
+            context.fail(Place(place, "primitives"), "is not an array", kRepairHint);
         }
         if (primitives->empty()) context.warn(Place(place, "primitives"), "is empty; the mesh draws nothing");
         for (std::size_t p = 0; p < primitives->size(); ++p) {
@@ -65,7 +65,7 @@ void check_node_fields(const Context& context, const Json& node, const Place& pl
         if ((*m)[3] != 0 || (*m)[7] != 0 || (*m)[11] != 0 || (*m)[15] == 0) {
             // A zero matrix flattens everything to a point; anything else here is a projection.
             const bool zero = std::all_of(m->begin(), m->end(), [](double v) { return v == 0; });
-            if (!zero) context.fail(Place(place, "matrix"), "its last row is not 0 0 0 1 (a projection)", kRepair);
+            if (!zero) context.fail(Place(place, "matrix"), "its last row is not 0 0 0 1 (a projection)", kRepairHint);
         }
     }
 }
@@ -80,7 +80,7 @@ std::vector<std::size_t> check_parents(const Context& context, const Json& root,
         for (const std::size_t child : Fields(context, node, place).indices("children", sizes.nodes)) {
             if (parent[child] != sizes.nodes) {
                 context.fail(Place(place, "children"),
-                             fmt::format("node {} is already a child of node {}", child, parent[child]), kRepair);
+                             fmt::format("node {} is already a child of node {}", child, parent[child]), kRepairHint);
             }
             parent[child] = i;
         }
@@ -121,7 +121,8 @@ void check_scenes(Context& context, const Json& root, const Sizes& sizes, const 
         for (const std::size_t node : Fields(context, root["scenes"][i], place).indices("nodes", sizes.nodes)) {
             if (parent[node] != sizes.nodes) {
                 context.fail(Place(place, "nodes"),
-                             fmt::format("node {} is no root, it is a child of node {}", node, parent[node]), kRepair);
+                             fmt::format("node {} is no root, it is a child of node {}", node, parent[node]),
+                             kRepairHint);
             }
             if (seen_in[node] == i) context.warn(Place(place, "nodes"), fmt::format("node {} is listed twice", node));
             seen_in[node] = i;
@@ -134,7 +135,7 @@ void check_skins(const Context& context, const Json& root, const Sizes& sizes) {
         const Place place("skins", static_cast<std::int64_t>(i));
         const Fields fields(context, root["skins"][i], place);
         const auto joints = fields.indices("joints", sizes.nodes);
-        if (joints.empty()) context.fail(Place(place, "joints"), "is missing or empty", kRepair);
+        if (joints.empty()) context.fail(Place(place, "joints"), "is missing or empty", kRepairHint);
         fields.index("skeleton", sizes.nodes);
         const auto matrices = fields.index("inverseBindMatrices", sizes.accessors);
         if (!matrices) continue;
@@ -143,7 +144,7 @@ void check_skins(const Context& context, const Json& root, const Sizes& sizes) {
             context.fail(
                 Place(place, "inverseBindMatrices"),
                 fmt::format("accessor {} is not one float MAT4 for each of {} joints", *matrices, joints.size()),
-                kRepair);
+                kRepairHint);
         }
     }
 }
@@ -170,7 +171,7 @@ Sizes check_arrays(const Context& context, const Json& root) {
         const auto it = root.find(row.name);
         if (it == root.end()) continue;
         const Place place(row.name);
-        if (!it->is_array()) context.fail(place, "is not an array", kRepair);
+        if (!it->is_array()) context.fail(place, "is not an array", kRepairHint);
         row.size = it->size();
         total += row.size * row.bytes;
         if (total > kMostModelBytes) {
@@ -179,7 +180,7 @@ Sizes check_arrays(const Context& context, const Json& root) {
         }
         for (std::size_t i = 0; i < it->size(); ++i) {
             if (!(*it)[i].is_object()) {
-                context.fail(Place(row.name, static_cast<std::int64_t>(i)), "is not an object", kRepair);
+                context.fail(Place(row.name, static_cast<std::int64_t>(i)), "is not an object", kRepairHint);
             }
         }
     }

@@ -85,7 +85,7 @@ ResolvedUri resolve_uri(const std::filesystem::path& folder, std::string_view ur
     if (uri.size() > kLongestUri) return refused("the uri is longer than 4096 bytes");
     if (has_scheme(uri)) return refused("the uri has a scheme; only relative files are read");
 
-    const std::string decoded = percent_decoded(uri);
+    const std::string decoded = percent_decode(uri);
     if (decoded.find('\0') != std::string::npos) return refused("the uri holds a NUL character");
     if (decoded.front() == '/') return refused("the uri is an absolute path");
     if (decoded.find('\\') != std::string::npos) return refused("the uri holds a backslash; write '/'");

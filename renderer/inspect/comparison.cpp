@@ -23,7 +23,7 @@ std::string_view place_name(MapPlace place) {
             return "beyond far";
         case MapPlace::Behind:
             return "behind";
-        case MapPlace::BeyondShadows:
+        case MapPlace::OutsideCasterRegion:
             return "beyond shadows";
     }
     return "";
@@ -52,7 +52,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
         return fmt::format("{}: beyond the light's far plane, the far-plane test decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
-    const DepthAmount all = p.account.amount(p.account.clears());
+    const DepthShift all = p.account.amount(p.account.equivalent_depth());
     const std::string bias =
         std::isfinite(all.texels)
             ? fmt::format("bias and normal offset are worth {} ({})", metres_text(all.metres), texels_text(all.texels))
@@ -104,7 +104,7 @@ bool passes(const Settings& s, double own, double stored) {
     return nearer || (s.map.compare == int(Compare::LessEqual) && a == b);
 }
 
-KernelTap::Meets met(const BiasAccount& account, const DepthConvention& convention, double stored, double plane) {
+KernelTap::Meets met(const BiasBreakdown& account, const DepthConvention& convention, double stored, double plane) {
     if (stored == convention.far_depth()) return KernelTap::Meets::Nothing;
     if (account.plane.edge_on()) return KernelTap::Meets::Own;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
@@ -151,7 +151,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         p.verdict = dark.empty() ? (p.visibility < 0.5 ? "dark: " : "lit: ") + light.reason : dark;
         return p;
     }
-    p.account = bias_account(light, settings, n, p.point, driver);
+    p.account = bias_breakdown(light, settings, n, p.point, driver);
     const LightReceiver& r = p.account.receiver;
     const LightView& view = light.views[r.view];
     const DepthCurve& range = view.curve;
@@ -172,20 +172,20 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     p.compared = as_compared(settings, r.compared);
     const glm::dvec2 centre = glm::dvec2(r.tap) * double(n);
     p.texel = glm::ivec2(glm::clamp(glm::floor(centre), glm::dvec2(-1e9), glm::dvec2(1e9)));
-    p.compared_nearest = as_compared(settings, p.account.compared_at((glm::dvec2(p.texel) + 0.5) / double(n)));
+    p.compared_nearest = as_compared(settings, p.account.compared_depth_at((glm::dvec2(p.texel) + 0.5) / double(n)));
     p.where = place_name(r.place);
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
     p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
-    if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
+    if (r.place != MapPlace::Behind && r.place != MapPlace::OutsideCasterRegion) {
         const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
-            tap.plane = p.account.plane.at(at);
-            tap.compared = as_compared(settings, p.account.compared_at(at));
+            tap.plane = p.account.plane.depth_at(at);
+            tap.compared = as_compared(settings, p.account.compared_depth_at(at));
             tap.lit = passes(settings, tap.compared, tap.stored);
             tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)
                                                  : KernelTap::Meets::Nothing;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-std::string texels(const DepthAmount& a) {
+std::string texels(const DepthShift& a) {
     return texels_text(a.texels);
 }
 
@@ -56,10 +56,10 @@ private:
     }
 
     void weigh() {
-        const BiasAccount& a = p_.account;
+        const BiasBreakdown& a = p_.account;
         d_.least = a.amount(a.least.total());
-        d_.has = a.amount(a.clears());
-        d_.lifted = a.amount(a.lifts);
+        d_.has = a.amount(a.equivalent_depth());
+        d_.lifted = a.amount(a.depth_shift);
         d_.occluder = a.amount(occluder_depth());
         if (d_.window_open()) return;
         const double fixed = a.least.quantum + a.least.rounding, room = d_.occluder.depth - fixed;
@@ -312,12 +312,12 @@ private:
     }
 
     /// What the pixel gets under other settings, the map's place unchanged.
-    BiasAccount under(const Settings& s) const {
-        return bias_account(p_.fitted, s, s.map.resolution, p_.point, driver_);
+    BiasBreakdown under(const Settings& s) const {
+        return bias_breakdown(p_.fitted, s, s.map.resolution, p_.point, driver_);
     }
     bool fixes(const Settings& s) const {
-        const BiasAccount a = under(s);
-        return a.clears() >= a.least.total() && (truth_.lit || a.lifts < d_.occluder.depth);
+        const BiasBreakdown a = under(s);
+        return a.equivalent_depth() >= a.least.total() && (truth_.lit || a.depth_shift < d_.occluder.depth);
     }
 
     /// The settings of the bias, the one that acts first.
@@ -347,8 +347,8 @@ private:
         const double most = find_setting(key)->param->max;
         const auto enough = [&](double v) {
             value = v;
-            const BiasAccount a = under(s);
-            return a.clears() >= a.least.total();
+            const BiasBreakdown a = under(s);
+            return a.equivalent_depth() >= a.least.total();
         };
         if (!enough(most)) return {};
         double lo = 0, hi = enough(0) ? 0 : most;
@@ -367,8 +367,8 @@ private:
         Remedy r = set(key, value);
         s.map.resolution = probe_.map_resolution;
         value_of(s, key) = value;
-        const BiasAccount a = under(s);
-        r.worth_texels = a.amount(a.clears()).texels;
+        const BiasBreakdown a = under(s);
+        r.worth_texels = a.amount(a.equivalent_depth()).texels;
         return r;
     }
 
@@ -428,8 +428,8 @@ private:
     /// More constant bias: by what is missing of what the trial found.
     std::optional<Remedy> bent_remedy() const {
         const double missing = truth_.evidence.curing - d_.has.depth;
-        const BiasAccount& a = p_.account;
-        const DepthAmount wanted = a.amount(std::max(a.constant, a.slope) + missing);
+        const BiasBreakdown& a = p_.account;
+        const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);
         const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
                                          : settings_.bias.unit == int(BiasUnit::Metres) ? wanted.metres
                                                                                         : wanted.depth) *

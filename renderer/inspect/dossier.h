@@ -32,12 +32,12 @@ std::string fix_worth_text(const Remedy& remedy);
 struct Dossier {
     int light = 0;
     FragmentTruth truth;
-    DepthAmount least;   ///< bias that the surface needs
-    DepthAmount has;     ///< what all bias is worth against acne
-    DepthAmount lifted;  ///< how far the bias moves the compared depth towards the light
+    DepthShift least;   ///< bias that the surface needs
+    DepthShift has;     ///< what all bias is worth against acne
+    DepthShift lifted;  ///< how far the bias moves the compared depth towards the light
     /// To the surface nearest the light, along the light's axis; infinite where none stands before the pixel's.
-    DepthAmount occluder{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
-                         std::numeric_limits<double>::infinity()};
+    DepthShift occluder{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
+                        std::numeric_limits<double>::infinity()};
     /// Whether some depth bias is right: always where nothing stands between surface and light.
     bool window_open() const { return least.depth < occluder.depth; }
     Cause cause() const { return truth.cause; }

@@ -21,7 +21,7 @@ FragmentTruth fragment_truth(const TruthScene& scene, const Probe& probe, const 
     if (!probe.hit) throw Error("the probed pixel shows no surface");
     const Workers here{.threads = 1};
     const PixelRaster raster{probe.width, probe.height, 1, probe.around_at};
-    const Receivers around = place_receivers(scene.geometry(), probe.camera, probe.around, raster, here);
+    const Receivers around = reconstruct_receivers(scene.geometry(), probe.camera, probe.around, raster, here);
     TruthQuery query{emitter_of(light.fitted, settings.lights[std::size_t(light.light)]),
                      {traits.begin(), traits.end()},
                      light.fitted.views,

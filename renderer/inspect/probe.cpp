@@ -54,7 +54,7 @@ public:
     const std::array<gl::Target, Count>& targets() const { return targets_; }
     glm::vec4 value(std::size_t i) const {
         std::array<glm::vec4, 4> block;
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(targets_[i].texture.id(), 0, GL_RGBA, GL_FLOAT, sizeof block, block.data());
         return block[std::size_t((y_ & 1) * 2 + (x_ & 1))];
     }
@@ -104,7 +104,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     glUniform2i(glGetUniformLocation(program, "pixel"), seen.at.x, seen.at.y);
     FrameState::draw_fullscreen(info);
     std::vector<glm::vec4> values(std::size_t(width), glm::vec4(0));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(taps.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
                       values.data());
     return values;
@@ -237,7 +237,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
                           .visibility = facts.values[3].x};
         if (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused) {
             float drawn = 1;
-            gl::begin_reading();
+            gl::prepare_read_back();
             glGetTextureSubImage(f.result(Result::Visibility).texture.id(), 0, x, y_bottom, GLint(i), 1, 1, 1, GL_RED,
                                  GL_FLOAT, sizeof drawn, &drawn);
             pixel.visibility = drawn;

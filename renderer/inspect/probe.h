@@ -69,7 +69,7 @@ struct Probe {
         bool casts = false, receives = true;
         FittedLight fitted;
         SurfacePoint point;
-        BiasAccount account;
+        BiasBreakdown account;
         glm::dvec4 clip{0};   ///< light clip space
         glm::dvec3 ndc{0};    ///< after division by w
         glm::dvec3 uvd{0};    ///< [0,1]: map coordinates and depth

@@ -144,7 +144,7 @@ void add_steps(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
 }
 
 void add_terms(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
-    const BiasAccount& a = p.account;
+    const BiasBreakdown& a = p.account;
     double spent = 0;
     const auto add = [&](const char* name, double depth) {
         if (depth == 0 || !std::isfinite(depth)) return;
@@ -242,13 +242,13 @@ std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLig
     const DepthCurve curve = plane.curve();
     const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.own_m - size);
     const double to_m = std::max(p.own_m + std::max(size, plane.texel_m()), 2 * from_m);
-    std::vector<LightWay> ways;
+    std::vector<LightRaySegment> ways;
     for (int i = 0; i <= cut.count * kRaysPerTexel; ++i) {
         const double along = (cut.first + double(i) / kRaysPerTexel) / resolution;
         out.push_back({along, 0});
         ways.push_back({plane.world(along, from_m), plane.world(along, to_m)});
     }
-    const std::vector<double> first = first_surfaces(scene, ways);
+    const std::vector<double> first = first_caster_distances(scene, ways);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const double share = first[i] / glm::length(ways[i].to_ws - ways[i].from_ws);
         out[i].axis_m = from_m + share * (to_m - from_m);
@@ -269,7 +269,7 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
         if (d) s.judged = true, s.verdict = d->verdict, s.true_lit = d->truth.lit;
         return s;
     }
-    const BiasAccount& a = p.account;
+    const BiasBreakdown& a = p.account;
     const CutPlane plane(p, cut.axis, resolution);
     s.row = p.texel[1 - cut.axis];
     s.row_aside = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
@@ -289,7 +289,7 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
         glm::dvec2 other(p.tap);
         const auto on_surface = [&](double along) {
             other[cut.axis] = along;
-            const double nearer = plane.towards() * (p.tap.z - a.plane.at(other));
+            const double nearer = plane.towards() * (p.tap.z - a.plane.depth_at(other));
             return plane.at(along, plane.nearer_m(nearer));
         };
         const double at = p.uvd[cut.axis], step = 0.25 / resolution;

@@ -47,7 +47,7 @@ struct Section {
     /// A part of the way from the look-up to the compared depth.
     struct Term {
         std::string name;
-        DepthAmount amount;
+        DepthShift amount;
         glm::dvec2 from{0}, to{0};
     };
     /// Mean and spread of the depths that a kernel of moments read.
@@ -74,7 +74,7 @@ struct Section {
     glm::dvec2 moved{0}, compared{0};  ///< the point after the normal offset, and after the depth bias
     double normal_offset_m = 0;
     std::vector<Term> terms;                       ///< of the depth bias, those that are not 0
-    DepthAmount raster;                            ///< by which polygon offset has moved the stored depths
+    DepthShift raster;                             ///< by which polygon offset has moved the stored depths
     bool per_texel = false;                        ///< each texel is compared with a depth of its own
     std::optional<Moments> moments;                ///< of kernels that read them
     std::vector<std::vector<glm::dvec2>> profile;  ///< what the light sees in truth, each surface a line
@@ -85,7 +85,7 @@ struct Section {
     std::string verdict;   ///< a sentence
     bool true_lit = true;
     bool tested = true;  ///< else the surface is dark, or lit, without a look at the map
-    DepthAmount least, has, lifted;
+    DepthShift least, has, lifted;
     /// Metres from the surface along its own ray of the light, as the dossier's `least` and `occluder` have them: bias
     /// must bring its depth towards the light at least so far, and less than so far. With an offset, too: `has` is what
     /// meets the near end, `lifted` what meets the far one.

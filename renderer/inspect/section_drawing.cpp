@@ -304,7 +304,7 @@ private:
     /// Whether the rays meet the map so aslant that a texel across them is another length than one along the map, in
     /// which bias is counted.
     bool aslant() const { return s_.texel_long_m - s_.texel_m > 0.005 * s_.texel_m; }
-    std::string bias_text(const DepthAmount& a) const {
+    std::string bias_text(const DepthShift& a) const {
         return aslant() ? fmt::format("{} = {}", texels_text(a.texels), metres_text(a.metres)) : texels_text(a.texels);
     }
     /// A place on the light's ray of the surface.

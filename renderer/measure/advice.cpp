@@ -192,7 +192,7 @@ AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, in
         const MeasuredError m = measure_error(renderer, scene, s, own, light, truth_options(s), cache, workers);
         own.force = true;
         const Metric& metric = *options.error;
-        return JudgedSettings{shortfall(metric.better, metric.value(m.metrics)), m.traced.truth->noise,
+        return JudgedSettings{distance_from_best(metric.better, metric.value(m.metrics)), m.traced.truth->noise,
                               work_cost(s, renderer.render(scene, s, own)), m.camera};
     };
     meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
@@ -213,7 +213,7 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
         if (report) report(share, what);
     };
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.part(0, 0);
+    const Workers quiet = workers.with_progress_range(0, 0);
     AdviceReport out;
     out.options = options;
     tell(0, "the present settings");

@@ -50,7 +50,7 @@ void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& sett
         const Receiver& r = m.traced.receivers->pixels[i];
         const double depth_m = glm::dot(m.camera.eye - r.position_ws, m.camera.axes[2]);
         f.nearest_m = std::min(f.nearest_m, depth_m), f.farthest_m = std::max(f.farthest_m, depth_m);
-        if (i % 7 || light.views.empty() || m.judged[i].has(JudgedPixel::kOutside)) continue;
+        if (i % 7 || light.views.empty() || m.judged[i].has(ClassifiedPixel::kOutside)) continue;
         const double texel_m = account_of(m, settings, r, driver).receiver.texel_m;
         texels.push_back(texel_m / pixel_m(m.camera, depth_m, m.picture.y));
         const double gap_m = truth.blocker_m.data.empty() ? kUnknown : double(truth.blocker_m.data[i]);

@@ -23,7 +23,7 @@ ArtefactCluster cluster_of(const std::vector<glm::ivec2>& members) {
 
 }  // namespace
 
-std::vector<ArtefactCluster> artefact_clusters(const std::vector<JudgedPixel>& judged, int width, Artefact cause,
+std::vector<ArtefactCluster> artefact_clusters(const std::vector<ClassifiedPixel>& judged, int width, Artefact cause,
                                                std::size_t most) {
     std::vector<ArtefactCluster> out;
     const int height = width > 0 ? int(judged.size() / std::size_t(width)) : 0;

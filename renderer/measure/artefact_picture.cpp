@@ -30,7 +30,7 @@ std::span<const ArtefactStyle> artefact_styles() {
     return kStyles;
 }
 
-ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& judged, int step) {
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<ClassifiedPixel>& judged, int step) {
     ByteImage out = picture;
     const auto width = std::size_t(out.width), every = std::size_t(std::max(step, 1));
     const std::size_t columns = (width + every - 1) / every;

@@ -71,7 +71,7 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
     const FloatImage& hard = truth.hard();
     for (std::size_t i = 0; i < truth.state.size(); ++i)
         if (truth.state[i] == PixelState::Counted && hard.data[i] >= 0.5f &&
-            !measured.judged[i].has(JudgedPixel::kOutside))
+            !measured.judged[i].has(ClassifiedPixel::kOutside))
             use(i, measured.traced.receivers->pixels[i]);
 }
 
@@ -85,11 +85,11 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 
 }  // namespace
 
-BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
-                       const RasterTraits& driver) {
-    return bias_account(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
-                        {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
-                        driver);
+BiasBreakdown account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
+                         const RasterTraits& driver) {
+    return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
+                          {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
+                          driver);
 }
 
 const Bias& row_of(BiasFamily family) {
@@ -136,7 +136,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     std::vector<Need> needs;
     std::vector<double> gaps, shifts;
     each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
-        const BiasAccount a = account_of(measured, settings, r, driver);
+        const BiasBreakdown a = account_of(measured, settings, r, driver);
         const LeastBias least = a.per_texel ? account_of(measured, searched, r, driver).least : a.least;
         const double b = least.total();
         const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
@@ -147,8 +147,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
                          contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
-        if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) return;
-        if (a.clears() >= a.least.total())
+        if (!measured.judged[i].has(ClassifiedPixel::kAnyAcne)) return;
+        if (a.equivalent_depth() >= a.least.total())
             out.folds += measured.judged[i].visibility >= 0.5f;
         else
             out.faint_acne += measured.judged[i].visibility >= 0.5f;
@@ -185,11 +185,11 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
     };
     std::vector<At> pixels;
     each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
-        const BiasAccount none = account_of(measured, least, r, driver);
-        At at{none.least.total() - none.clears(), none.least.kernel, {}};
+        const BiasBreakdown none = account_of(measured, least, r, driver);
+        At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
         if (!std::isfinite(at.need) || none.plane.edge_on()) return;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.worth.push_back(account_of(measured, one[k], r, driver).clears() - none.clears());
+            at.worth.push_back(account_of(measured, one[k], r, driver).equivalent_depth() - none.equivalent_depth());
             worth_it[k] = std::max(worth_it[k], at.worth.back());
         }
         pixels.push_back(std::move(at));

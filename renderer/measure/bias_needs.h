@@ -39,8 +39,8 @@ struct BiasNeeds {
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// What of bias a receiver of the picture that was measured gets and needs under the settings.
-BiasAccount account_of(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
-                       const RasterTraits& driver);
+BiasBreakdown account_of(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
+                         const RasterTraits& driver);
 
 /// The row that a family spends.
 const Bias& row_of(BiasFamily family);

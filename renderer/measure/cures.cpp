@@ -33,7 +33,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     for (std::size_t i = 0; i < m.judged.size(); ++i) {
         if (m.judged[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const BiasAccount a = account_of(m, settings, r, driver);
+        const BiasBreakdown a = account_of(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
@@ -313,7 +313,8 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     };
     tell(0, "the present settings");
     const auto measure = [&](const Settings& s) {
-        return measure_error(renderer, scene, s, request, light, options.truth, cache, workers.part(0, 0));
+        return measure_error(renderer, scene, s, request, light, options.truth, cache,
+                             workers.with_progress_range(0, 0));
     };
     const auto bytes = [](const Settings& s, const MeasuredError& measured) {
         FrameResult maps;

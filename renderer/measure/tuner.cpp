@@ -77,7 +77,7 @@ void Tuner::judge_done() {
         c.trial = search_->before();
         c.clear = true;  // nothing is lit
     }
-    c.error = shortfall(goals_.error->better, goals_.error->value(c.trial->error));
+    c.error = distance_from_best(goals_.error->better, goals_.error->value(c.trial->error));
     const bool accurate = c.clear && (!goals_.most_error || c.error <= *goals_.most_error);
     if (!c.ms && accurate) {
         ask_ = Ask::Time;

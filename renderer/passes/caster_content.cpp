@@ -13,7 +13,7 @@ struct RigidContent {
 
 struct KnownContent {
     struct OfTexture {
-        SameTexture texture;
+        TextureIdentity texture;
         std::uint64_t content = 0;  ///< 0: not found yet
     };
     CasterContent casters;
@@ -61,7 +61,7 @@ const CasterContent& caster_content(const FrameState& f) {
     const Scene& scene = f.scene;
     known.textures.resize(scene.textures.size());
     for (std::size_t i = 0; i < scene.textures.size(); ++i)
-        if (!known.textures[i].texture.is(scene.textures[i])) known.textures[i] = {SameTexture(scene.textures[i])};
+        if (!known.textures[i].texture.is(scene.textures[i])) known.textures[i] = {TextureIdentity(scene.textures[i])};
     std::vector<std::uint64_t> deformed(scene.meshes.size(), 0);
     const auto& order = f.gl.scene->instance_objects();
     casters.of.assign(order.size(), 0);

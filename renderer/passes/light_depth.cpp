@@ -55,7 +55,7 @@ SparedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight&
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
-    if (f.driver.software) gl::keep_few_under_way();
+    if (f.driver.software) gl::limit_pending_draws();
     if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, which);
     clear_casters(f, into.id(), view.curve.convention);
     return {};
@@ -180,7 +180,7 @@ Key light_maps_key(const FrameState& f, std::size_t light) {
 
 void clear_layers(const FrameState& f, const gl::Target& maps) {
     const float far_depth = f.settings.map.reversed_z ? 0.f : 1.f;
-    glClearTexImage(maps.texture.id(), 0, gl::one_channel(maps.format), GL_FLOAT, &far_depth);
+    glClearTexImage(maps.texture.id(), 0, gl::single_channel_format(maps.format), GL_FLOAT, &far_depth);
 }
 
 /// How the maps of one light are drawn, by what of its casters rests.

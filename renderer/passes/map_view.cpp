@@ -84,7 +84,7 @@ Pass range_pass(FrameState& f, MapViewTargets& t, const Key& shown, int layer) {
         glUniform2i(glGetUniformLocation(id, "blocks"), kBlocks, kBlocks);
         FrameState::draw_fullscreen(info);
         std::vector<glm::vec2> blocks(std::size_t(kBlocks) * kBlocks);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(t.range.texture.id(), 0, GL_RG, GL_FLOAT, GLsizei(blocks.size() * sizeof(glm::vec2)),
                           blocks.data());
         glm::vec2 range = blocks[0];

@@ -22,14 +22,14 @@ std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh)
     const Mesh& m = f.scene.meshes[mesh];
     if (m.deformer) return {};
     BoxesOfMesh& boxes = boxes_of(f, mesh);
-    if (boxes.clusters.empty()) boxes.clusters = clusters_of(m);
+    if (boxes.clusters.empty()) boxes.clusters = build_clusters(m);
     return boxes.clusters;
 }
 
 std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh) {
     if (f.scene.meshes[mesh].deformer) return {};
     BoxesOfMesh& boxes = boxes_of(f, mesh);
-    if (!boxes.runs) boxes.runs = run_boxes_of(f.scene.meshes[mesh]);
+    if (!boxes.runs) boxes.runs = index_run_boxes(f.scene.meshes[mesh]);
     return *boxes.runs;
 }
 

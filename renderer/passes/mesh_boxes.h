@@ -8,9 +8,9 @@
 
 namespace si {
 
-/// See clusters_of(); none of a mesh that changes with the pose.
+/// See build_clusters(); none of a mesh that changes with the pose.
 std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);
-/// See run_boxes_of(); none of a mesh that changes with the pose.
+/// See index_run_boxes(); none of a mesh that changes with the pose.
 std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh);
 
 }  // namespace si

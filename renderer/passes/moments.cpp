@@ -92,7 +92,7 @@ private:
         filled_ = 1 - filled_;
         gl::Framebuffer into = gl::make_framebuffer("moments", last ? &t_.moments : &step, nullptr,
                                                     last && t_.moments.layers > 0 ? layer_ : -1);
-        if (f_.driver.software) gl::keep_few_under_way();
+        if (f_.driver.software) gl::limit_pending_draws();
         f_.begin_fullscreen_pass(into.id(), f_.map_resolution, f_.map_resolution);
         return into;
     }

@@ -315,7 +315,8 @@ void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
     int column = 0;
     for (std::size_t i = 0; i < images.size(); ++i) {
         const Searched& s = images[i];
-        if (const auto& spoils = gl::trouble_seam().spoils) spoils(s.name, s.image->texture.id());
+        if (const auto& corrupt_image = gl::fault_injection().corrupt_image)
+            corrupt_image(s.name, s.image->texture.id());
         if (s.of_pages) {
             PoolTiles pool = pool_tiles(f, s);
             const glm::ivec2 size(s.image->width, s.image->height);

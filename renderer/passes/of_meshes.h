@@ -18,14 +18,14 @@ public:
             meshes_.resize(scene.meshes.size());
             for (std::size_t i = 0; i < meshes_.size(); ++i)
                 if (const Mesh& m = scene.meshes[i]; !meshes_[i].mesh.is(scene, m))
-                    meshes_[i] = {SameMesh(scene, m), T()};
+                    meshes_[i] = {MeshIdentity(scene, m), T()};
         }
         return meshes_[mesh].known;
     }
 
 private:
     struct Known {
-        SameMesh mesh;
+        MeshIdentity mesh;
         T known{};
     };
     std::uint64_t scene_ = 0;

@@ -96,7 +96,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     for (const Batch& batch : f.gl.scene->batches()) {
         if (!draws_into_maps(f, batch)) continue;
         const std::vector<Bounds> parts =
-            run_boxes_of(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
+            index_run_boxes(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
             const Object& object = scene.objects[order[i]];
             const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
@@ -407,7 +407,7 @@ void choose_and_draw(FrameState& f, PageTargets& t, PassInfo& info) {
     if (f.request.force || t.page != page || t.pool.format != f.map_format()) t.cache.clear();
     t.page = page;
     std::vector<std::uint8_t> wanted(std::size_t(side) * std::size_t(side) * std::size_t(f.view_count));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
                       wanted.data());
     find_casters(f, t.casters);
@@ -507,10 +507,10 @@ PageFacts page_facts(Resources& resources, bool drawn) {
 std::vector<float> read_paged_depths(Resources& resources, int layer, glm::ivec2 first, glm::ivec2 size,
                                      float empty_depth) {
     const PageTargets& t = resources.owned.get<PageTargets>();
-    const GLenum format = gl::one_channel(t.pool.format);
+    const GLenum format = gl::single_channel_format(t.pool.format);
     std::vector<float> out(std::size_t(size.x) * std::size_t(size.y), empty_depth);
     std::vector<float> depths(std::size_t(t.page) * std::size_t(t.page));
-    gl::begin_reading();
+    gl::prepare_read_back();
     const glm::ivec2 last = first + size - 1;
     for (int y = first.y / t.page; size.y > 0 && y <= last.y / t.page; ++y)
         for (int x = first.x / t.page; size.x > 0 && x <= last.x / t.page; ++x) {

@@ -165,7 +165,7 @@ ValueRange FrameState::range_of(const ShownPane& pane) const {
     if (t.fitted_key != t.values.key) {
         FloatImage values{t.values.width, t.values.height, 4, {}};
         values.data.resize(std::size_t(values.width) * std::size_t(values.height) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(t.values.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.data.size() * sizeof(float)),
                           values.data.data());
         t.fitted = fitted_range(values, row.diverging).value_or(declared);

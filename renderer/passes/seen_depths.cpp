@@ -24,7 +24,7 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
     const CameraPass pass(f);  // whose framebuffer is read below
     pass.draw("passes/camera_depth.frag.glsl", {}, info);
     std::vector<float> depths(std::size_t(f.request.width) * std::size_t(f.request.height));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glReadPixels(0, 0, f.request.width, f.request.height, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
     const DepthCurve& curve = f.camera.curve;
     const auto empty = float(curve.convention.far_depth());

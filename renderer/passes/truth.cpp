@@ -205,7 +205,7 @@ Pass evidence_pass(FrameState& f) {
 PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
     std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(tiles.texture.id(), 0, GL_RGBA, GL_FLOAT, GLsizei(values.size() * sizeof(glm::vec4)),
                       values.data());
     glm::dvec4 layers[shared::TILE_LAYERS] = {};

@@ -13,10 +13,11 @@ CauseContext cause_context(const Settings& settings, const FittedLight& light, i
             .depth_blur = settings.map.blur_texels > 0};
 }
 
-MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light) {
+MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture,
+                                     int light) {
     MeasuredError out;
     out.traced = picture.traced;
-    out.judged = judged_pixels(every_nth(renderer.read_float(frame.judged, 2), picture.step));
+    out.judged = classified_pixels(every_nth(renderer.read_float(frame.judged, 2), picture.step));
     out.lights = frame.lights;
     out.camera = frame.camera;
     out.light = light;
@@ -25,8 +26,9 @@ MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const Tr
     return out;
 }
 
-void sum_up(MeasuredError& measured) {
-    measured.metrics = error_metrics(measured.judged, *measured.traced.truth, joins_of(*measured.traced.receivers));
+void sum_error_metrics(MeasuredError& measured) {
+    measured.metrics =
+        error_metrics(measured.judged, *measured.traced.truth, same_surface_bits(*measured.traced.receivers));
 }
 
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
@@ -40,8 +42,8 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
     judged.outputs = {.colour = false, .judged = true};
     judged.timing = judged.force = false;
     const FrameResult frame = render_with_truth(renderer, scene, shown, judged, cache, workers, wanted);
-    MeasuredError out = read_judged(renderer, frame, *judged.truth, light);
-    sum_up(out);
+    MeasuredError out = read_classified_pixels(renderer, frame, *judged.truth, light);
+    sum_error_metrics(out);
     return out;
 }
 

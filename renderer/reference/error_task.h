@@ -13,8 +13,8 @@ namespace si {
 struct MeasuredError {
     TracedTruth traced;
     ErrorMetrics metrics;
-    std::vector<JudgedPixel> judged;  ///< by pixel of the truth, top row first
-    std::vector<FittedLight> lights;  ///< of the frame
+    std::vector<ClassifiedPixel> judged;  ///< by pixel of the truth, top row first
+    std::vector<FittedLight> lights;      ///< of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
     glm::ivec2 picture{0};  ///< size of the frame, of which the truth may be a part
@@ -27,10 +27,11 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
                             const Workers& workers = {});
 
 /// What a frame found that was drawn with `picture` and asked for Outputs::judged. It need not be summed up where it
-/// was read: sum_up() takes any thread.
-MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light);
+/// was read: sum_error_metrics() takes any thread.
+MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture,
+                                     int light);
 /// Fills MeasuredError::metrics.
-void sum_up(MeasuredError& measured);
+void sum_error_metrics(MeasuredError& measured);
 
 /// What of the settings and the scene's casters the causes of a light's errors depend on.
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);

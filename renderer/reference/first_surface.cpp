@@ -6,15 +6,15 @@
 
 namespace si {
 
-std::vector<double> first_surfaces(const TruthScene& scene, std::span<const LightWay> ways) {
+std::vector<double> first_caster_distances(const TruthScene& scene, std::span<const LightRaySegment> ways) {
     std::vector<double> out;
     std::vector<Hit> hits;
-    for (const LightWay& way : ways) {
+    for (const LightRaySegment& way : ways) {
         const glm::dvec3 from = scene.impl().to_unit(way.from_ws), to = scene.impl().to_unit(way.to_ws);
         const double metres = glm::length(way.to_ws - way.from_ws);
         double first = std::numeric_limits<double>::quiet_NaN();
         if (metres > 0) {
-            all_hits(scene.impl(), make_ray(glm::vec3(from), glm::vec3(to - from), 1, 0), {}, hits);
+            collect_hits(scene.impl(), make_ray(glm::vec3(from), glm::vec3(to - from), 1, 0), {}, hits);
             for (const Hit& hit : hits)
                 if (!(hit.t * metres >= first)) first = hit.t * metres;
         }

@@ -9,12 +9,12 @@
 namespace si {
 
 /// A straight way away from a light, in world space.
-struct LightWay {
+struct LightRaySegment {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
 /// Metres along each way to the first of all casters, whichever side it shows; NaN where none stands on it. Accurate to
 /// single precision of the way's length and the scene's size.
-std::vector<double> first_surfaces(const TruthScene& scene, std::span<const LightWay> ways);
+std::vector<double> first_caster_distances(const TruthScene& scene, std::span<const LightRaySegment> ways);
 
 }  // namespace si

@@ -56,9 +56,10 @@ glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& 
 }
 
 /// A triangle of a chart as texels find their place on it.
-class Placed {
+class PlacedTriangle {
 public:
-    Placed(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners, std::uint8_t borders)
+    PlacedTriangle(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners,
+                   std::uint8_t borders)
         : corners_{corners.a, corners.b, corners.c} {
         for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.place(chart, corners_[k]);
         const glm::dvec3 cross = glm::cross(corners.b - corners.a, corners.c - corners.a);
@@ -132,11 +133,11 @@ public:
     void bake(LightMap& out, const Workers& workers) {
         out.texels.assign(std::size_t(layout_.side) * std::size_t(layout_.side), 255);
         for (std::size_t s = 0; s < by_strip_.size(); ++s) {
-            const Workers part =
-                workers.part(double(s) / double(by_strip_.size()), double(s + 1) / double(by_strip_.size()));
+            const Workers part = workers.with_progress_range(double(s) / double(by_strip_.size()),
+                                                             double(s + 1) / double(by_strip_.size()));
             const int y0 = int(s) * kStrip, rows = std::min(kStrip, layout_.side - y0);
             place(y0, rows, by_strip_[s], workers);
-            const Truth truth = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
+            const Truth truth = trace_visibility(scene_, receivers_, query_, part.with_progress_range(0.1, 1));
             out.rays += truth.rays;
             std::uint8_t* to = out.texels.data() + std::size_t(y0) * std::size_t(layout_.side);
             for (std::size_t i = 0; i < receivers_.pixels.size(); ++i)
@@ -159,10 +160,10 @@ private:
         receivers_.pixels.assign(count, {}), receivers_.starts.assign(count, {});
         distances_.assign(count, std::numeric_limits<double>::infinity());
         // Charts share no texel.
-        for_blocks(charts.size(), {.threads = workers.threads, .stop = workers.stop},
-                   [&](std::size_t c) { place_chart(layout_.charts[charts[c]], y0, rows); });
+        parallel_for_blocks(charts.size(), {.threads = workers.threads, .stop = workers.stop},
+                            [&](std::size_t c) { place_chart(layout_.charts[charts[c]], y0, rows); });
         const UnitFrame frame = task_.geometry->unit_frame();
-        for_blocks(std::size_t(rows), {.threads = workers.threads, .stop = workers.stop}, [&](std::size_t y) {
+        parallel_for_blocks(std::size_t(rows), {.threads = workers.threads, .stop = workers.stop}, [&](std::size_t y) {
             for (std::size_t i = y * std::size_t(layout_.side); i < (y + 1) * std::size_t(layout_.side); ++i)
                 if (const Receiver& r = receivers_.pixels[i]; r.hit())
                     receivers_.starts[i] = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
@@ -175,8 +176,8 @@ private:
         const glm::ivec2 end(chart.rect.x + chart.rect.z, std::min(chart.rect.y + chart.rect.w, y0 + rows));
         for (std::uint32_t i = 0; i < chart.count; ++i) {
             const std::uint32_t t = layout_.triangles[chart.first + i];
-            const Placed triangle(layout_, chart, task_.geometry->triangle(chart.object, t),
-                                  layout_.borders[first + t]);
+            const PlacedTriangle triangle(layout_, chart, task_.geometry->triangle(chart.object, t),
+                                          layout_.borders[first + t]);
             // Bilinear look-ups reach texels whose middles are less than one away.
             const glm::ivec2 from = glm::max(glm::ivec2(glm::floor(triangle.lo() - 1.5)), least);
             const glm::ivec2 to = glm::min(glm::ivec2(glm::ceil(triangle.hi() + 1.5)), end);
@@ -219,7 +220,7 @@ LightMapTask light_map_task(const Scene& scene, const Settings& settings, const 
             samples_of(emitter, settings), frame.light_maps[i].key};
 }
 
-std::uint64_t light_map_content(const LightMapTask& task) {
+std::uint64_t light_map_content_key(const LightMapTask& task) {
     Key key;
     key.add(kMethod).add(task.side);
     add_emitter(key, task.emitter, task.samples);
@@ -239,7 +240,7 @@ LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMap
     out.version = next_light_map_version();
     out.layout = std::move(layout);
     Baker(task, *out.layout, scene).bake(out, workers);
-    out.held = HeldMemory("light maps", array_bytes(out.texels));
+    out.held = TrackedMemory("light maps", array_bytes(out.texels));
     return out;
 }
 

@@ -38,7 +38,7 @@ struct LightMap {
     std::uint64_t rays = 0;
     double bake_ms = 0;  ///< wall time, of reading it where it was kept on disk
     bool from_disk = false;
-    HeldMemory held;  ///< what its texels take
+    TrackedMemory held;  ///< what its texels take
     std::string
         remark;  ///< why the one on disk was not taken, or this one not kept there; empty: nothing is to be said
 };
@@ -52,7 +52,7 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
 LightMapTask light_map_task(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
 
 /// The key of what the map is made of, whatever process asks: triangles as placed, masks, light, settings.
-std::uint64_t light_map_content(const LightMapTask& task);
+std::uint64_t light_map_content_key(const LightMapTask& task);
 
 /// Another one each time, for LightMap::version.
 std::uint64_t next_light_map_version();

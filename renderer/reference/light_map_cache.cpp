@@ -77,7 +77,7 @@ std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, co
     if (!file || file.peek() != std::ifstream::traits_type::eof()) return unusable("cut short, or too long");
     if (key_of(out.texels) != header.texels_key) return unusable("damaged");
     out.rays = header.rays;
-    out.held = HeldMemory("light maps", array_bytes(out.texels));
+    out.held = TrackedMemory("light maps", array_bytes(out.texels));
     out.from_disk = true;
     // The oldest are removed first: by when they were used last.
     std::error_code ignored;
@@ -138,7 +138,7 @@ std::string write_map(const fs::path& folder, std::uint64_t most_bytes, std::uin
 
 }  // namespace
 
-std::shared_ptr<const LightMap> LightMaps::find(std::uint64_t content, std::uint64_t key) {
+std::shared_ptr<const LightMap> LightMapCache::find(std::uint64_t content, std::uint64_t key) {
     const std::lock_guard lock(mutex_);
     const auto found = std::find_if(known_.begin(), known_.end(), [&](const Known& k) { return k.content == content; });
     if (found == known_.end()) return nullptr;
@@ -153,7 +153,7 @@ std::shared_ptr<const LightMap> LightMaps::find(std::uint64_t content, std::uint
     return found->map;
 }
 
-std::shared_ptr<const LightMapLayout> LightMaps::layout_of(const LightMapTask& task, const Workers& workers) {
+std::shared_ptr<const LightMapLayout> LightMapCache::layout_of(const LightMapTask& task, const Workers& workers) {
     {
         const std::lock_guard lock(mutex_);
         if (layout_ && layout_geometry_ == task.geometry->key && layout_->side == task.side) return layout_;
@@ -164,7 +164,7 @@ std::shared_ptr<const LightMapLayout> LightMaps::layout_of(const LightMapTask& t
     return layout_ = std::move(made);
 }
 
-std::shared_ptr<const LightMap> LightMaps::keep(std::uint64_t content, LightMap map) {
+std::shared_ptr<const LightMap> LightMapCache::keep(std::uint64_t content, LightMap map) {
     auto kept = std::make_shared<const LightMap>(std::move(map));
     const std::lock_guard lock(mutex_);
     std::erase_if(known_, [&](const Known& k) { return k.content == content; });
@@ -177,8 +177,8 @@ std::shared_ptr<const LightMap> LightMaps::keep(std::uint64_t content, LightMap 
     return kept;
 }
 
-std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const Workers& workers) {
-    const std::uint64_t content = light_map_content(task);
+std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, const Workers& workers) {
+    const std::uint64_t content = light_map_content_key(task);
     if (auto known = find(content, task.key)) return known;
     fs::path folder;
     std::uint64_t most_bytes = 0;
@@ -203,8 +203,8 @@ std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const W
             ++counts_.read;
             return kept;
         }
-    const auto scene = ray_scenes().get(task.geometry, workers.part(0, 0.1));
-    LightMap baked = bake_light_map(task, layout, *scene, workers.part(0.1, 1));
+    const auto scene = ray_scenes().get(task.geometry, workers.with_progress_range(0, 0.1));
+    LightMap baked = bake_light_map(task, layout, *scene, workers.with_progress_range(0.1, 1));
     baked.bake_ms = since_ms();
     if (!folder.empty())
         if (const std::string hindered = write_map(folder, most_bytes, content, baked); !hindered.empty())
@@ -216,24 +216,24 @@ std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const W
     return kept;
 }
 
-void LightMaps::keep_in(std::filesystem::path folder, std::uint64_t most_bytes) {
+void LightMapCache::set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes) {
     const std::lock_guard lock(mutex_);
     folder_ = std::move(folder), most_bytes_ = most_bytes;
 }
 
-void LightMaps::forget() {
+void LightMapCache::clear() {
     const std::lock_guard lock(mutex_);
     known_.clear();
     layout_.reset();
 }
 
-LightMaps::Counts LightMaps::counts() const {
+LightMapCache::Counts LightMapCache::counts() const {
     const std::lock_guard lock(mutex_);
     return counts_;
 }
 
-LightMaps& light_maps() {
-    static LightMaps maps;
+LightMapCache& light_maps() {
+    static LightMapCache maps;
     return maps;
 }
 

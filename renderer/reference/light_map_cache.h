@@ -12,7 +12,7 @@
 namespace si {
 
 /// Light maps by what they are made of. Any thread.
-class LightMaps {
+class LightMapCache {
 public:
     /// What the folder on disk may take in all, and what is kept in memory; the longest unused goes first.
     static constexpr std::uint64_t kMostOnDisk = 512ull << 20, kMostInMemory = 256ull << 20;
@@ -23,9 +23,9 @@ public:
     /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and TruthScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
     /// Where maps are kept on disk from now on; made when first written to. Empty: nowhere.
-    void keep_in(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
+    void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
     /// Keeps none in memory.
-    void forget();
+    void clear();
 
     /// What get() did so far.
     struct Counts {
@@ -53,6 +53,6 @@ private:
 };
 
 /// The process's own.
-LightMaps& light_maps();
+LightMapCache& light_maps();
 
 }  // namespace si

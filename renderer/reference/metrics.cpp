@@ -351,7 +351,7 @@ double Metric::value(const ErrorMetrics& m) const {
     return wrong;
 }
 
-double shortfall(Better better, double value) {
+double distance_from_best(Better better, double value) {
     switch (better) {
         case Better::Less:
             return value;
@@ -366,7 +366,7 @@ double shortfall(Better better, double value) {
 }
 
 std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
-    using J = JudgedPixel;
+    using J = ClassifiedPixel;
     const bool sides = (v < 0.5f) != (truth.visibility < 0.5), wrong = is_wrong(v, truth);
     const bool faint = truth.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
     std::uint32_t bits = J::kCounts;
@@ -385,12 +385,12 @@ TruePixel true_pixel(const Truth& truth, std::size_t i) {
     return p;
 }
 
-std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
+std::vector<ClassifiedPixel> classified_pixels(const FloatImage& judged) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
             shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
         "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
-    std::vector<JudgedPixel> out(judged.data.size() / 2);
+    std::vector<ClassifiedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(judged.data[2 * i]);
         out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS,
@@ -399,10 +399,10 @@ std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
     return out;
 }
 
-std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
+std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers) {
     std::vector<std::uint8_t> out(receivers.pixels.size());
     for (std::size_t i = 0; i < out.size(); ++i)
-        out[i] = std::uint8_t(receivers.pixels[i].joins_right | receivers.pixels[i].joins_below << 1);
+        out[i] = std::uint8_t(receivers.pixels[i].same_surface_right | receivers.pixels[i].same_surface_below << 1);
     return out;
 }
 
@@ -424,12 +424,12 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
     return m;
 }
 
-ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& judged, const Truth& truth,
                            const std::vector<std::uint8_t>& joins) {
     if (judged.size() != truth.state.size())
         throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
                                 truth.width, truth.height));
-    using J = JudgedPixel;
+    using J = ClassifiedPixel;
     PixelSums sums;
     for (std::size_t i = 0; i < truth.state.size(); ++i) {
         if (truth.state[i] != PixelState::Counted) continue;

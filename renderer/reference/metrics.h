@@ -14,7 +14,7 @@
 namespace si {
 
 /// What the frame found for each pixel of the truth, as shaders/passes/compare.frag.glsl and causes.frag.glsl write it.
-struct JudgedPixel {
+struct ClassifiedPixel {
     enum Bits : std::uint32_t {
         kFalseShadow = shared::FALSE_SHADOW,
         kFalseLight = shared::FALSE_LIGHT,
@@ -42,11 +42,11 @@ TruePixel true_pixel(const Truth& truth, std::size_t i);
 
 /// From what is read back of FrameResult::judged, at the truth's pixels. @param judged two channels, of the truth's
 /// size
-std::vector<JudgedPixel> judged_pixels(const FloatImage& judged);
+std::vector<ClassifiedPixel> classified_pixels(const FloatImage& judged);
 
 /// Whether each pixel and its right (bit 0) or lower (bit 1) neighbour show one surface, so that a contour between them
 /// is a shadow's.
-std::vector<std::uint8_t> joins_of(const Receivers& receivers);
+std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
 
 /// Visibility V against the truth R over the pixels that count (PixelState::Counted), n in number. Shadow is below one
 /// half. Fractions are of n, and 0 when n is 0. What each number is, metrics() says: it has a row for each of these.
@@ -71,7 +71,7 @@ enum class Better {
 };
 
 /// How far a value is from the best, where less is better; NaN with Better::Neither.
-double shortfall(Better better, double value);
+double distance_from_best(Better better, double value);
 
 /// A number that says how wrong a picture's shadows are. A row is all that JSON, tables, plots, searches and the page
 /// of metrics know of it.
@@ -113,9 +113,9 @@ struct PixelSums {
 /// All but boundary_px_*, which are NaN.
 ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth);
 
-/// @param judged one per pixel of the truth @param joins joins_of(), or empty: all are joined
+/// @param judged one per pixel of the truth @param joins same_surface_bits(), or empty: all are joined
 /// @throws Error when sizes differ
-ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& judged, const Truth& truth,
                            const std::vector<std::uint8_t>& joins = {});
 
 }  // namespace si

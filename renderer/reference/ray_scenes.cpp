@@ -6,8 +6,8 @@
 
 namespace si {
 
-std::shared_ptr<const TruthScene> RayScenes::get(const std::shared_ptr<const TruthGeometry>& geometry,
-                                                 const Workers& workers) {
+std::shared_ptr<const TruthScene> RaySceneCache::get(const std::shared_ptr<const TruthGeometry>& geometry,
+                                                     const Workers& workers) {
     std::shared_ptr<Place> place;
     {
         const std::lock_guard lock(mutex_);
@@ -36,31 +36,31 @@ std::shared_ptr<const TruthScene> RayScenes::get(const std::shared_ptr<const Tru
     return scene;
 }
 
-std::shared_ptr<const TruthScene> RayScenes::find(std::uint64_t key) const {
+std::shared_ptr<const TruthScene> RaySceneCache::find(std::uint64_t key) const {
     const std::lock_guard lock(mutex_);
     const auto place = places_.find(key);
     return place == places_.end() ? nullptr : place->second->scene.lock();
 }
 
-std::shared_ptr<const TruthGeometry> RayScenes::geometry(const Scene& scene, const Settings& settings) const {
+std::shared_ptr<const TruthGeometry> RaySceneCache::geometry(const Scene& scene, const Settings& settings) const {
     if (const auto known = find(truth_geometry_key(scene, settings).value())) return known->shared_geometry();
     return std::make_shared<const TruthGeometry>(scene, settings);
 }
 
-std::size_t RayScenes::size() const {
+std::size_t RaySceneCache::size() const {
     const std::lock_guard lock(mutex_);
     return std::size_t(
         std::count_if(places_.begin(), places_.end(), [](const auto& p) { return !p.second->scene.expired(); }));
 }
 
-void RayScenes::forget() {
+void RaySceneCache::clear() {
     std::shared_ptr<const TruthScene> last;
     const std::lock_guard lock(mutex_);
     last = std::exchange(last_, nullptr);
 }
 
-RayScenes& ray_scenes() {
-    static RayScenes scenes;
+RaySceneCache& ray_scenes() {
+    static RaySceneCache scenes;
     return scenes;
 }
 

@@ -11,7 +11,7 @@
 namespace si {
 
 /// Hierarchies by TruthGeometry::key. Those that somebody holds are found; of others the last one is kept. Any thread.
-class RayScenes {
+class RaySceneCache {
 public:
     /// The hierarchy of that geometry, built unless it is there. Who asks for one that another thread is building waits
     /// for that. @throws Cancelled; Error as TruthScene does
@@ -24,12 +24,12 @@ public:
     /// How many there are in memory.
     std::size_t size() const;
     /// Keeps none but those that somebody holds.
-    void forget();
+    void clear();
 
 private:
     struct Place {
         std::timed_mutex building;
-        std::weak_ptr<const TruthScene> scene;  ///< under RayScenes::mutex_
+        std::weak_ptr<const TruthScene> scene;  ///< under RaySceneCache::mutex_
     };
     mutable std::mutex mutex_;
     std::map<std::uint64_t, std::shared_ptr<Place>> places_;
@@ -37,6 +37,6 @@ private:
 };
 
 /// The process's own.
-RayScenes& ray_scenes();
+RaySceneCache& ray_scenes();
 
 }  // namespace si

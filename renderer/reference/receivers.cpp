@@ -68,7 +68,7 @@ void join_row_below(Receivers& to, std::size_t y) {
     const auto width = std::size_t(to.width);
     for (std::size_t x = 0; x < width; ++x) {
         Receiver& r = to.pixels[y * width + x];
-        r.joins_below = joined(r, to.pixels[(y + 1) * width + x]);
+        r.same_surface_below = joined(r, to.pixels[(y + 1) * width + x]);
     }
 }
 
@@ -77,7 +77,7 @@ void join_row(Receivers& to, std::size_t y, bool below) {
     const auto width = std::size_t(to.width);
     for (std::size_t x = 0; x + 1 < width; ++x) {
         Receiver& r = to.pixels[y * width + x];
-        r.joins_right = joined(r, to.pixels[y * width + x + 1]);
+        r.same_surface_right = joined(r, to.pixels[y * width + x + 1]);
     }
     if (below) join_row_below(to, y);
 }
@@ -97,15 +97,15 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
 }
 
-Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                          const PixelRaster& raster, const Workers& workers) {
+Receivers reconstruct_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                                const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
     out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
     const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
     const auto width = std::size_t(ids.width), height = std::size_t(ids.height);
     const std::size_t strips = (height + kRowsPlaced - 1) / kRowsPlaced;
-    for_blocks(strips, workers.part(0, 0.95), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.with_progress_range(0, 0.95), [&](std::size_t strip) {
         const std::size_t first = strip * kRowsPlaced, end = std::min(first + kRowsPlaced, height);
         Prepared triangle;
         for (std::size_t y = first; y < end; ++y)
@@ -123,10 +123,10 @@ Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, c
             }
         for (std::size_t y = first; y < end; ++y) join_row(out, y, y + 1 < end);  // while it is in the cache
     });
-    for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.with_progress_range(0.95, 1), [&](std::size_t strip) {
         if (const std::size_t below = (strip + 1) * kRowsPlaced; below < height) join_row_below(out, below - 1);
     });
-    out.held = HeldMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));
+    out.held = TrackedMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));
     return out;
 }
 

@@ -19,7 +19,7 @@ struct Receiver {
     float edge_m = 0;         ///< the triangle's longest edge
     std::uint32_t object = kNothing, primitive = 0;
     /// Whether the right and the lower neighbour show the same surface: neither lies off the other's plane.
-    bool joins_right = false, joins_below = false;
+    bool same_surface_right = false, same_surface_below = false;
     bool hit() const { return object != kNothing; }
 };
 
@@ -38,7 +38,7 @@ struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
     BigArray<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
-    HeldMemory held = {};            ///< what they take
+    TrackedMemory held = {};         ///< what they take
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
@@ -55,12 +55,12 @@ struct PixelRaster {
 /// the triangle (rasterisers snap corners, so the ray may pass by a hair).
 /// @param ids Outputs::surface_ids of a frame of the same scene and camera, those of the raster
 /// @throws Cancelled; Error when an id names no triangle of the geometry
-Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                          const PixelRaster& raster, const Workers& workers);
+Receivers reconstruct_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                                const PixelRaster& raster, const Workers& workers);
 /// Every pixel.
-inline Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
-                                 const Workers& workers) {
-    return place_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);
+inline Receivers reconstruct_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+                                       const Workers& workers) {
+    return reconstruct_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);
 }
 
 }  // namespace si

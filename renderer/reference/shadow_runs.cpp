@@ -58,8 +58,8 @@ private:
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(truth_.width) + std::size_t(x); }
     bool counts(std::size_t i) const { return truth_.state[i] == PixelState::Counted; }
     bool dark(std::size_t i) const { return hard_.data[i] < 0.5f; }
-    bool joins_right(std::size_t i) const { return receivers_.pixels[i].joins_right; }
-    bool joins_below(std::size_t i) const { return receivers_.pixels[i].joins_below; }
+    bool same_surface_right(std::size_t i) const { return receivers_.pixels[i].same_surface_right; }
+    bool same_surface_below(std::size_t i) const { return receivers_.pixels[i].same_surface_below; }
 
     /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing,
     /// 1966).
@@ -73,8 +73,8 @@ private:
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 const std::size_t i = index(x, y);
-                if (x + 1 < w) ends(i, i + 1, joins_right(i));
-                if (y + 1 < h) ends(i, index(x, y + 1), joins_below(i));
+                if (x + 1 < w) ends(i, i + 1, same_surface_right(i));
+                if (y + 1 < h) ends(i, index(x, y + 1), same_surface_below(i));
             }
         const auto lower = [&](int x, int y, int u, int v) {
             if (u < 0 || v < 0 || u >= w || v >= h) return;
@@ -103,8 +103,8 @@ private:
     }
 
     bool joined(int x, int y, int u, int v) const {
-        const auto right = [&](int cx, int cy) { return joins_right(index(cx, cy)); };
-        const auto below = [&](int cx, int cy) { return joins_below(index(cx, cy)); };
+        const auto right = [&](int cx, int cy) { return same_surface_right(index(cx, cy)); };
+        const auto below = [&](int cx, int cy) { return same_surface_below(index(cx, cy)); };
         const int left = std::min(x, u), top = std::min(y, v);
         if (y == v) return x == u || right(left, y);
         if (x == u) return below(x, top);
@@ -173,7 +173,7 @@ ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Cam
     out.edge_m = out.run_m;
     if (query.views.empty()) return out;
     const Walker walker(truth, receivers, camera, raster, query);
-    for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
+    parallel_for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
         for (int x = 0; x < truth.width; ++x) {
             const Walker::Found found = walker.at(x, int(y));
             const std::size_t i = y * std::size_t(truth.width) + std::size_t(x);

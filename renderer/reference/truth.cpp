@@ -33,7 +33,7 @@ struct Batch {
     /// @param direction unit @param length unit frame
     void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction,
              double cosine, double length) {
-        if (cosine >= kGrazing) {
+        if (cosine >= kGrazingCosine) {
             plain.push_back(make_ray(origin, glm::vec3(direction), float(length), number));
             return;
         }
@@ -128,7 +128,7 @@ public:
             // Most of the work is in the first two levels.
             const double lo = level == 0 ? 0 : level == 1 ? 0.4 : 1 - std::exp2(-level - 1.0) * 2;
             const double hi = parts == most ? 1 : level == 0 ? 0.4 : 1 - std::exp2(-level - 2.0) * 2;
-            sample(parts, wanted, workers.part(std::min(lo, hi), hi));
+            sample(parts, wanted, workers.with_progress_range(std::min(lo, hi), hi));
             if (parts == most) break;
             wanted = level == 0 ? near_partial() : wanted;
             for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -178,7 +178,7 @@ private:
         const std::size_t shared_out = across * down / (kTurns * std::size_t(workers.count()));
         const std::size_t in_turn = std::clamp<std::size_t>(shared_out, 1, kTilesInTurn);
         const std::size_t runs = (across + in_turn - 1) / in_turn;
-        for_blocks(runs * down, workers, [&](std::size_t run) {
+        parallel_for_blocks(runs * down, workers, [&](std::size_t run) {
             const std::size_t first = run % runs * in_turn, end = std::min(first + in_turn, across);
             const int y0 = int(run / runs) * kTile, y1 = std::min(y0 + kTile, receivers_.height);
             for (std::size_t t = first; t < end; ++t) {
@@ -193,7 +193,8 @@ private:
         const RayStart& start = receivers_.starts[i];
         if (start.object == Receiver::kNothing) return out_.state[i] = PixelState::Background;
         const float cosine = glm::dot(start.normal, to_light_);
-        if (!(std::abs(cosine) > 2 * kGrazing) || !query_.traits[start.object].receives) return classify(i, batch);
+        if (!(std::abs(cosine) > 2 * kGrazingCosine) || !query_.traits[start.object].receives)
+            return classify(i, batch);
         if (cosine < 0) {
             out_.visibility.data[i] = 0;
             return out_.state[i] = PixelState::FacesAway;
@@ -229,8 +230,8 @@ private:
         const glm::dvec3 direction = query_.emitter.direction_from(r.position_ws, distance);
         HitRules rules{query_.traits, {}};
         const ExactRay exact{glm::dvec3(origin), direction, distance * scene_.scale, r.object, r.primitive};
-        if (glm::dot(r.normal_ws, direction) < kGrazing) rules.exact = {&exact, 1};
-        all_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
+        if (glm::dot(r.normal_ws, direction) < kGrazingCosine) rules.exact = {&exact, 1};
+        collect_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
         const double lift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
         const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
         double drawn = kNaN, any = kNaN;
@@ -368,16 +369,16 @@ Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, cons
     const bool area = query.options.area && query.emitter.casts;
     if (area) out.standard_error = image(out.width, out.height, 0);
     Tracer tracer(scene, receivers, query, out);
-    tracer.trace_hard(workers.part(0, area ? 0.05 : 1));
+    tracer.trace_hard(workers.with_progress_range(0, area ? 0.05 : 1));
     if (area) {
         out.point_visibility = out.visibility;
-        tracer.trace_area(workers.part(0.05, 1));
+        tracer.trace_area(workers.with_progress_range(0.05, 1));
     }
     std::uint64_t bytes = array_bytes(out.state);
     for (const FloatImage* i :
          {&out.visibility, &out.point_visibility, &out.standard_error, &out.nearest_m, &out.blocker_m})
         bytes += array_bytes(i->data);
-    out.held = HeldMemory("truths", bytes);
+    out.held = TrackedMemory("truths", bytes);
     return out;
 }
 

@@ -2,9 +2,9 @@
 //
 //     auto geometry = std::make_shared<TruthGeometry>(scene, settings);           // a copy; any thread from here on
 //     TruthScene casters(geometry);                                               // the hierarchy
-//     Receivers receivers = place_receivers(*geometry, frame.camera, renderer.read_surface_ids(frame.surface_ids), {});
-//     Truth truth = trace_visibility(casters, receivers, truth_query(scene, settings, frame.lights, 0), {});
-//     truth.visibility.at(x, y);                                                  // 1 lit ... 0 in shadow
+//     Receivers receivers = reconstruct_receivers(*geometry, frame.camera,
+//     renderer.read_surface_ids(frame.surface_ids), {}); Truth truth = trace_visibility(casters, receivers,
+//     truth_query(scene, settings, frame.lights, 0), {}); truth.visibility.at(x, y); // 1 lit ... 0 in shadow
 #pragma once
 
 #include <array>
@@ -92,7 +92,7 @@ struct Truth {
     SamplesUsed samples;
     std::size_t partial = 0;  ///< area: counted pixels that see a part of the light
 
-    HeldMemory held = {};  ///< what it takes
+    TrackedMemory held = {};  ///< what it takes
 
     /// Visibility of a light without size: 0 or 1.
     const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }

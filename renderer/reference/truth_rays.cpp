@@ -84,7 +84,7 @@ void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRul
     rtcOccluded1M(scene.scene.get(), &query.context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));
 }
 
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out) {
+void collect_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out) {
     out.clear();
     Query query(scene, rules);
     query.context.filter = filter;

@@ -18,7 +18,7 @@ struct Caster {
 };
 
 struct TruthScene::Impl : UnitFrame {
-    HeldMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
+    TrackedMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
     embree::Scene scene;
@@ -36,7 +36,7 @@ struct ExactRay {
     std::uint32_t object = 0, primitive = 0;
 };
 /// Cosine between surface and ray below which a ray needs to be exact.
-inline constexpr double kGrazing = 1e-3;
+inline constexpr double kGrazingCosine = 1e-3;
 
 /// Which hits count.
 struct HitRules {
@@ -66,6 +66,6 @@ struct Hit {
     bool culled = false;  ///< by HitRules::culls
 };
 /// All hits up to the ray's end, culled ones too, in no order.
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
+void collect_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

@@ -150,7 +150,7 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     i.device.reset(rtcNewDevice(nullptr));
     if (!i.device) throw Error("the ray-traced truth cannot be prepared: Embree finds no device");
     const auto taken = [](void* held, ssize_t bytes, bool) {
-        static_cast<HeldMemory*>(held)->add(bytes);
+        static_cast<TrackedMemory*>(held)->add(bytes);
         return true;
     };
     rtcSetDeviceMemoryMonitorFunction(i.device.get(), taken, &i.held);

@@ -111,12 +111,13 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
         scene_ = ray_scenes().find(task.geometry->key);  // lets go of the old one's memory first
         if (!scene_)
-            scene_ = timed(out.build_ms, [&] { return ray_scenes().get(task.geometry, workers.part(0, 0.1)); });
+            scene_ = timed(out.build_ms,
+                           [&] { return ray_scenes().get(task.geometry, workers.with_progress_range(0, 0.1)); });
     }
     if (!receivers_ || receivers_key_ != task.receivers_key) {
         receivers_ = timed(out.place_ms, [&] {
-            return std::make_shared<Receivers>(
-                place_receivers(*task.geometry, task.camera, task.ids, task.raster, workers.part(0.1, 0.2)));
+            return std::make_shared<Receivers>(reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster,
+                                                                     workers.with_progress_range(0.1, 0.2)));
         });
         receivers_key_ = task.receivers_key;
     }
@@ -124,11 +125,12 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     if (found == truths_.end()) {
         Known known{.key = task.key, .truth = {}, .runs = {}};
         known.truth = timed(out.trace_ms, [&] {
-            return std::make_shared<Truth>(trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
+            return std::make_shared<Truth>(
+                trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
         });
         known.runs = timed(out.runs_ms, [&] {
-            return std::make_shared<ShadowRuns>(
-                shadow_runs(*known.truth, *receivers_, task.camera, task.raster, task.query, workers.part(0.9, 1)));
+            return std::make_shared<ShadowRuns>(shadow_runs(*known.truth, *receivers_, task.camera, task.raster,
+                                                            task.query, workers.with_progress_range(0.9, 1)));
         });
         truths_.push_front(std::move(known));
         if (truths_.size() > kKept) truths_.pop_back();

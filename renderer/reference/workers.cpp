@@ -36,13 +36,13 @@ int Workers::count() const {
     return threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
-Workers Workers::part(double lo, double hi) const {
+Workers Workers::with_progress_range(double lo, double hi) const {
     Workers out = *this;
     if (progress) out.progress = [report = progress, lo, hi](double t) { report(lo + (hi - lo) * t); };
     return out;
 }
 
-void for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work) {
+void parallel_for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work) {
     std::atomic<std::size_t> next{0}, done{0};
     std::atomic<bool> failed{false};
     std::exception_ptr error;

@@ -21,12 +21,12 @@ struct Workers {
     std::function<void(double)> progress = nullptr;  ///< 0..1, rising; called on the caller's thread only
     int count() const;                               ///< the number of threads used, >= 1
     /// The same, with 0..1 of its progress shown as lo..hi.
-    Workers part(double lo, double hi) const;
+    Workers with_progress_range(double lo, double hi) const;
 };
 
 /// Calls work(i) for every i below `blocks`, each once, in no order; the caller works too. In each thread numbers too
 /// small for normal floats count as zero, as Embree wants. The first exception ends all and is thrown again here.
 /// @throws Cancelled
-void for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work);
+void parallel_for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work);
 
 }  // namespace si

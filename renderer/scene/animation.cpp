@@ -62,17 +62,17 @@ glm::dvec3 vec3_of(const std::vector<float>& v) {
     return {v[0], v[1], v[2]};
 }
 
-glm::dmat4 matrix_of(const NodeRest& n) {
+glm::dmat4 matrix_of(const NodeRestPose& n) {
     return glm::scale(glm::translate(glm::dmat4(1.0), n.translation) * glm::mat4_cast(n.rotation), n.scale);
 }
 
 /// Node locals and worlds of this pose; returns the weights of each node.
-std::vector<NodeRest> move_nodes(Scene& scene, const Rig& rig, int animation, double time_s) {
-    std::vector<NodeRest> now = rig.rest;
+std::vector<NodeRestPose> move_nodes(Scene& scene, const Rig& rig, int animation, double time_s) {
+    std::vector<NodeRestPose> now = rig.rest;
     if (animation >= 0) {
         for (const AnimationChannel& channel : rig.animations[static_cast<std::size_t>(animation)].channels) {
-            NodeRest& node = now[static_cast<std::size_t>(channel.node)];
-            const std::vector<float> value = sample(channel, time_s);
+            NodeRestPose& node = now[static_cast<std::size_t>(channel.node)];
+            const std::vector<float> value = sample_channel(channel, time_s);
             switch (channel.property) {
                 case AnimatedProperty::Translation:
                     node.translation = vec3_of(value);
@@ -174,7 +174,7 @@ void flatten_normals(Mesh& mesh) {
     mesh.normals = std::move(normals);
 }
 
-void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRest>& now) {
+void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRestPose>& now) {
     const Deformer& deformer = *mesh.deformer;
     const DeformSource& source = *deformer.source;
     mesh.positions.assign(source.positions);
@@ -198,7 +198,7 @@ void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRest>& now) {
 
 }  // namespace
 
-std::vector<float> sample(const AnimationChannel& c, double time_s) {
+std::vector<float> sample_channel(const AnimationChannel& c, double time_s) {
     const auto hold = [&](std::size_t key) {
         return std::vector<float>(value_of_key(c, key), value_of_key(c, key) + c.width);
     };
@@ -222,7 +222,7 @@ void apply_pose(Scene& scene, int animation, double time_s) {
             fmt::format("{}: animation {} does not exist, there are {}; choose one of them or -1 for the rest pose",
                         scene.name, animation, rig.animations.size()));
     }
-    const std::vector<NodeRest> now = move_nodes(scene, rig, animation, time_s);
+    const std::vector<NodeRestPose> now = move_nodes(scene, rig, animation, time_s);
     for (Mesh& mesh : scene.meshes) {
         if (mesh.deformer) deform(scene, mesh, now);
     }
@@ -327,19 +327,19 @@ std::vector<Object*> every_object(Scene& scene) {
 
 }  // namespace
 
-void measure_travel(Scene& scene, int animation) {
-    if (scene.travel_of == animation) return;
-    for (Object* o : every_object(scene)) o->travel = {};
-    scene.travel = {};
-    scene.travel_of = -1;
+void measure_animation_bounds(Scene& scene, int animation) {
+    if (scene.animation_bounds_of == animation) return;
+    for (Object* o : every_object(scene)) o->animation_bounds = {};
+    scene.animation_bounds = {};
+    scene.animation_bounds_of = -1;
     if (!scene.rig || animation < 0 || static_cast<std::size_t>(animation) >= scene.rig->animations.size()) return;
-    Travel travel(scene, animation);
-    const double poses = kMostTravelWork / std::max(travel.work(), 1.0);
+    Travel animation_bounds(scene, animation);
+    const double poses = kMostTravelWork / std::max(animation_bounds.work(), 1.0);
     const auto most = static_cast<std::size_t>(std::clamp(poses / kLeastSteps, 2.0, 1e6));
     const std::vector<double> keys = key_times(scene.rig->animations[static_cast<std::size_t>(animation)], most);
     if (keys.empty()) return;
-    scene.travel_of = animation;
-    const std::vector<Bounds> first = travel.at(keys[0]);
+    scene.animation_bounds_of = animation;
+    const std::vector<Bounds> first = animation_bounds.at(keys[0]);
     std::vector<Bounds> all = first;
     std::vector<bool> moved(all.size());
     const std::size_t wanted = kTravelSteps / std::max<std::size_t>(keys.size() - 1, 1);
@@ -350,7 +350,7 @@ void measure_travel(Scene& scene, int animation) {
             // A channel that steps is, at the next key, somewhere else at once: up to there it counts as it was.
             const double share = static_cast<double>(step) / static_cast<double>(steps);
             const double time = keys[k] + share * (keys[k + 1] - keys[k]);
-            std::vector<Bounds> now = travel.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
+            std::vector<Bounds> now = animation_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 moved[i] = moved[i] || !same(now[i], first[i]);
                 all[i].add(now[i]);
@@ -359,23 +359,23 @@ void measure_travel(Scene& scene, int animation) {
             before = std::move(at), at = std::move(now);
         }
     }
-    const std::vector<Bounds> last = travel.at(keys.back());
+    const std::vector<Bounds> last = animation_bounds.at(keys.back());
     const std::vector<Object*> objects = every_object(scene);
     for (std::size_t i = 0; i < objects.size(); ++i) {
         Object& o = *objects[i];
         if (o.ground) continue;
         all[i].add(last[i]);
-        scene.travel.add(all[i]);
+        scene.animation_bounds.add(all[i]);
         const bool deforms = scene.meshes[static_cast<std::size_t>(o.mesh)].deformer != nullptr;
-        if (moved[i] || deforms || !same(last[i], first[i])) o.travel = all[i];
+        if (moved[i] || deforms || !same(last[i], first[i])) o.animation_bounds = all[i];
     }
 }
 
-Bounds bounds_of_fit(const Scene& scene) {
-    return scene.travel.empty() ? scene.bounds : scene.travel.transformed(scene.placement);
+Bounds light_fit_bounds(const Scene& scene) {
+    return scene.animation_bounds.empty() ? scene.bounds : scene.animation_bounds.transformed(scene.placement);
 }
 
-bool moves(const Scene& scene, int animation) {
+bool is_animated(const Scene& scene, int animation) {
     return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
            scene.rig->animations[std::size_t(animation)].duration_s > 0;
 }

@@ -109,7 +109,7 @@ Edges edges_of(const Welded& mesh) {
 void join_seams(Welded& mesh, std::vector<std::uint32_t> open) {
     glm::dvec3 lo(1e300), hi(-1e300);
     for (const glm::dvec3& p : mesh.places) lo = glm::min(lo, p), hi = glm::max(hi, p);
-    const double seam = kSeamShare * glm::length(hi - lo);
+    const double seam = kSeamToleranceShare * glm::length(hi - lo);
     const auto& at = mesh.places;
     std::sort(open.begin(), open.end(),
               [&](std::uint32_t a, std::uint32_t b) { return std::pair(at[a].x, a) < std::pair(at[b].x, b); });
@@ -238,7 +238,7 @@ bool cut_themselves(const Welded& mesh, const std::vector<std::uint32_t>& part_o
 
 }  // namespace
 
-Bodies find_bodies(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+WatertightCheck check_watertight(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
     if (indices.size() < 12) return {};
     Welded mesh = weld(positions, indices);
     Edges edges = edges_of(mesh);
@@ -252,7 +252,7 @@ Bodies find_bodies(std::span<const glm::vec3> positions, std::span<const std::ui
     for (const BodyPart& p : parts)
         if (!(p.six_volumes > 1e-9 * p.size() * p.size() * p.size())) return {};
     if (cut_themselves(mesh, numbers.of_triangle, parts)) return {};
-    Bodies out{.closed = !mesh.triangles.empty(), .joined = {}};
+    WatertightCheck out{.closed = !mesh.triangles.empty(), .joined = {}};
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (const std::uint32_t there = mesh.vertex_at[mesh.place_of[i]]; positions[there] != positions[i])
             out.joined.emplace_back(i, there);

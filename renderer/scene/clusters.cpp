@@ -32,8 +32,8 @@ glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec
 
 }  // namespace
 
-Shows shown_side(const Cluster& cluster, const glm::dvec4& from) {
-    if (cluster.axis == glm::dvec3(0)) return Shows::Either;
+VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from) {
+    if (cluster.axis == glm::dvec3(0)) return VisibleSide::Either;
     const glm::dvec3 there = glm::dvec3(from) - from.w * cluster.box.centre();
     const double distance = glm::length(there), radius = from.w * cluster.box.radius();
     const double off = cluster.spread + kClear;  // of a normal, about the axis
@@ -42,18 +42,18 @@ Shows shown_side(const Cluster& cluster, const glm::dvec4& from) {
     const double least = distance > radius ? off + std::asin(radius / distance) : kRightAngle;
     if (least < kRightAngle) {
         const double cosine = glm::dot(cluster.axis, there) / distance;
-        if (cosine > std::sin(least)) return Shows::Front;
-        if (cosine < -std::sin(least)) return Shows::Back;
+        if (cosine > std::sin(least)) return VisibleSide::Front;
+        if (cosine < -std::sin(least)) return VisibleSide::Back;
     }
     // Near what is flat its box says little, but how far above all corners one is does: for n at most `off` from the
     // axis, n.v is cos(off) axis.v - sin(off) |v| at least.
-    if (!(off < kRightAngle)) return Shows::Either;
+    if (!(off < kRightAngle)) return VisibleSide::Either;
     const double along = glm::dot(cluster.axis, glm::dvec3(from)), aside = std::tan(off) * (distance + radius);
-    if (along - from.w * cluster.highest > aside) return Shows::Front;
-    return from.w * cluster.lowest - along > aside ? Shows::Back : Shows::Either;
+    if (along - from.w * cluster.highest > aside) return VisibleSide::Front;
+    return from.w * cluster.lowest - along > aside ? VisibleSide::Back : VisibleSide::Either;
 }
 
-std::vector<Cluster> clusters_of(const Mesh& mesh) {
+std::vector<Cluster> build_clusters(const Mesh& mesh) {
     const std::size_t triangles = mesh.indices.size() / 3;
     if (triangles == 0 || mesh.bounds.empty()) return {{mesh.bounds}};
     const glm::dvec3 size = mesh.bounds.hi - mesh.bounds.lo;
@@ -95,7 +95,7 @@ std::vector<Cluster> clusters_of(const Mesh& mesh) {
     return all;
 }
 
-std::vector<Bounds> run_boxes_of(const Mesh& mesh) {
+std::vector<Bounds> index_run_boxes(const Mesh& mesh) {
     std::vector<Bounds> out;
     if (mesh.indices.size() < 2 * kRunIndices) return out;
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {

@@ -17,8 +17,8 @@ glm::vec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& 
 
 }  // namespace
 
-FacedMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
-    FacedMesh out;
+FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
+    FlatNormalMesh out;
     out.indices.reserve(indices.size());
     out.normals.assign(positions.size(), glm::vec3(0));
     std::vector<bool> taken(positions.size());            // carries a normal; by vertex, copies included

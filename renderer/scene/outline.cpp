@@ -89,11 +89,11 @@ private:
 
 }  // namespace
 
-std::vector<glm::dvec3> outermost_points(const Scene& scene) {
+std::vector<glm::dvec3> extreme_points(const Scene& scene) {
     const glm::dmat4 unplaced = glm::inverse(scene.placement);
     std::vector<Part> parts;
     Bounds bounds;
-    for (const Object* o : standing_objects(scene)) {
+    for (const Object* o : objects_without_floor(scene)) {
         const Mesh& mesh = scene.meshes[std::size_t(o->mesh)];
         const Part part{&mesh, unplaced * o->world};
         const Bounds own = mesh.bounds.transformed(part.world);
@@ -115,8 +115,8 @@ std::vector<glm::dvec3> outermost_points(const Scene& scene) {
     return found.points();
 }
 
-void keep_framed(Scene& scene) {
-    scene.framed = outermost_points(scene);
+void store_framing_points(Scene& scene) {
+    scene.framed = extreme_points(scene);
     scene.framed_bounds = scene.bounds.transformed(glm::inverse(scene.placement));
 }
 

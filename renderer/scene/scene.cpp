@@ -335,11 +335,11 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
            own.z >= kWidth * size.z;
 }
 
-/// Sets Scene::standing, once Scene::bounds is known.
+/// Sets Scene::bounds_without_floor, once Scene::bounds is known.
 void find_standing(Scene& scene) {
-    scene.standing = {};
-    for (const Object* o : standing_objects(scene))
-        scene.standing.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
+    scene.bounds_without_floor = {};
+    for (const Object* o : objects_without_floor(scene))
+        scene.bounds_without_floor.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
 }
 
 void place_objects(Scene& scene) {
@@ -411,8 +411,9 @@ namespace {
 constexpr std::string_view kHolder = "scenes";
 
 void tell_arrays(Mesh& m) {
-    m.positions.tell(kHolder), m.normals.tell(kHolder), m.uv.tell(kHolder), m.uv_normal.tell(kHolder);
-    m.tangents.tell(kHolder), m.colours.tell(kHolder), m.indices.tell(kHolder);
+    m.positions.track_memory(kHolder), m.normals.track_memory(kHolder), m.uv.track_memory(kHolder),
+        m.uv_normal.track_memory(kHolder);
+    m.tangents.track_memory(kHolder), m.colours.track_memory(kHolder), m.indices.track_memory(kHolder);
 }
 
 }  // namespace
@@ -426,9 +427,9 @@ void finalise(Scene& scene) {
     drop_unplaced(scene.lights, "light", scene);
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
-    for (Texture& texture : scene.textures) texture.rgba.tell(kHolder);
+    for (Texture& texture : scene.textures) texture.rgba.track_memory(kHolder);
     for (Mesh& mesh : scene.meshes) tell_arrays(mesh);
-    scene.held = HeldMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
+    scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
     find_standing(scene);
     scene.id = next_scene_id();
 }
@@ -490,7 +491,7 @@ std::vector<const Object*> all_objects(const Scene& scene) {
     return all;
 }
 
-std::vector<const Object*> standing_objects(const Scene& scene) {
+std::vector<const Object*> objects_without_floor(const Scene& scene) {
     std::vector<const Object*> all = all_objects(scene), standing;
     std::erase_if(all, [&](const Object* o) {
         return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();

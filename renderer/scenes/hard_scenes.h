@@ -1,10 +1,12 @@
-// The scenes behind the rows of hard_cases(). Places and sizes are short sums of powers of two and nothing is turned by
-// a node, so that moving them by such sums, or scaling them by powers of two, rounds nothing.
+// Makers of the scenes of hard_cases(). Positions and sizes are short sums of powers of two, and no node rotates.
+// Translations by such sums and scales by powers of two are therefore exact.
 #pragma once
 
 #include "renderer/scene/scene.h"
 
 namespace si {
+
+// Each function returns the scene of a hard case:
 
 Scene hard_floor_and_box();   ///< a box that floats a little above a floor
 Scene hard_sphere();          ///< a fine sphere over a floor

@@ -1,4 +1,4 @@
-// The functions behind the rows of builtin_scenes(), one file each (basic.cpp holds the three small ones).
+// Makers of the scenes of builtin_scenes(), one file each (basic.cpp holds the three small ones).
 #pragma once
 
 #include "renderer/scene/scene.h"

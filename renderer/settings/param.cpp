@@ -133,13 +133,13 @@ std::string setting_key(const SettingRef& ref) {
 }
 
 std::string nearest_name(std::string_view text, std::span<const std::string> names) {
-    const std::string name = in_small_letters(text);
+    const std::string name = lower_ascii(text);
     // Beyond a third of its letters nothing is like it.
     const std::size_t most = name.size() < 3 ? 1 : std::max<std::size_t>(2, name.size() / 3);
     std::pair best{most + 1, std::size_t(0)};
     const std::string* nearest = nullptr;
     for (const std::string& known : names) {
-        const std::string like = in_small_letters(known);
+        const std::string like = lower_ascii(known);
         const std::pair far{unlikeness(name, like, most), name.size() - common_prefix(name, like)};
         if (far < best) best = far, nearest = &known;
     }
@@ -151,7 +151,7 @@ std::string nearest_key(std::string_view key) {
     int light = 0;
     std::string object = "PATH";
     std::string plain(key);
-    if (in_small_letters(key).starts_with(kLightPrefix)) {
+    if (lower_ascii(key).starts_with(kLightPrefix)) {
         const std::string_view rest = key.substr(kLightPrefix.size());
         const auto dot = rest.find('.');
         const auto digits = rest.substr(0, dot);

@@ -32,10 +32,10 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
     if (find_setting(text)) return false;  // the key of another setting: that one alone is meant
     const std::string wanted = as_searched(text), label = as_searched(p.label), also = as_searched(p.also),
                       own_key = as_searched(key);
-    if (words_match(wanted, {label, own_key, as_searched(p.help), also})) return true;
+    if (matches_all_words(wanted, {label, own_key, as_searched(p.help), also})) return true;
     if (!p.choices) return false;
     const auto is_wanted = [&](std::string_view choice, std::string_view choice_label) {
-        return words_match(wanted, {label, own_key, also, as_searched(choice), as_searched(choice_label)});
+        return matches_all_words(wanted, {label, own_key, also, as_searched(choice), as_searched(choice_label)});
     };
     if (std::ranges::any_of(p.choices(), [&](const Choice& c) { return is_wanted(c.key, c.label); })) return true;
     return std::ranges::any_of(aliases().choices,

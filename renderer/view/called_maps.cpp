@@ -198,11 +198,11 @@ bool keeps_sides(const glm::dmat4& world) {
 /// Whether all that the camera sees of a body is of triangles whose other side the light meets: shaders take normals on
 /// the camera's side, and look nothing up where those face away, whatever is shaded by.
 bool is_turned_away(const SeenBody& body, const SeenBodies& seen, const FittedLight& light) {
-    if (body.side == Shows::Either) return false;
+    if (body.side == VisibleSide::Either) return false;
     const glm::dvec4 from =
         light.type == LightType::Directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);
-    const Shows side = shown_side(body.cluster, seen.mesh_from_world[body.object] * from);
-    return side != Shows::Either && side != body.side;
+    const VisibleSide side = visible_side(body.cluster, seen.mesh_from_world[body.object] * from);
+    return side != VisibleSide::Either && side != body.side;
 }
 
 std::string none_arrives(const FittedLight& light) {
@@ -249,7 +249,7 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
         if (sides) mesh_from_world = glm::inverse(object.world);
         const glm::dvec4 eye =
             mesh_from_world * (camera.orthographic ? glm::dvec4(camera.axes[2], 0) : glm::dvec4(camera.eye, 1));
-        const auto side = [&](const Cluster& part) { return sides ? shown_side(part, eye) : Shows::Either; };
+        const auto side = [&](const Cluster& part) { return sides ? visible_side(part, eye) : VisibleSide::Either; };
         if (parts.size() > 1) {
             for (const Cluster& part : parts) {
                 const Box corners = part.box.corners(object.world);

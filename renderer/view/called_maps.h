@@ -27,10 +27,10 @@ bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points);
 /// A body that holds surfaces that the camera sees.
 struct SeenBody {
     Box box{};
-    std::vector<glm::dvec3> seen;  ///< points around the part of it that is seen; none: all of it may be
-    Cluster cluster;               ///< that it is, where `side` is known
-    Shows side = Shows::Either;    ///< of its triangles that the camera sees
-    std::size_t object = 0;        ///< in Scene::objects;
+    std::vector<glm::dvec3> seen;            ///< points around the part of it that is seen; none: all of it may be
+    Cluster cluster;                         ///< that it is, where `side` is known
+    VisibleSide side = VisibleSide::Either;  ///< of its triangles that the camera sees
+    std::size_t object = 0;                  ///< in Scene::objects;
     std::span<const glm::dvec3> points() const {
         return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
     }
@@ -44,7 +44,7 @@ struct SeenBodies {
     std::vector<glm::dmat4> mesh_from_world;  ///< by object; of those whose clusters show a side
 };
 
-/// @param clusters of a mesh: as clusters_of() finds them; none: it is one
+/// @param clusters of a mesh: as build_clusters() finds them; none: it is one
 /// @param lines pixels of the picture's height
 SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
                        const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);

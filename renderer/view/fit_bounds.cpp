@@ -119,8 +119,8 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         s.casters = s.casters || casts;
         s.receivers = s.receivers || own.receive;
         if (scene.objects.size() > kMaxFitObjects && !o.ground) continue;
-        const bool travels = !o.travel.empty();
-        const Box box = travels ? o.travel.corners(scene.placement) : mesh.bounds.corners(o.world);
+        const bool travels = !o.animation_bounds.empty();
+        const Box box = travels ? o.animation_bounds.corners(scene.placement) : mesh.bounds.corners(o.world);
         if (!finite(box)) continue;
         std::optional<HalfSpace> plane;
         if (!travels) {
@@ -131,7 +131,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         if (o.ground) s.ground = s.boxes.size();
         add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane, travels);
     }
-    Bounds bounds = bounds_of_fit(scene);
+    Bounds bounds = light_fit_bounds(scene);
     if (bounds.empty() || !std::isfinite(bounds.radius())) {
         bounds = Bounds();
         for (const Box& box : s.boxes)

@@ -35,8 +35,8 @@ struct SceneShape {
     bool receivers = false;  ///< an object with triangles receives shadows
 };
 
-/// Boxes of all objects, over all of the animation where measure_travel() was called; above 20000 objects the scene's
-/// box stands for them. Always finite, also for empty scenes. Meshes are read to find the flat ones.
+/// Boxes of all objects, over all of the animation where measure_animation_bounds() was called; above 20000 objects the
+/// scene's box stands for them. Always finite, also for empty scenes. Meshes are read to find the flat ones.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
 /// The shape as a light's maps have to hold it: of the ground under a model no more than where casters shadow it, which

@@ -34,7 +34,7 @@ double elevation(const glm::dvec3& d) {
 }
 
 Stand stand_of(const SceneLight& light, const Scene& scene) {
-    const Bounds bounds = bounds_of_fit(scene);  // whose centre light.target_* count from
+    const Bounds bounds = light_fit_bounds(scene);  // whose centre light.target_* count from
     const glm::dvec3 centre = bounds.centre(), position(light.world[3]);
     const double radius = bounds.radius() > 0 ? bounds.radius() : 1;
     const double away = glm::distance(position, centre);

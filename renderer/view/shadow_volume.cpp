@@ -59,7 +59,7 @@ double volume_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) 
 VolumeMesh::VolumeMesh(const Mesh& mesh) {
     const std::vector<std::uint32_t> unique = welded(mesh.positions, positions);
     // The copies of vertices that drawing adds are left aside: they have their originals' places.
-    const FacedMesh faced = face_normals(mesh.positions, mesh.indices);
+    const FlatNormalMesh faced = face_normals(mesh.positions, mesh.indices);
     const auto source = [&](std::uint32_t v) {
         return unique[v < mesh.positions.size() ? v : faced.copies[v - mesh.positions.size()]];
     };

@@ -127,7 +127,7 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
 
 #if BIAS_PER_TEXEL
 /// By how much the compared depth may differ from the receiver's own, whatever its plane.
-float most_moved(Receiver r) {
+float max_texel_shift(Receiver r) {
     return bias_plane_clamp > 0.0 ? bias_plane_clamp * r.texel_m * r.depth_per_m : 3e38;
 }
 #endif

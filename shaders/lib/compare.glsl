@@ -13,7 +13,7 @@ float reference_of(float depth) { return reference_of(vec4(depth)).x; }
 #if BIAS_PER_TEXEL
 /// The depths of the receiver's plane, brought nearer by the bias, at map coordinates.
 vec4 reference_at(Receiver r, vec4 u, vec4 v) {
-    float most = most_moved(r);
+    float most = max_texel_shift(r);
     vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
     vec4 depth = r.reference + clamp(moved, -most, most);
     // Where the plane runs on beyond the far plane, the map may be empty.

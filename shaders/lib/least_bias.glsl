@@ -6,7 +6,7 @@
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
     float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
-    return max(kernel - most_moved(r), 0.0) + rest_bias(r, gradient);
+    return max(kernel - max_texel_shift(r), 0.0) + rest_bias(r, gradient);
 #else
     return least_bias(r, gradient, light_of(r.light).kernel.y);
 #endif

@@ -27,7 +27,7 @@ float bounded_visibility(Receiver r) {
 #if BIAS_PER_TEXEL
     slope = r.reference_slope / float(map_resolution);
     // Where each texel's own depth is held back it rises otherwise.
-    known = known && (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= most_moved(r) &&
+    known = known && (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= max_texel_shift(r) &&
             abs(r.reference - 0.5) + (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= 0.5;
 #endif
     vec2 stored = stored_bounds(bounds, from_middle, texels, slope);

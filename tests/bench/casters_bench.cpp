@@ -129,7 +129,7 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     Renderer renderer;
     const FrameResult facts = renderer.render(scene, s, {});
     std::vector<std::vector<Cluster>> clusters;
-    for (const Mesh& mesh : scene.meshes) clusters.push_back(clusters_of(mesh));
+    for (const Mesh& mesh : scene.meshes) clusters.push_back(build_clusters(mesh));
     const auto of_mesh = [&](std::size_t mesh) { return std::span<const Cluster>(clusters[mesh]); };
     const LookupArea area{.resolution = facts.map_resolution, .reach_texels = 3, .normal_texels = 1};
     std::vector<double> seen_ms, called_ms;

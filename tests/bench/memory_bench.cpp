@@ -28,7 +28,7 @@ double resident_bytes() {
 
 /// Bytes by the holder's own account.
 double told(std::string_view holder) {
-    for (const HeldBytes& h : memory_facts().holders)
+    for (const MemoryUse& h : memory_report().holders)
         if (h.holder == holder) return double(h.bytes);
     return 0;
 }

@@ -58,7 +58,7 @@ struct Bench {
         settings.lights[0].elevation = 45;
         task = truth_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
         casters = std::make_unique<TruthScene>(task.geometry);
-        receivers = place_receivers(*task.geometry, task.camera, task.ids, {});
+        receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, {});
         centre = loaded.bounds.centre();
         lift = 1e-4 * loaded.bounds.radius();
         rtcSetSceneFlags(robust.get(), RTC_SCENE_FLAG_ROBUST);
@@ -102,7 +102,7 @@ struct Bench {
     /// Makes rays of receivers and traces them, `at_once` a call.
     TakenMs prepared_ms(std::size_t at_once, const Workers& workers) {
         return ms_of([&] {
-            for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
+            parallel_for_blocks((facing.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
                 thread_local std::vector<RTCRay> some;
                 some.clear();
                 for (std::size_t i = b * at_once; i < std::min((b + 1) * at_once, facing.size()); ++i)
@@ -117,7 +117,7 @@ struct Bench {
                     const Workers& workers) {
         std::vector<RTCRay> prepared = rays;
         return ms_of([&] {
-            for_blocks((prepared.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
+            parallel_for_blocks((prepared.size() + at_once - 1) / at_once, workers, [&](std::size_t b) {
                 const std::size_t first = b * at_once;
                 occlude(through, &prepared[first], std::min(at_once, prepared.size() - first), flags);
             });
@@ -152,7 +152,7 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
         }));
         place.push_back(ms_of([&] {
             benchmark::DoNotOptimize(
-                place_receivers(*bench->task.geometry, bench->task.camera, bench->task.ids, workers));
+                reconstruct_receivers(*bench->task.geometry, bench->task.camera, bench->task.ids, workers));
         }));
         state.SetIterationTime(ours.wall.back() / 1000);
     }

@@ -41,7 +41,7 @@ int run_here(std::vector<std::string> arguments, std::string& out, std::string& 
     arguments.insert(arguments.begin(), "shadow-inspector");
     std::vector<const char*> argv;
     for (const std::string& a : arguments) argv.push_back(a.c_str());
-    gl::trouble_seam().spoils = [spoilt_from](std::string_view image, GLuint texture) {
+    gl::fault_injection().corrupt_image = [spoilt_from](std::string_view image, GLuint texture) {
         const float nan = std::numeric_limits<float>::quiet_NaN();
         GLint width = 0;
         glGetTextureLevelParameteriv(texture, 0, GL_TEXTURE_WIDTH, &width);
@@ -53,7 +53,7 @@ int run_here(std::vector<std::string> arguments, std::string& out, std::string& 
     const int code = run_cli(int(argv.size()), argv.data());
     out = testing::internal::GetCapturedStdout();
     err = testing::internal::GetCapturedStderr();
-    gl::trouble_seam() = {};
+    gl::fault_injection() = {};
     return code;
 }
 

@@ -11,24 +11,24 @@
 namespace si {
 namespace {
 
-using gl::Trouble;
+using gl::DriverFailure;
 
-void fail_always(Trouble kind) {
-    gl::trouble_seam().fails = [kind](Trouble of, std::string_view) { return of == kind; };
+void fail_always(DriverFailure kind) {
+    gl::fault_injection().fails = [kind](DriverFailure of, std::string_view) { return of == kind; };
 }
 
 TEST(DriverTrouble, EndsCommandsWithOneAndASentence) {
     const auto folder = fresh_test_folder();
     const std::string out = (folder / "x.png").string();
     const std::vector<const char*> argv = {"shadow-inspector", "render", "boxes", "-o", out.c_str(), "--size", "64x48"};
-    for (const auto& [kind, part] : {std::pair{Trouble::Memory, "the driver has no memory for"},
-                                     {Trouble::Shader, "shader does not compile"},
-                                     {Trouble::Context, "the graphics driver reset"}}) {
+    for (const auto& [kind, part] : {std::pair{DriverFailure::Memory, "the driver has no memory for"},
+                                     {DriverFailure::Shader, "shader does not compile"},
+                                     {DriverFailure::Context, "the graphics driver reset"}}) {
         fail_always(kind);
         testing::internal::CaptureStderr();
         const int code = run_cli(int(argv.size()), argv.data());
         const std::string err = testing::internal::GetCapturedStderr();
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         EXPECT_EQ(code, 1) << err;
         EXPECT_NE(err.find(part), std::string::npos) << err;
         EXPECT_FALSE(std::filesystem::exists(out)) << "half a picture";
@@ -54,17 +54,17 @@ TEST(DriverTrouble, TheEditorKeepsItsSettingsAndDrawsAgain) {
     HeadlessEditor editor(options);
     editor.settle();
     EditorModel& model = editor.model();
-    for (const Trouble kind : {Trouble::Memory, Trouble::Shader, Trouble::Context}) {
+    for (const DriverFailure kind : {DriverFailure::Memory, DriverFailure::Shader, DriverFailure::Context}) {
         fail_always(kind);
-        set_setting(model.state.settings, "filter.kernel", kind == Trouble::Shader ? "pcss" : "vsm");
-        set_setting(model.state.settings, "map.resolution", kind == Trouble::Context ? "128" : "256");
+        set_setting(model.state.settings, "filter.kernel", kind == DriverFailure::Shader ? "pcss" : "vsm");
+        set_setting(model.state.settings, "map.resolution", kind == DriverFailure::Context ? "128" : "256");
         const Settings settings = model.state.settings;
         editor.frame();
         editor.frame();
         EXPECT_FALSE(model.facts().problem.empty());
         EXPECT_FALSE(model.facts().result) << "a picture of nothing";
         EXPECT_TRUE(model.state.settings == settings);
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         set_setting(model.state.settings, "filter.kernel", "hard");
         editor.settle();
         EXPECT_TRUE(model.facts().problem.empty()) << model.facts().problem;

@@ -97,12 +97,12 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                     const RasterTraits& driver = renderer.driver();
                     double worst = 0;
                     const int count = each_inner(scene, p, [&](const test::Hit& hit, double value) {
-                        const BiasAccount a = bias_account(p.frame.lights[0], s, p.frame.map_resolution,
-                                                           {.position_ws = hit.position,
-                                                            .geometric = hit.normal,
-                                                            .bias_normal = hit.normal,
-                                                            .origin_ws = p.frame.camera.origin()},
-                                                           driver);
+                        const BiasBreakdown a = bias_breakdown(p.frame.lights[0], s, p.frame.map_resolution,
+                                                               {.position_ws = hit.position,
+                                                                .geometric = hit.normal,
+                                                                .bias_normal = hit.normal,
+                                                                .origin_ws = p.frame.camera.origin()},
+                                                               driver);
                         if (a.receiver.n_dot_l < 0.02) return;  // edge-on nothing of single precision is left
                         const double scale = a.amount(a.least.total()).texels;
                         worst = std::max(worst, std::abs(value - expected_texels(a)) / (1 + scale));
@@ -110,12 +110,13 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                     EXPECT_GT(count, 800) << overlay;
                     EXPECT_LT(worst, 2e-3) << overlay;
                 };
-                compare("least-bias", [](const BiasAccount& a) { return a.amount(a.least.total()).texels; });
-                compare("bias-slack", [](const BiasAccount& a) {
-                    return a.amount(a.clears()).texels - a.amount(a.least.total()).texels;
+                compare("least-bias", [](const BiasBreakdown& a) { return a.amount(a.least.total()).texels; });
+                compare("bias-slack", [](const BiasBreakdown& a) {
+                    return a.amount(a.equivalent_depth()).texels - a.amount(a.least.total()).texels;
                 });
-                compare("contact-gap", [](const BiasAccount& a) { return a.contact_gap_m(); });
-                compare("bias-applied", [](const BiasAccount& a) { return a.amount(a.lifts - a.raster).texels; });
+                compare("contact-gap", [](const BiasBreakdown& a) { return a.contact_gap_m(); });
+                compare("bias-applied",
+                        [](const BiasBreakdown& a) { return a.amount(a.depth_shift - a.raster).texels; });
             }
 }
 

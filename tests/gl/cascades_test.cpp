@@ -54,7 +54,7 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
         std::vector<FloatImage> maps;
         for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
         const TruthTask task = truth_task(renderer, near, s, small(), 0);
-        const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)
             for (int x = 0; x < drawn.width; ++x) {
@@ -70,9 +70,9 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
                     alone.views = {light.views[view]};
                     alone.chooser = {};
                     const LightReceiver r =
-                        bias_account(alone, s, frame.map_resolution,
-                                     {at.position_ws, at.normal_ws, at.normal_ws, frame.camera.origin()},
-                                     renderer.driver())
+                        bias_breakdown(alone, s, frame.map_resolution,
+                                       {at.position_ws, at.normal_ws, at.normal_ws, frame.camera.origin()},
+                                       renderer.driver())
                             .receiver;
                     if (!(r.n_dot_l > 1e-3)) sure = false;
                     const glm::dvec2 texel = glm::dvec2(r.tap) * 128.0, part = glm::fract(texel);

@@ -62,12 +62,12 @@ protected:
         for (std::size_t i = 0; i < truth.state.size(); ++i) {
             if (truth.state[i] != PixelState::Counted) continue;
             const Cause cause = cause_of(evidence[i], true_pixel(truth, i), known);
-            const JudgedPixel& p = gpu.judged[i];
+            const ClassifiedPixel& p = gpu.judged[i];
             const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
             const bool same =
-                cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(JudgedPixel::kSeam) &&
-                acne == p.has(JudgedPixel::kAnyAcne) &&
-                (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
+                cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(ClassifiedPixel::kSeam) &&
+                acne == p.has(ClassifiedPixel::kAnyAcne) &&
+                (p.bits & ~(ClassifiedPixel::kAnyAcne | ClassifiedPixel::kSeam)) % (1 << ClassifiedPixel::kAlsoShift) ==
                     compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
                 ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here "
@@ -404,7 +404,7 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
     for (std::size_t i = 0; i < dark.judged.size(); ++i)
-        if (!dark.judged[i].has(JudgedPixel::kOutside)) seams += dark.judged[i].has(JudgedPixel::kSeam);
+        if (!dark.judged[i].has(ClassifiedPixel::kOutside)) seams += dark.judged[i].has(ClassifiedPixel::kSeam);
     EXPECT_GT(seams, 50u);
 }
 

@@ -253,7 +253,7 @@ TEST_F(DossierTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     Settings s = plain("hard", 0);
     s.bias.normal = 1;
     const Dossier d = dossier(scene, s, {80, 60});
-    const BiasAccount& a = probed.lights[0].account;
+    const BiasBreakdown& a = probed.lights[0].account;
     const double cosine = std::sin(glm::radians(40.0));
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
     EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";

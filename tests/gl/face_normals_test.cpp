@@ -56,9 +56,9 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                         glm::dvec3 origin, dir;
                         frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
                         const glm::dvec3 at = origin + dir * ((place.y - origin.y) / dir.y);
-                        const BiasAccount a =
-                            bias_account(frame.lights[0], s, frame.map_resolution,
-                                         {at, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, renderer.driver());
+                        const BiasBreakdown a =
+                            bias_breakdown(frame.lights[0], s, frame.map_resolution,
+                                           {at, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, renderer.driver());
                         const double ratio = value / a.amount(a.least.total()).texels;
                         least = std::min(least, ratio), most = std::max(most, ratio);
                     }

@@ -19,20 +19,20 @@ namespace {
 class HeldTest : public FrameTest {
 protected:
     void TearDown() override {
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         FrameTest::TearDown();
     }
     /// Beside what other renderers of this process hold.
-    HeldBytes of(const std::string& holder) const {
-        for (HeldBytes h : memory_facts().holders) {
+    MemoryUse of(const std::string& holder) const {
+        for (MemoryUse h : memory_report().holders) {
             if (h.holder != holder) continue;
-            for (const HeldBytes& b : before_)
+            for (const MemoryUse& b : before_)
                 if (b.holder == holder) h.bytes -= b.bytes, h.count -= b.count;
             return h;
         }
         return {};
     }
-    std::vector<HeldBytes> before_ = memory_facts().holders;
+    std::vector<MemoryUse> before_ = memory_report().holders;
 };
 
 TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
@@ -75,7 +75,7 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
     const std::uint64_t before = heap_at_rest(32);
     EXPECT_GT(heap_at_rest(1024), before + (150u << 20));
     EXPECT_LT(heap_at_rest(32), before + (16u << 20));
-    EXPECT_TRUE(gl::let_go_of_done_pictures()) << "not even the largest picture takes long";
+    EXPECT_TRUE(gl::release_finished_images()) << "not even the largest picture takes long";
 }
 
 /// Nor where it was drawn in the background, by a context of its own.
@@ -110,16 +110,16 @@ TEST_F(HeldTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
     constexpr float kBlack[4] = {};
     glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
     glFinish();
-    gl::let_others_draw();
+    gl::set_background_drawing();
     glBlitNamedFramebuffer(into_tiny.id(), into_large.id(), 0, 0, 1, 1, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT,
                            GL_LINEAR);
     const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-    gl::end_of_picture();
+    gl::throttle_background_drawing();
     glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
-    gl::end_of_picture();
+    gl::throttle_background_drawing();
     EXPECT_EQ(glClientWaitSync(drawn, 0, 0), GLenum(GL_ALREADY_SIGNALED));
     glDeleteSync(drawn);
-    gl::let_others_draw(false);
+    gl::set_background_drawing(false);
 }
 
 /// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
@@ -128,9 +128,11 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
     gl::Target t;
     t.ensure("a test's image", GL_R32F, 64, 64);
     t.key = 5;
-    gl::trouble_seam().fails = [](gl::Trouble of, std::string_view) { return of == gl::Trouble::Memory; };
+    gl::fault_injection().fails = [](gl::DriverFailure of, std::string_view) {
+        return of == gl::DriverFailure::Memory;
+    };
     EXPECT_THROW(t.ensure("a test's image", GL_R32F, 256, 256), gl::OutOfMemory);
-    gl::trouble_seam() = {};
+    gl::fault_injection() = {};
     EXPECT_FALSE(t.texture) << "what failed is still held";
     EXPECT_EQ(t.key, 0u);
     EXPECT_EQ(of("a test's image").bytes, 0u);
@@ -190,7 +192,7 @@ TEST_F(HeldTest, TheLongestUnusedProgramsGiveWay) {
 TEST_F(HeldTest, FramesKeepSoManyProgramsAndDrawTheSame) {
     const Scene scene = load_scene("boxes");
     const FrameRequest tiny{.width = 32, .height = 18};
-    gl::trouble_seam().most_programs = 4;
+    gl::fault_injection().max_programs = 4;
     std::map<std::string, ByteImage> first;
     std::size_t most = 0;
     for (int round = 0; round < 2; ++round)

@@ -98,8 +98,8 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
                     const double along = glm::dot(sight.at - origin, sight.normal) / glm::dot(dir, sight.normal);
                     const glm::dvec3 p = origin + dir * along;
                     const glm::dvec3 n = glm::dot(dir, sight.normal) < 0 ? sight.normal : -sight.normal;
-                    const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
-                                                       {p, n, n, frame.camera.origin()}, renderer.driver());
+                    const BiasBreakdown a = bias_breakdown(frame.lights[0], s, frame.map_resolution,
+                                                           {p, n, n, frame.camera.origin()}, renderer.driver());
                     const double cosine = a.receiver.n_dot_l;
                     if (cosine < 0.01) continue;  // half a degree: single precision keeps few digits
                     const double expected = a.amount(a.least.total()).texels;
@@ -107,7 +107,7 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
                     // dozen roundings of single precision each, and of coordinates up to the scene's extent.
                     double scale = expected;
                     // Of what bias.plane_clamp leaves of the kernel's part, both terms round.
-                    if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.most_moved).texels;
+                    if (a.per_texel && a.least.kernel > 0) scale += a.amount(a.max_texel_shift).texels;
                     double tolerance = scale * 2e-5 / cosine;
                     const double share = (a.receiver.own_m - a.curve.near) / (a.curve.far - a.curve.near);
                     if (at_power_of_two(a.receiver.uvd.z) || at_power_of_two(share) || at_power_of_two(1 - share))

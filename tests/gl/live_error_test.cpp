@@ -202,9 +202,9 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 ASSERT_EQ(std::isnan(nearest), std::isnan(value)) << x << ", " << y;
                 if (std::isnan(nearest)) continue;
                 const Receiver& r = request.truth->traced.receivers->pixels[i];
-                const BiasAccount account =
-                    bias_account(light, s, frame.map_resolution,
-                                 {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()}, renderer.driver());
+                const BiasBreakdown account =
+                    bias_breakdown(light, s, frame.map_resolution,
+                                   {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()}, renderer.driver());
                 const glm::dvec3 axis = light.views[account.receiver.view].axes[2];
                 const double gap = nearest * glm::dot(account.receiver.to_light, axis) / account.receiver.texel_m;
                 const double texels = gap - account.amount(account.least.total()).texels;

@@ -69,7 +69,7 @@ TEST_F(MeasureTest, CallsMissingBiasAcne) {
     EXPECT_LT(m.false_light, 0.01);
     EXPECT_LT(m.signed_mean, -0.3);
     std::size_t acne = 0;
-    for (const JudgedPixel& p : measured.judged) acne += p.artefact == Artefact::Acne;
+    for (const ClassifiedPixel& p : measured.judged) acne += p.artefact == Artefact::Acne;
     EXPECT_EQ(acne, m.artefacts[std::size_t(Artefact::Acne)]);
     EXPECT_NEAR(double(acne) / double(m.counted), m.acne, 1e-12);
 }

@@ -28,11 +28,11 @@ struct Spoilt {
 class NumericHealthTest : public FrameTest {
 protected:
     void TearDown() override {
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         FrameTest::TearDown();
     }
     static void spoil(const std::vector<Spoilt>& all) {
-        gl::trouble_seam().spoils = [all](std::string_view image, GLuint texture) {
+        gl::fault_injection().corrupt_image = [all](std::string_view image, GLuint texture) {
             for (const Spoilt& s : all) {
                 if (s.image != image) continue;
                 constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
@@ -67,7 +67,7 @@ protected:
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
         spoil({s});
         const NumericHealth health = health_of(scene, sets);
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         ASSERT_EQ(health.findings.size(), 1u) << health_text(health);
         const NumberFinding& f = health.findings[0];
         EXPECT_EQ(f.fault, fault) << health_text(health);
@@ -183,7 +183,7 @@ TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
 
 TEST_F(NumericHealthTest, FindsItInThePagesOfTheMapThatHasThem) {
     // Wherever the page lies in the pool: every texel of it.
-    gl::trouble_seam().spoils = [](std::string_view image, GLuint texture) {
+    gl::fault_injection().corrupt_image = [](std::string_view image, GLuint texture) {
         if (image != "shadow map") return;
         const float nan = kNaN;
         glClearTexImage(texture, 0, GL_RED, GL_FLOAT, &nan);

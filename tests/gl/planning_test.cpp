@@ -13,7 +13,7 @@ protected:
     Scene scene = load_scene("boxes");
 
     void TearDown() override {
-        for (const std::string& message : renderer.messages.take()) ADD_FAILURE() << "driver: " << message;
+        for (const std::string& message : renderer.messages.take_messages()) ADD_FAILURE() << "driver: " << message;
     }
     /// All that is kept from frame to frame without a truth.
     static FrameRequest request(int width, int height) {
@@ -43,7 +43,7 @@ protected:
     }
     static std::vector<std::uint8_t> bytes(const Image& image) {
         std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         GLint format = 0;
         glGetTextureLevelParameteriv(image.texture, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
         if (format == GL_RG32UI) return out;  // its pixels cannot be had as colours

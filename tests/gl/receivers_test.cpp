@@ -22,7 +22,7 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
     for (const int height : {1, 16, 17, 41}) {
         const TruthTask task =
             truth_task(renderer, scene, settings_for(scene), {.width = 53, .height = height}, 0, {.nearest = false});
-        const Receivers r = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const Receivers r = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         ASSERT_EQ(r.pixels.size(), 53u * std::size_t(height));
         std::size_t joined = 0, apart = 0;
         for (int y = 0; y < height; ++y)
@@ -30,8 +30,8 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
                 const Receiver& here = r.at(x, y);
                 const bool right = x + 1 < 53 && on_one_surface(here, r.at(x + 1, y));
                 const bool below = y + 1 < height && on_one_surface(here, r.at(x, y + 1));
-                ASSERT_EQ(here.joins_right, right) << x << ", " << y << " of " << height;
-                ASSERT_EQ(here.joins_below, below) << x << ", " << y << " of " << height;
+                ASSERT_EQ(here.same_surface_right, right) << x << ", " << y << " of " << height;
+                ASSERT_EQ(here.same_surface_below, below) << x << ", " << y << " of " << height;
                 joined += right + below, apart += !right + !below;
             }
         EXPECT_GT(joined, 0u);
@@ -43,12 +43,12 @@ TEST_F(ReceiversTest, WhatShowsNothingIsEmptyWhateverTheMemoryHeld) {
     const Scene scene = load_scene("boxes");
     TruthTask task = truth_task(renderer, scene, settings_for(scene), {.width = 320, .height = 180}, 0, {});
     for (int round = 0; round < 2; ++round) {  // the second is given what the first left
-        const Receivers r = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
+        const Receivers r = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         ASSERT_EQ(r.starts.size(), r.pixels.size());
         for (std::size_t i = 0; i < r.pixels.size(); ++i) {
             ASSERT_EQ(r.pixels[i].hit(), task.ids.data[i].x != 0);
             ASSERT_EQ(r.starts[i].object, r.pixels[i].object);
-            ASSERT_FALSE(!r.pixels[i].hit() && (r.pixels[i].joins_right || r.pixels[i].joins_below));
+            ASSERT_FALSE(!r.pixels[i].hit() && (r.pixels[i].same_surface_right || r.pixels[i].same_surface_below));
         }
         for (glm::uvec2& id : task.ids.data) id = {};
     }

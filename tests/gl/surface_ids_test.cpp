@@ -36,8 +36,8 @@ TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
     const Settings settings = settings_for(scene);
     const SurfaceIds drawn = draw(scene, settings), traced = test::ids_by_rays(scene, frame.camera, 240, 160);
     const TruthGeometry geometry(scene, settings);
-    const Receivers a = place_receivers(geometry, frame.camera, drawn, {});
-    const Receivers b = place_receivers(geometry, frame.camera, traced, {});
+    const Receivers a = reconstruct_receivers(geometry, frame.camera, drawn, {});
+    const Receivers b = reconstruct_receivers(geometry, frame.camera, traced, {});
     std::size_t shown = 0, differing = 0, far = 0;
     std::vector<std::size_t> pixels(scene.objects.size());
     for (std::size_t i = 0; i < drawn.data.size(); ++i) {

@@ -11,22 +11,22 @@
 namespace si {
 namespace {
 
-using gl::Trouble;
+using gl::DriverFailure;
 
 class TroubleTest : public ::testing::Test {
 protected:
     HeadlessContext context;
     void SetUp() override { test::expect_named_driver(); }
-    void TearDown() override { gl::trouble_seam() = {}; }
+    void TearDown() override { gl::fault_injection() = {}; }
 
     /// Calls of a kind are counted; the one of this number fails. 0: none does.
     struct Count {
         int calls = 0, failing = 0;
         std::string failed;  ///< what it was for
     };
-    static std::shared_ptr<Count> fail(Trouble kind, int number) {
+    static std::shared_ptr<Count> fail(DriverFailure kind, int number) {
         auto count = std::make_shared<Count>(Count{.failing = number});
-        gl::trouble_seam().fails = [count, kind](Trouble of, std::string_view what) {
+        gl::fault_injection().fails = [count, kind](DriverFailure of, std::string_view what) {
             if (of != kind || ++count->calls != count->failing) return false;
             count->failed = what;
             return true;
@@ -35,8 +35,8 @@ protected:
     }
     /// Of what is called this.
     static void always_fail(const std::string& name) {
-        gl::trouble_seam().fails = [name](Trouble of, std::string_view what) {
-            return of == Trouble::Memory && what.find(name) != std::string_view::npos;
+        gl::fault_injection().fails = [name](DriverFailure of, std::string_view what) {
+            return of == DriverFailure::Memory && what.find(name) != std::string_view::npos;
         };
     }
     static FrameRequest request() {
@@ -55,7 +55,7 @@ protected:
         return renderer.read_colour(renderer.render(scene, s, request()).colour);
     }
     /// Draws whole frames with a new renderer, and in each another call fails. All that follow are as ever.
-    void survive_each(Trouble kind, std::size_t least_calls) {
+    void survive_each(DriverFailure kind, std::size_t least_calls) {
         const Scene scene = load_scene("boxes");
         const Settings s = settings(scene);
         ByteImage whole;
@@ -76,14 +76,15 @@ protected:
                 draw(renderer, scene, s);
             } catch (const Error& e) {
                 const std::string text = e.what();
-                EXPECT_NE(text.find(kind == Trouble::Memory ? "no memory for" : "does not compile"), std::string::npos)
+                EXPECT_NE(text.find(kind == DriverFailure::Memory ? "no memory for" : "does not compile"),
+                          std::string::npos)
                     << text;
                 EXPECT_NE(text.find(count->failed), std::string::npos) << "it does not say where: " << text;
                 EXPECT_NE(text.find("; "), std::string::npos) << "it names no remedy: " << text;
             }
             EXPECT_FALSE(count->failed.empty()) << "nothing failed";
             what.insert(count->failed);
-            gl::trouble_seam() = {};
+            gl::fault_injection() = {};
             Settings again = s;
             again.map.resolution = 65;  // which no limit is known of
             renderer.render(scene, again, request());
@@ -94,11 +95,11 @@ protected:
 };
 
 TEST_F(TroubleTest, MemoryMayEndAtEveryCallOfAFrame) {
-    survive_each(Trouble::Memory, 20);
+    survive_each(DriverFailure::Memory, 20);
 }
 
 TEST_F(TroubleTest, EveryShaderOfAFrameMayFail) {
-    survive_each(Trouble::Shader, 10);
+    survive_each(DriverFailure::Shader, 10);
 }
 
 TEST_F(TroubleTest, SmallerMapsAreTheWayOnAndNamed) {
@@ -107,9 +108,9 @@ TEST_F(TroubleTest, SmallerMapsAreTheWayOnAndNamed) {
     Settings smaller = s;
     smaller.map.resolution = 128;
     Renderer renderer;
-    gl::trouble_seam().fails = [](Trouble of, std::string_view what) {
-        return of == Trouble::Memory && (what.find("shadow maps (512") != std::string_view::npos ||
-                                         what.find("shadow maps (256") != std::string_view::npos);
+    gl::fault_injection().fails = [](DriverFailure of, std::string_view what) {
+        return of == DriverFailure::Memory && (what.find("shadow maps (512") != std::string_view::npos ||
+                                               what.find("shadow maps (256") != std::string_view::npos);
     };
     const FrameResult frame = renderer.render(scene, s, request());
     EXPECT_EQ(frame.map_resolution, 128);
@@ -118,7 +119,7 @@ TEST_F(TroubleTest, SmallerMapsAreTheWayOnAndNamed) {
         told |= note.starts_with("maps of 128² are used in place of 512²: the driver has no memory for");
     EXPECT_TRUE(told) << fmt::format("{}", fmt::join(frame.notes, "; "));
     const ByteImage picture = renderer.read_colour(frame.colour);
-    gl::trouble_seam() = {};
+    gl::fault_injection() = {};
     EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried anew in every frame";
     EXPECT_EQ(draw(renderer, scene, smaller), picture);
     EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512) << "another resolution ends it";
@@ -142,14 +143,14 @@ TEST_F(TroubleTest, ALostContextIsSaidOnceAFrameAndEndsNothing) {
     Renderer renderer;
     const ByteImage whole = draw(renderer, scene, s);
     for (int n = 1; n <= 2; ++n) {  // before the frame, and after it
-        const auto count = fail(Trouble::Context, n);
+        const auto count = fail(DriverFailure::Context, n);
         try {
             renderer.render(scene, s, request());
             FAIL() << "drawn without a context";
         } catch (const gl::ContextLost& e) {
             EXPECT_NE(std::string(e.what()).find("save the settings and start the program again"), std::string::npos);
         }
-        gl::trouble_seam() = {};
+        gl::fault_injection() = {};
         EXPECT_EQ(draw(renderer, scene, s), whole);
     }
 }

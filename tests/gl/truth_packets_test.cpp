@@ -16,7 +16,7 @@ TEST_F(TruthPackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
         const TruthTask task =
             truth_task(renderer, scene, settings_for(scene, {}), {.width = 192, .height = 108}, 0, {.nearest = false});
         const TruthScene casters(task.geometry);
-        const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, {});
+        const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, {});
         std::vector<RTCRay> together;
         for (const Receiver& r : receivers.pixels) {
             if (!r.hit()) continue;

@@ -113,11 +113,11 @@ TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
             double needed = 0;
             for (double x : {-5.0, 0.0, 5.0})
                 for (double z : {-5.0, 0.0, 5.0}) {
-                    const BiasAccount a =
-                        bias_account(bare.light(), s, bare.frame.map_resolution,
-                                     {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
+                    const BiasBreakdown a =
+                        bias_breakdown(bare.light(), s, bare.frame.map_resolution,
+                                       {{x, 0, z}, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, driver);
                     EXPECT_GT(a.raster, 0);
-                    EXPECT_EQ(a.clears(), a.raster);
+                    EXPECT_EQ(a.equivalent_depth(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
                 }
             shows_fault(5, acne_share(bare));
@@ -178,9 +178,9 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 Shot bare = shoot(scene, s);
                 double most = 0;
                 for (const auto& [pixel, at] : visible(bare)) {
-                    const BiasAccount a =
-                        bias_account(bare.light(), s, bare.frame.map_resolution,
-                                     {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()}, hard_renderer().driver());
+                    const BiasBreakdown a = bias_breakdown(bare.light(), s, bare.frame.map_resolution,
+                                                           {at, {0, 1, 0}, {0, 1, 0}, bare.frame.camera.origin()},
+                                                           hard_renderer().driver());
                     most = std::max(most, a.amount(a.least.total()).texels);
                 }
                 s.bias.constant = most;

@@ -95,8 +95,8 @@ Row measured(const Scene& scene, const Case& c, const char* filter, double theta
     EXPECT_GT(seen.pixels.size(), 4000u);
     Row row;
     for (const glm::dvec3& point : seen.points) {
-        const BiasAccount a = bias_account(frame.lights[0], s, frame.map_resolution,
-                                           {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, driver);
+        const BiasBreakdown a = bias_breakdown(frame.lights[0], s, frame.map_resolution,
+                                               {point, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, driver);
         // In texels, as they are set: where depth is no multiple of metres another point may need more of depth.
         const double texels = a.amount(a.least.total()).texels;
         if (texels <= row.texels) continue;

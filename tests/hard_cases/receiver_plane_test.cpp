@@ -91,22 +91,22 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 std::size_t acne = 0;
                 for (const auto& [i, at] : pixels) {
                     acne += shot.visibility.data[i] < 1 - 1e-3f;
-                    const BiasAccount a =
-                        bias_account(shot.light(), s, shot.frame.map_resolution,
-                                     {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                    const BiasBreakdown a = bias_breakdown(shot.light(), s, shot.frame.map_resolution,
+                                                           {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
+                                                           hard_renderer().driver());
                     ASSERT_EQ(a.least.kernel, 0) << "whatever the kernel reaches";
-                    ASSERT_EQ(a.clears(), a.least.total()) << "of itself just enough";
+                    ASSERT_EQ(a.equivalent_depth(), a.least.total()) << "of itself just enough";
                     if (c.format == MapFormat::D32F && plane.at == glm::dvec3(0))
-                        most_texels = std::max(most_texels, a.amount(a.clears()).texels);
+                        most_texels = std::max(most_texels, a.amount(a.equivalent_depth()).texels);
                 }
                 EXPECT_EQ(acne, 0u) << "of " << pixels.size();
                 if (!against_one) continue;
                 // As much bias of one depth for all texels does not do.
-                const BiasAccount middle = bias_account(shot.light(), s, shot.frame.map_resolution,
-                                                        {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
-                                                        hard_renderer().driver());
+                const BiasBreakdown middle = bias_breakdown(
+                    shot.light(), s, shot.frame.map_resolution,
+                    {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 choose(s, "constant");
-                s.bias.constant = middle.clears();
+                s.bias.constant = middle.equivalent_depth();
                 const Shot one = shoot(scene, s);
                 judged += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
@@ -166,9 +166,9 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                 const glm::dvec3 to_light =
                     type == LightType::Directional ? light.to_light : glm::normalize(light.position - foot);
                 const glm::dvec3 along = -glm::normalize(glm::dvec3(to_light.x, 0, to_light.z));
-                const BiasAccount a =
-                    bias_account(light, s, shot.frame.map_resolution,
-                                 {foot, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+                const BiasBreakdown a =
+                    bias_breakdown(light, s, shot.frame.map_resolution,
+                                   {foot, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 const double step = 0.005;
                 for (double d = 0.5 * step; d < 1.5; d += step) {
                     const glm::dvec4 p = shot.frame.camera.project(foot + along * d, shot.width, shot.height);
@@ -176,7 +176,8 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                     lit += step * shot.visibility.at(int(p.x), int(p.y));
                 }
                 expected += a.contact_gap_m();
-                EXPECT_NEAR(a.amount(a.clears()).metres * a.receiver.axis_per_ray / a.receiver.texel_m, texels, 0.1);
+                EXPECT_NEAR(a.amount(a.equivalent_depth()).metres * a.receiver.axis_per_ray / a.receiver.texel_m,
+                            texels, 0.1);
                 ++columns;
             }
             lit /= columns, expected /= columns;
@@ -243,13 +244,13 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     };
     const auto account = [&] {
         const Shot shot = shoot(scene, s);
-        return bias_account(shot.light(), s, shot.frame.map_resolution,
-                            {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
+        return bias_breakdown(shot.light(), s, shot.frame.map_resolution,
+                              {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
     };
     s.bias.plane_clamp = 0;  // no limit
     EXPECT_EQ(acne(), 0);
     choose(s, "constant");
-    const BiasAccount whole = account();
+    const BiasBreakdown whole = account();
     const double needed = whole.amount(whole.least.kernel).texels;
     EXPECT_GT(needed, 8);
     choose(s, "receiver-plane");
@@ -258,7 +259,7 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     EXPECT_EQ(account().least.kernel, 0);
     s.bias.plane_clamp = 0.5 * needed;
     EXPECT_GT(acne(), 0.5);
-    const BiasAccount half = account();
+    const BiasBreakdown half = account();
     EXPECT_NEAR(half.amount(half.least.kernel).texels, 0.5 * needed, 1e-6 * needed) << "what is left to be cleared";
     s.bias.constant = half.least.kernel;
     EXPECT_EQ(acne(), 0) << "and with that much bias it is";

@@ -66,9 +66,9 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
             shows_fault(21, share);
             const MeasuredError e = measured(c, 320, 240);
             std::size_t lost = 0, told = 0;
-            for (const JudgedPixel& pixel : e.judged) {
-                lost += pixel.has(JudgedPixel::kFalseLight);
-                told += pixel.has(JudgedPixel::kFalseLight) && pixel.artefact == Artefact::Undersampled;
+            for (const ClassifiedPixel& pixel : e.judged) {
+                lost += pixel.has(ClassifiedPixel::kFalseLight);
+                told += pixel.has(ClassifiedPixel::kFalseLight) && pixel.artefact == Artefact::Undersampled;
             }
             EXPECT_GT(lost, 50u);
             EXPECT_GE(double(told), 0.75 * double(lost))
@@ -108,7 +108,7 @@ double wrong_share(const MeasuredError& e) {
     std::size_t wrong = 0;
     for (int y = 0; y < truth.height; ++y)
         for (int x = 0; x < truth.width; ++x) {
-            const JudgedPixel& pixel = e.judged[std::size_t(y) * std::size_t(truth.width) + std::size_t(x)];
+            const ClassifiedPixel& pixel = e.judged[std::size_t(y) * std::size_t(truth.width) + std::size_t(x)];
             wrong += pixel.artefact != Artefact::None && inside(x, y);
         }
     return double(wrong) / double(std::max<std::size_t>(e.metrics.counted, 1));

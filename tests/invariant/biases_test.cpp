@@ -114,9 +114,9 @@ protected:
         return s;
     }
 
-    BiasAccount account(const Hit& hit, const FrameResult& frame, const Settings& s) const {
-        return bias_account(frame.lights[0], s, frame.map_resolution,
-                            {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
+    BiasBreakdown account(const Hit& hit, const FrameResult& frame, const Settings& s) const {
+        return bias_breakdown(frame.lights[0], s, frame.map_resolution,
+                              {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
     }
     /// Of the lit pixels that show a plane turned upwards: those that the settings clear by their account, and how many
     /// rise across the map by much more than roundings.
@@ -134,9 +134,9 @@ protected:
                 std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
                 continue;
             ++out.lit;
-            const BiasAccount a = account(*truth.hits[i], frame, s);
+            const BiasBreakdown a = account(*truth.hits[i], frame, s);
             out.sloped += a.least.kernel > 4 * (a.least.quantum + a.least.rounding);
-            if (a.clears() >= a.least.total()) out.cleared.push_back(i);
+            if (a.equivalent_depth() >= a.least.total()) out.cleared.push_back(i);
         }
         return out;
     }
@@ -190,8 +190,8 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     }
     for (std::size_t i = 0; i < truth.lit.size(); ++i) {
         if (truth.lit[i] != Lit::Shadow || truth.hits[i]->normal.y < 0.5) continue;
-        const BiasAccount a = account(*truth.hits[i], least.frame, s);
-        if (a.amount(a.lifts).metres > 2) continue;  // the cover is 2.25 m above
+        const BiasBreakdown a = account(*truth.hits[i], least.frame, s);
+        if (a.amount(a.depth_shift).metres > 2) continue;  // the cover is 2.25 m above
         ++dark, leaks += least.visibility.data[i] > tolerance.dark;
     }
     EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value << ", down to " << darkest;

@@ -35,7 +35,7 @@ void choose(HeadlessEditor& editor, const char* kernel) {
 Bytes shown(HeadlessEditor& editor) {
     const Image image = editor.model().facts().result->panes.front().picture;
     Bytes out(std::size_t(image.width) * std::size_t(image.height) * 4);
-    gl::begin_reading();
+    gl::prepare_read_back();
     glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
     return out;
 }

@@ -54,7 +54,7 @@ TEST(NumbersPanel, TellsWhoHoldsMemory) {
     EXPECT_FALSE(ui.frames(3).want_memory);
     ui.state.open_tab = BottomTab::Numbers;
     EXPECT_TRUE(ui.frames(4).want_memory);
-    MemoryFacts memory;
+    MemoryReport memory;
     memory.process = {.resident = 321u << 20, .peak = 654u << 20, .heap = 100u << 20, .heap_free = 33u << 20};
     memory.holders = {{"shadow maps", 128u << 20, 256u << 20, 2}, {"scenes", 3u << 20, 3u << 20, 1}};
     ui.memory = &memory;

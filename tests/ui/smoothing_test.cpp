@@ -41,7 +41,7 @@ protected:
     std::vector<std::uint8_t> picture() const {
         const Image image = model.facts().result->panes.front().picture;
         std::vector<std::uint8_t> out(std::size_t(image.width) * std::size_t(image.height) * 4);
-        gl::begin_reading();
+        gl::prepare_read_back();
         glGetTextureImage(image.texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, GLsizei(out.size()), out.data());
         return out;
     }

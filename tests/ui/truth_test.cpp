@@ -133,7 +133,7 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
 
 TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     const auto receivers = [] {
-        for (const HeldBytes& h : memory_facts().holders)
+        for (const MemoryUse& h : memory_report().holders)
             if (h.holder == "receivers") return h.count;
         return std::size_t(0);
     };

@@ -55,7 +55,7 @@ public:
     AdviceShown advice;
     LabShown lab;
     const NumericHealth* health = nullptr;
-    const MemoryFacts* memory = nullptr;
+    const MemoryReport* memory = nullptr;
     bool driver_reset = false;
     bool desktop_dialogs = false;
     bool with_facts = true;  ///< false: the editor knows no frame yet

@@ -11,8 +11,8 @@ namespace {
 constexpr int kWidth = 8;
 
 /// 'a' acne, 'l' a leak, anything else is right.
-std::vector<JudgedPixel> judged(const std::string& picture) {
-    std::vector<JudgedPixel> out;
+std::vector<ClassifiedPixel> judged(const std::string& picture) {
+    std::vector<ClassifiedPixel> out;
     for (const char c : picture) {
         out.emplace_back();
         out.back().artefact = c == 'a' ? Artefact::Acne : c == 'l' ? Artefact::Leak : Artefact::None;

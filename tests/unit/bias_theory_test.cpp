@@ -98,7 +98,7 @@ TEST(BiasTheory, PlaneIsAffineInTheMap) {
         const glm::dmat3 in_plane = orthonormal_basis(glm::normalize(s.normal));
         const glm::dvec3 q = s.point + 0.3 * unit(random) * in_plane[0] + 0.3 * unit(random) * in_plane[1];
         const glm::dvec3 uvd = uvd_of(s.view, q);
-        EXPECT_NEAR(plane.at({uvd.x, uvd.y}), uvd.z, 1e-11);
+        EXPECT_NEAR(plane.depth_at({uvd.x, uvd.y}), uvd.z, 1e-11);
     }
 }
 

@@ -95,17 +95,17 @@ TEST(Biases, ListedSettingsAreOnlyTheirs) {
             for (const Choice& kind : bias_choices()) {
                 Settings s = of_kind(kind.key);
                 const auto account = [&] {
-                    return bias_account(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
+                    return bias_breakdown(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
                 };
-                const auto differs = [&](const BiasAccount& a, const BiasAccount& b) {
-                    return a.clears() != b.clears() || a.least.total() != b.least.total() ||
-                           a.compared_at({0.3, 0.3}) != b.compared_at({0.3, 0.3});
+                const auto differs = [&](const BiasBreakdown& a, const BiasBreakdown& b) {
+                    return a.equivalent_depth() != b.equivalent_depth() || a.least.total() != b.least.total() ||
+                           a.compared_depth_at({0.3, 0.3}) != b.compared_depth_at({0.3, 0.3});
                 };
-                const BiasAccount before = account();
+                const BiasBreakdown before = account();
                 set_setting(s, key, "0.7");
-                const BiasAccount less = account();
+                const BiasBreakdown less = account();
                 set_setting(s, key, "900");
-                const BiasAccount more = account();
+                const BiasBreakdown more = account();
                 const bool reads = reads_setting(bias_of(s), key);
                 EXPECT_EQ(differs(before, less) || differs(before, more), reads) << kind.key << " and " << key;
             }

@@ -12,7 +12,7 @@ namespace si {
 namespace {
 
 bool is_closed(const Mesh& m) {
-    return find_bodies(m.positions, m.indices).closed;
+    return check_watertight(m.positions, m.indices).closed;
 }
 
 Mesh turned_inside_out(Mesh m) {
@@ -34,7 +34,7 @@ Mesh bow_tie() {
     return make_polygons("bow tie", faces);
 }
 
-TEST(Bodies, AreClosedShapes) {
+TEST(WatertightCheck, AreClosedShapes) {
     EXPECT_TRUE(is_closed(make_box({1, 2, 3})));
     EXPECT_TRUE(is_closed(make_wedge({1, 2, 3})));
     EXPECT_TRUE(is_closed(make_sphere(2)));
@@ -43,13 +43,13 @@ TEST(Bodies, AreClosedShapes) {
     EXPECT_TRUE(is_closed(make_capsule(1, 2)));
 }
 
-TEST(Bodies, MayOverlapEachOther) {
+TEST(WatertightCheck, MayOverlapEachOther) {
     Mesh two = make_box({1, 1, 1});
     append(two, transformed(make_torus(1, 0.3), moved(0.4, 0.1, 0.2)));
     EXPECT_TRUE(is_closed(two));
 }
 
-TEST(Bodies, AreNotOpen) {
+TEST(WatertightCheck, AreNotOpen) {
     EXPECT_FALSE(is_closed(make_plane(2, 2, 4, 4)));
     Mesh lidless = make_box({1, 1, 1});
     lidless.indices.resize(lidless.indices.size() - 6);
@@ -65,7 +65,7 @@ TEST(Bodies, AreNotOpen) {
     EXPECT_FALSE(is_closed(thrice)) << "a triangle is there twice";
 }
 
-TEST(Bodies, AreNotInsideOutNorThroughThemselves) {
+TEST(WatertightCheck, AreNotInsideOutNorThroughThemselves) {
     EXPECT_FALSE(is_closed(turned_inside_out(make_sphere(1))));
     Mesh one_wrong = make_box({1, 1, 1});
     std::swap(one_wrong.indices.edit()[0], one_wrong.indices.edit()[1]);
@@ -77,21 +77,21 @@ TEST(Bodies, AreNotInsideOutNorThroughThemselves) {
     EXPECT_FALSE(is_closed(make_torus(1, 1.4))) << "its tube passes through its axis";
 }
 
-TEST(Bodies, AreNotFlatNorEmpty) {
+TEST(WatertightCheck, AreNotFlatNorEmpty) {
     Mesh flat = make_box({1, 0, 1});
     EXPECT_FALSE(is_closed(flat));
-    EXPECT_FALSE(find_bodies({}, {}).closed);
+    EXPECT_FALSE(check_watertight({}, {}).closed);
 }
 
-TEST(Bodies, HaveSeamsThatRoundingLeftOpenJoined) {
+TEST(WatertightCheck, HaveSeamsThatRoundingLeftOpenJoined) {
     Mesh ball = make_sphere(1);
-    EXPECT_TRUE(find_bodies(ball.positions, ball.indices).joined.empty());
+    EXPECT_TRUE(check_watertight(ball.positions, ball.indices).joined.empty());
     const glm::vec3 place = ball.positions[ball.indices[300]];
     const std::uint32_t moved_one = ball.indices[300];
     ball.positions.push_back(place + glm::vec3(0, 4e-7f, 0));
     ball.indices.edit()[300] = std::uint32_t(ball.positions.size() - 1);
     if (!ball.normals.empty()) ball.normals.push_back(ball.normals[moved_one]);
-    const Bodies bodies = find_bodies(ball.positions, ball.indices);
+    const WatertightCheck bodies = check_watertight(ball.positions, ball.indices);
     ASSERT_TRUE(bodies.closed);
     ASSERT_EQ(bodies.joined.size(), 1u);
     const auto [vertex, there] = bodies.joined[0];
@@ -99,7 +99,7 @@ TEST(Bodies, HaveSeamsThatRoundingLeftOpenJoined) {
     EXPECT_LT(glm::distance(ball.positions[vertex], ball.positions[there]), 1e-6);
 }
 
-TEST(Bodies, AreWhatBuiltInScenesAreMadeOf) {
+TEST(WatertightCheck, AreWhatBuiltInScenesAreMadeOf) {
     const Scene boxes = load_scene("boxes");
     const auto closed = std::count_if(boxes.meshes.begin(), boxes.meshes.end(), is_closed);
     EXPECT_GE(closed, 1);

@@ -22,7 +22,7 @@ Settings settings_of(const Sets& sets) {
 
 std::vector<std::vector<Cluster>> all_clusters(const Scene& scene) {
     std::vector<std::vector<Cluster>> out;
-    for (const Mesh& m : scene.meshes) out.push_back(clusters_of(m));
+    for (const Mesh& m : scene.meshes) out.push_back(build_clusters(m));
     return out;
 }
 
@@ -30,7 +30,7 @@ TEST(Clusters, HoldEveryTriangle) {
     for (const char* name : {"boxes", "landscape", "figures"}) {
         const Scene scene = load_scene(name);
         for (const Mesh& m : scene.meshes) {
-            const std::vector<Cluster> boxes = clusters_of(m);
+            const std::vector<Cluster> boxes = build_clusters(m);
             EXPECT_LE(boxes.size(), m.indices.size() / 3);
             for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
                 const bool held = std::ranges::any_of(boxes, [&](const Cluster& c) {
@@ -51,7 +51,7 @@ TEST(Clusters, HoldEveryTriangle) {
     }
     const Scene scene = load_scene("landscape");
     const auto large = std::ranges::max_element(scene.meshes, {}, [](const Mesh& m) { return m.indices.size(); });
-    EXPECT_GT(clusters_of(*large).size(), 500u);
+    EXPECT_GT(build_clusters(*large).size(), 500u);
 }
 
 // Whatever side a cluster is said to show, each of its triangles does, at each of its corners.
@@ -61,15 +61,16 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     for (const char* name : {"landscape", "figures", "teapot", "stage", "boxes"}) {
         const Scene scene = load_scene(name);
         for (const Mesh& m : scene.meshes) {
-            const std::vector<Cluster> clusters = clusters_of(m);
+            const std::vector<Cluster> clusters = build_clusters(m);
             for (int round = 0; round < 20; ++round) {
                 const glm::dvec3 way(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
                 const bool parallel = round % 2 == 0;
                 const glm::dvec3 there = m.bounds.centre() + random.in(0.3, 3) * m.bounds.radius() * way;
                 const Cluster& c = clusters[std::size_t(random.in(0, double(clusters.size()) - 0.01))];
-                const Shows side = shown_side(c, parallel ? glm::dvec4(way, 0) : glm::dvec4(there, 1));
-                fronts += side == Shows::Front, backs += side == Shows::Back, either += side == Shows::Either;
-                if (side == Shows::Either) continue;
+                const VisibleSide side = visible_side(c, parallel ? glm::dvec4(way, 0) : glm::dvec4(there, 1));
+                fronts += side == VisibleSide::Front, backs += side == VisibleSide::Back,
+                    either += side == VisibleSide::Either;
+                if (side == VisibleSide::Either) continue;
                 for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
                     const glm::dvec3 a = m.positions[m.indices[i]], b = m.positions[m.indices[i + 1]],
                                      d = m.positions[m.indices[i + 2]];
@@ -80,7 +81,7 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
                     if (box.lo != c.box.lo || box.hi != c.box.hi || glm::dot(n, c.axis) < std::cos(c.spread)) continue;
                     for (const glm::dvec3& p : {a, b, d}) {
                         const double at = glm::dot(n, parallel ? way : there - p);
-                        ASSERT_TRUE(side == Shows::Front ? at > 0 : at < 0) << name << ", " << m.name;
+                        ASSERT_TRUE(side == VisibleSide::Front ? at > 0 : at < 0) << name << ", " << m.name;
                     }
                 }
             }
@@ -89,15 +90,15 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
     EXPECT_GT(fronts, 30);
     EXPECT_GT(backs, 30);
     EXPECT_GT(either, 10);
-    EXPECT_EQ(shown_side({}, {0, 1, 0, 0}), Shows::Either);
+    EXPECT_EQ(visible_side({}, {0, 1, 0, 0}), VisibleSide::Either);
     // A floor is seen from one side wherever one stands over it, also near its middle.
     Mesh plane = make_plane(40, 40);
     for (const auto& p : plane.positions) plane.bounds.add(p);
-    const std::vector<Cluster> floor = clusters_of(plane);
+    const std::vector<Cluster> floor = build_clusters(plane);
     ASSERT_EQ(floor.size(), 1u);
-    EXPECT_EQ(shown_side(floor[0], {1, 2, 3, 1}), Shows::Front);
-    EXPECT_EQ(shown_side(floor[0], {1, -2, 3, 1}), Shows::Back);
-    EXPECT_EQ(shown_side(floor[0], {1, 0.1, 3, 1}), Shows::Either) << "its far corners are seen nearly edge-on";
+    EXPECT_EQ(visible_side(floor[0], {1, 2, 3, 1}), VisibleSide::Front);
+    EXPECT_EQ(visible_side(floor[0], {1, -2, 3, 1}), VisibleSide::Back);
+    EXPECT_EQ(visible_side(floor[0], {1, 0.1, 3, 1}), VisibleSide::Either) << "its far corners are seen nearly edge-on";
 }
 
 TEST(MapCells, MeetWhatTheyHold) {

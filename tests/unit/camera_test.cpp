@@ -176,7 +176,7 @@ TEST(Camera, AutomaticLooksOverWhatHidesItsShadow) {
     scene.file_scenes = {""};
     finalise(scene);
     add_ground(scene);
-    keep_framed(scene);
+    store_framing_points(scene);
     const double usual = CameraSettings().elevation * std::numbers::pi / 180;
     const Camera over = make_camera(scene, Settings(), 1.5);
     EXPECT_GT(over.axes[2].y, std::sin(usual) + 0.05);

@@ -24,7 +24,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_
 TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
     for (const Mesh& mesh :
          {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {
-        const FacedMesh faced = face_normals(mesh.positions, mesh.indices);
+        const FlatNormalMesh faced = face_normals(mesh.positions, mesh.indices);
         const std::size_t own = mesh.positions.size();
         ASSERT_EQ(faced.normals.size(), own + faced.copies.size());
         const auto original = [&](std::uint32_t v) { return v < own ? v : faced.copies[v - own]; };
@@ -49,7 +49,7 @@ TEST(FaceNormals, SharedCornersCarryOneNormalEach) {
     for (int i = 0; i < 8; ++i) corners.emplace_back(i & 1, i >> 1 & 1, i >> 2);
     const std::vector<std::uint32_t> cube{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
                                           2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
-    const FacedMesh faced = face_normals(corners, cube);
+    const FlatNormalMesh faced = face_normals(corners, cube);
     EXPECT_LE(faced.copies.size(), 4u);
     std::set<std::array<float, 3>> carried;
     for (std::size_t i = 2; i < faced.indices.size(); i += 3) {

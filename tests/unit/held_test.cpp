@@ -13,16 +13,16 @@
 namespace si {
 namespace {
 
-HeldBytes of(const std::string& holder) {
-    for (const HeldBytes& h : memory_facts().holders)
+MemoryUse of(const std::string& holder) {
+    for (const MemoryUse& h : memory_report().holders)
         if (h.holder == holder) return h;
     return {};
 }
 
-TEST(HeldMemory, IsToldUntilItIsLetGo) {
-    std::optional<HeldMemory> first(std::in_place, "tests' bytes", 1000);
+TEST(TrackedMemory, IsToldUntilItIsLetGo) {
+    std::optional<TrackedMemory> first(std::in_place, "tests' bytes", 1000);
     {
-        HeldMemory copy = *first, moved = std::move(copy);
+        TrackedMemory copy = *first, moved = std::move(copy);
         EXPECT_EQ(of("tests' bytes").bytes, 2000u);
         EXPECT_EQ(of("tests' bytes").count, 2u);
         EXPECT_EQ(copy.bytes(), 0u);
@@ -36,7 +36,7 @@ TEST(HeldMemory, IsToldUntilItIsLetGo) {
     EXPECT_EQ(of("tests' bytes").most, 3300u) << "while there were three";
     first.reset();
     EXPECT_EQ(of("tests' bytes").bytes, 0u);
-    HeldMemory nobody;
+    TrackedMemory nobody;
     nobody.add(7);
     EXPECT_EQ(nobody.bytes(), 0u);
 }
@@ -52,13 +52,13 @@ TEST(ProcessMemory, WhatWasFreedGoesBackToTheSystem) {
     }
     const std::uint64_t full = process_memory().resident;
     blocks.clear();
-    give_back_free_pages();
+    trim_heap();
     EXPECT_LT(process_memory().resident + kBlock * kBlocks * 3 / 4, full);
 }
 #endif
 
-TEST(HeldMemory, ThreadsAddUp) {
-    HeldMemory held("threads' bytes", 0);
+TEST(TrackedMemory, ThreadsAddUp) {
+    TrackedMemory held("threads' bytes", 0);
     {
         std::vector<std::jthread> threads;
         for (int t = 0; t < 4; ++t)
@@ -69,8 +69,8 @@ TEST(HeldMemory, ThreadsAddUp) {
     EXPECT_EQ(of("threads' bytes").bytes, 8000u);
 }
 
-TEST(HeldMemory, ScenesAndHierarchiesTellWhatTheyTake) {
-    ray_scenes().forget();  // what tests before have left
+TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
+    ray_scenes().clear();  // what tests before have left
     const std::uint64_t scenes = of("scenes").bytes;
     {
         const Scene scene = load_scene("teapot");
@@ -83,26 +83,26 @@ TEST(HeldMemory, ScenesAndHierarchiesTellWhatTheyTake) {
         EXPECT_LT(of("scenes").bytes, one + least / 4) << "what copies have in common is held twice";
         copy.meshes[0].positions.edit()[0].x += 0.25f;
         refresh(copy);
-        EXPECT_FALSE(copy.meshes[0].positions.shares(scene.meshes[0].positions));
-        EXPECT_TRUE(copy.meshes[0].indices.shares(scene.meshes[0].indices));
+        EXPECT_FALSE(copy.meshes[0].positions.shares_storage_with(scene.meshes[0].positions));
+        EXPECT_TRUE(copy.meshes[0].indices.shares_storage_with(scene.meshes[0].indices));
         const std::uint64_t before = of("scenes").bytes;
         const auto geometry = std::make_shared<const TruthGeometry>(scene, Settings());
         EXPECT_EQ(of("scenes").bytes, before);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             const Mesh& mesh = scene.meshes[std::size_t(scene.objects[i].mesh)];
-            EXPECT_TRUE(geometry->objects[i].mesh->positions.shares(mesh.positions)) << i;
-            EXPECT_TRUE(geometry->objects[i].mesh->indices.shares(mesh.indices)) << i;
+            EXPECT_TRUE(geometry->objects[i].mesh->positions.shares_storage_with(mesh.positions)) << i;
+            EXPECT_TRUE(geometry->objects[i].mesh->indices.shares_storage_with(mesh.indices)) << i;
         }
         const auto rays = ray_scenes().get(geometry);
         EXPECT_GE(of("hierarchies of rays").bytes, least) << "Embree's own account";
     }
     EXPECT_GT(of("scenes").bytes, scenes) << "the hierarchy that is kept needs its triangles";
-    ray_scenes().forget();
+    ray_scenes().clear();
     EXPECT_EQ(of("hierarchies of rays").bytes, 0u);
     EXPECT_EQ(of("scenes").bytes, scenes);
 }
 
-TEST(HeldMemory, TheProcessHasMoreThanItsHolders) {
+TEST(TrackedMemory, TheProcessHasMoreThanItsHolders) {
     const std::uint64_t before = process_memory().resident;
     ASSERT_GT(before, 1u << 20);
     std::vector<char> block(64 << 20, 'x');
@@ -114,7 +114,7 @@ TEST(HeldMemory, TheProcessHasMoreThanItsHolders) {
 #endif
 }
 
-TEST(HeldMemory, IsSaidInUnitsThatSuitIt) {
+TEST(TrackedMemory, IsSaidInUnitsThatSuitIt) {
     EXPECT_EQ(bytes_text(12), "12 bytes");
     EXPECT_EQ(bytes_text(300 << 10), "300 KiB");
     EXPECT_EQ(bytes_text(3u << 19), "1.5 MiB");

@@ -146,7 +146,7 @@ TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
     task.emitter.size = 2;
     for (const int samples : {1, 64}) {
         task.samples = samples;
-        LightMaps one, two;
+        LightMapCache one, two;
         const auto a = one.get(task, {.threads = 1}), b = two.get(task, {.threads = 3});
         EXPECT_EQ(a->texels, b->texels);
         EXPECT_EQ(a->rays, b->rays);
@@ -159,32 +159,32 @@ TEST(LightMapBake, IsTheSameForAnyNumberOfThreads) {
 TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
     const Scene scene = floor_with_box();
     const LightMapTask task = task_of(scene);
-    const std::uint64_t content = light_map_content(task);
-    EXPECT_EQ(light_map_content(task_of(floor_with_box())), content) << "another scene of the same content";
-    EXPECT_NE(light_map_content(task_of(floor_with_box(0.001))), content) << "a moved object";
-    EXPECT_NE(light_map_content(task_of(scene, 129)), content);
-    EXPECT_NE(light_map_content(task_of(scene, 128, {0.8, 0.6, 0})), content) << "a turned light";
+    const std::uint64_t content = light_map_content_key(task);
+    EXPECT_EQ(light_map_content_key(task_of(floor_with_box())), content) << "another scene of the same content";
+    EXPECT_NE(light_map_content_key(task_of(floor_with_box(0.001))), content) << "a moved object";
+    EXPECT_NE(light_map_content_key(task_of(scene, 129)), content);
+    EXPECT_NE(light_map_content_key(task_of(scene, 128, {0.8, 0.6, 0})), content) << "a turned light";
     LightMapTask other = task;
     other.samples = 64, other.emitter.size = 1;
-    EXPECT_NE(light_map_content(other), content);
+    EXPECT_NE(light_map_content_key(other), content);
     other = task;
     other.emitter.size = 1;
-    EXPECT_EQ(light_map_content(other), content) << "one ray goes to the middle";
+    EXPECT_EQ(light_map_content_key(other), content) << "one ray goes to the middle";
     Settings no_cast;
     no_cast.objects[scene.nodes[std::size_t(scene.objects[1].node)].path].cast = false;
     other.geometry = std::make_shared<const TruthGeometry>(scene, no_cast);
-    EXPECT_NE(light_map_content(other), content) << "a box that casts nothing";
+    EXPECT_NE(light_map_content_key(other), content) << "a box that casts nothing";
     LightMapTask spot = task;
     spot.emitter = {.type = LightType::Spot, .position_ws = {0, 5, 0}, .cos_cone = 0.5, .range_m = 0};
-    const std::uint64_t of_spot = light_map_content(spot);
+    const std::uint64_t of_spot = light_map_content_key(spot);
     spot.emitter.cos_cone = 0.7, spot.emitter.range_m = 9;
-    EXPECT_EQ(light_map_content(spot), of_spot) << "cone and range are not what rays find";
+    EXPECT_EQ(light_map_content_key(spot), of_spot) << "cone and range are not what rays find";
     spot.emitter.position_ws.x = 1e-3;
-    EXPECT_NE(light_map_content(spot), of_spot);
+    EXPECT_NE(light_map_content_key(spot), of_spot);
     // Masks: the stage has foliage.
     Scene stage = load_scene("stage");
-    const std::uint64_t of_stage = light_map_content(task_of(stage));
-    EXPECT_EQ(light_map_content(task_of(load_scene("stage"))), of_stage);
+    const std::uint64_t of_stage = light_map_content_key(task_of(stage));
+    EXPECT_EQ(light_map_content_key(task_of(load_scene("stage"))), of_stage);
     bool changed = false;
     for (Texture& t : stage.textures)
         for (std::size_t i = 3; !changed && i < t.rgba.size(); i += 4)
@@ -208,9 +208,9 @@ protected:
     }
     /// What an instance that knows nothing yet finds.
     std::shared_ptr<const LightMap> get(const LightMapTask& task, std::size_t baked,
-                                        std::uint64_t most = LightMaps::kMostOnDisk) {
-        LightMaps maps;
-        maps.keep_in(folder, most);
+                                        std::uint64_t most = LightMapCache::kMostOnDisk) {
+        LightMapCache maps;
+        maps.set_disk_folder(folder, most);
         auto map = maps.get(task, {.threads = 2});
         EXPECT_EQ(maps.counts().baked, baked);
         EXPECT_EQ(maps.counts().read, 1 - baked);
@@ -236,7 +236,7 @@ TEST_F(LightMapFiles, AreReadInPlaceOfBakingAndHoldTheSameBytes) {
 }
 
 TEST_F(LightMapFiles, InMemoryMapsAreFoundByTheirContent) {
-    LightMaps maps;
+    LightMapCache maps;
     const auto first = maps.get(task_of(scene), {.threads = 2});
     const Scene again = floor_with_box();
     const auto second = maps.get(task_of(again), {.threads = 2});
@@ -269,8 +269,8 @@ TEST_F(LightMapFiles, ThatAreDamagedAreBakedAgain) {
 }
 
 TEST_F(LightMapFiles, OfCancelledBakesThereAreNone) {
-    LightMaps maps;
-    maps.keep_in(folder);
+    LightMapCache maps;
+    maps.set_disk_folder(folder);
     std::stop_source stop;
     double last = 0;
     const Workers workers{.threads = 2, .stop = stop.get_token(), .progress = [&](double t) {

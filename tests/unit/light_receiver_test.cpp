@@ -22,7 +22,7 @@ struct Lit {
         light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
         point.position_ws = {aside, 0, 0.5 * aside};
     }
-    BiasAccount account() const { return bias_account(light, settings, 512, point, {.subpixel_bits = 8}); }
+    BiasBreakdown account() const { return bias_breakdown(light, settings, 512, point, {.subpixel_bits = 8}); }
 };
 
 TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
@@ -33,7 +33,7 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
                     Lit lit(type, reversed);
                     lit.settings.bias.unit = int(BiasUnit::Metres);
                     lit.settings.bias.constant = metres, lit.settings.bias.normal = offset_texels;
-                    const BiasAccount a = lit.account();
+                    const BiasBreakdown a = lit.account();
                     const DepthCurve& curve = lit.light.views[a.receiver.view].curve;
                     EXPECT_NEAR(curve.distance(a.receiver.tap.z) - curve.distance(a.receiver.compared), metres, 1e-9)
                         << int(type) << reversed;
@@ -51,7 +51,7 @@ TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
         for (const bool reversed : {false, true})
             for (const double aside : {0.0, 3.0}) {
                 const Lit lit(type, reversed, aside);
-                const BiasAccount a = lit.account();
+                const BiasBreakdown a = lit.account();
                 const DepthCurve& curve = lit.light.views[a.receiver.view].curve;
                 const double distance = glm::distance(lit.light.position, lit.point.position_ws);
                 EXPECT_NEAR(a.receiver.axis_per_ray, 10 / distance, 1e-12);
@@ -67,7 +67,7 @@ TEST(LightReceiver, AmountsAreDistancesAlongTheRay) {
             }
 }
 
-TEST(BiasAccount, IsNeverNanEdgeOn) {
+TEST(BiasBreakdown, IsNeverNanEdgeOn) {
     for (const LightType type : {LightType::Directional, LightType::Spot})
         for (const double normal : {0.0, 1.0})
             for (const double raster : {0.0, 2.0}) {
@@ -75,12 +75,13 @@ TEST(BiasAccount, IsNeverNanEdgeOn) {
                 lit.point.geometric = lit.point.bias_normal = {1, 0, 0};
                 lit.settings.bias.normal = normal, lit.settings.bias.raster_slope = raster;
                 lit.settings.bias.slope = 1;
-                const BiasAccount a = lit.account();
+                const BiasBreakdown a = lit.account();
                 EXPECT_FALSE(faces_light(a.receiver.n_dot_l));
                 EXPECT_TRUE(a.plane.edge_on());
-                for (const double depth : {a.constant, a.slope, a.normal, a.raster, a.clears(), a.lifts, a.least.kernel,
-                                           a.least.quantum, a.least.snapping, a.least.rounding, a.least.total()}) {
-                    const DepthAmount amount = a.amount(depth);
+                for (const double depth :
+                     {a.constant, a.slope, a.normal, a.raster, a.equivalent_depth(), a.depth_shift, a.least.kernel,
+                      a.least.quantum, a.least.snapping, a.least.rounding, a.least.total()}) {
+                    const DepthShift amount = a.amount(depth);
                     EXPECT_FALSE(std::isnan(amount.depth) || std::isnan(amount.texels) || std::isnan(amount.metres));
                 }
                 EXPECT_TRUE(std::isinf(a.amount(a.least.total()).metres));
@@ -89,7 +90,7 @@ TEST(BiasAccount, IsNeverNanEdgeOn) {
 }
 
 // What P of the least bias is: the largest coordinate counted from the picture's origin or from the map's.
-TEST(BiasAccount, RoundingGrowsWithTheLargestCoordinateThatIsUsed) {
+TEST(BiasBreakdown, RoundingGrowsWithTheLargestCoordinateThatIsUsed) {
     Lit lit(LightType::Directional, false, 1);
     const double near = lit.account().least.rounding;
     lit.point.origin_ws = {0, 0, 1000};

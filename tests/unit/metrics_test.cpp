@@ -34,15 +34,16 @@ Truth truth_of(const std::vector<std::string>& rows) {
 }
 
 /// What a frame shows by the same characters; every wrong pixel has the cause.
-std::vector<JudgedPixel> judged_of(const std::vector<std::string>& rows, const Truth& truth,
-                                   Artefact cause = Artefact::EdgeAliasing) {
+std::vector<ClassifiedPixel> judged_of(const std::vector<std::string>& rows, const Truth& truth,
+                                       Artefact cause = Artefact::EdgeAliasing) {
     const Truth drawn = truth_of(rows);
-    std::vector<JudgedPixel> out(drawn.state.size());
+    std::vector<ClassifiedPixel> out(drawn.state.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
         if (i >= truth.state.size() || truth.state[i] != PixelState::Counted) continue;
         const float v = drawn.visibility.data[i];
         out[i] = {Artefact::None, compared_bits(v, true_pixel(truth, i), false), v};
-        if (out[i].has(JudgedPixel::kFalseShadow) || out[i].has(JudgedPixel::kFalseLight)) out[i].artefact = cause;
+        if (out[i].has(ClassifiedPixel::kFalseShadow) || out[i].has(ClassifiedPixel::kFalseLight))
+            out[i].artefact = cause;
     }
     return out;
 }
@@ -81,7 +82,7 @@ TEST(Metrics, OfEqualPicturesAreZero) {
 TEST(Metrics, AreTheSumsOfTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
     const Truth truth = truth_of({"......................######################"});
-    std::vector<JudgedPixel> judged = judged_of({"##############........########.............."}, truth);
+    std::vector<ClassifiedPixel> judged = judged_of({"##############........########.............."}, truth);
     for (std::size_t a = 1; a < kArtefacts; ++a) judged[a - 1].artefact = judged[29 + a].artefact = Artefact(a);
     judged[std::size_t(Artefact::PeterPanningRaster) - 1].artefact = Artefact::Acne;
     judged[std::size_t(Artefact::Contact) + 29].artefact = Artefact::Leak;
@@ -108,11 +109,11 @@ TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
     truth.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
     truth.standard_error = truth.visibility;
     truth.standard_error.data = {0.05f, 0.01f, 0.f, kNaN, 0.05f, 0.f};
-    std::vector<JudgedPixel> judged(6);
+    std::vector<ClassifiedPixel> judged(6);
     const float v[] = {0.45f, 0.45f, 0.45f, 0.f, 0.55f, 0.9f};
     for (std::size_t i = 0; i < 6; ++i)
         judged[i] = {Artefact::None, compared_bits(v[i], true_pixel(truth, i), false), v[i]};
-    using J = JudgedPixel;
+    using J = ClassifiedPixel;
     EXPECT_EQ(judged[0].bits, J::kCounts | J::kWithinNoise);
     EXPECT_EQ(judged[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
     EXPECT_EQ(judged[2].bits, J::kCounts | J::kFalseShadow);
@@ -205,10 +206,10 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
 }
 
 TEST(MetricRows, TellWhichOfTwoValuesIsBetter) {
-    EXPECT_EQ(shortfall(find_metric("mae")->better, 0.25), 0.25);
-    EXPECT_EQ(shortfall(find_metric("signed_mean")->better, -0.25), 0.25);
-    EXPECT_EQ(shortfall(find_metric("iou")->better, 0.75), 0.25);
-    EXPECT_TRUE(std::isnan(shortfall(find_metric("outside_map")->better, 0.25))) << "a fact, no quality";
+    EXPECT_EQ(distance_from_best(find_metric("mae")->better, 0.25), 0.25);
+    EXPECT_EQ(distance_from_best(find_metric("signed_mean")->better, -0.25), 0.25);
+    EXPECT_EQ(distance_from_best(find_metric("iou")->better, 0.75), 0.25);
+    EXPECT_TRUE(std::isnan(distance_from_best(find_metric("outside_map")->better, 0.25))) << "a fact, no quality";
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ Scene bodies() {
 
 TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
     const Scene scene = bodies();
-    const std::vector<glm::dvec3> found = outermost_points(scene), all = vertices(scene);
+    const std::vector<glm::dvec3> found = extreme_points(scene), all = vertices(scene);
     EXPECT_LE(found.size(), 64u);
     for (const glm::dvec3& p : found)
         EXPECT_TRUE(std::ranges::any_of(all, [&](const glm::dvec3& v) { return glm::distance(v, p) < 1e-9; }));
@@ -68,9 +68,9 @@ TEST(Outline, ComesNearTheHullOfAllVerticesInEveryDirection) {
 
 TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
     Scene scene = bodies();
-    const std::vector<glm::dvec3> before = outermost_points(scene);
+    const std::vector<glm::dvec3> before = extreme_points(scene);
     place(scene, moved(1000, -5, 3) * turned(70) * scaled(2, 2, 2));
-    const std::vector<glm::dvec3> after = outermost_points(scene);
+    const std::vector<glm::dvec3> after = extreme_points(scene);
     for (const glm::dvec3& p : before)
         EXPECT_NEAR(farthest(after, glm::normalize(p)), farthest(before, glm::normalize(p)), 0.5);
     for (int axis = 0; axis < 3; ++axis) {
@@ -86,20 +86,20 @@ TEST(Outline, IsBeforeThePlacementAndOfUsedVerticesAlone) {
     mesh.uv.edit().push_back({0, 0});
     add_object(stray, "box", -1, add_mesh(stray, "box", std::move(mesh), -1), glm::dmat4(1));
     finalise(stray);
-    EXPECT_NEAR(farthest(outermost_points(stray), {1, 0, 0}), 0.5, 1e-9);
-    EXPECT_TRUE(outermost_points(Scene()).empty());
+    EXPECT_NEAR(farthest(extreme_points(stray), {1, 0, 0}), 0.5, 1e-9);
+    EXPECT_TRUE(extreme_points(Scene()).empty());
 }
 
 TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
     Scene scene = test::box_scene({{{-0.5, 0, -0.5}, {0.5, 2, 0.5}}, {{-20, -0.01, -20}, {20, 0, 20}}});
-    EXPECT_NEAR(farthest(outermost_points(scene), {1, 0, 0}), 0.5, 1e-9);
+    EXPECT_NEAR(farthest(extreme_points(scene), {1, 0, 0}), 0.5, 1e-9);
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
-    EXPECT_NEAR(farthest(outermost_points(scene), {1, 0, 0}), 0.5, 1e-9);
+    EXPECT_NEAR(farthest(extreme_points(scene), {1, 0, 0}), 0.5, 1e-9);
     const Scene floor = test::box_scene({{{-20, -0.01, -20}, {20, 0, 20}}});
-    EXPECT_NEAR(farthest(outermost_points(floor), {1, 0, 0}), 20, 1e-9) << "where there is nothing else";
+    EXPECT_NEAR(farthest(extreme_points(floor), {1, 0, 0}), 20, 1e-9) << "where there is nothing else";
     scene.meshes[std::size_t(all_objects(scene)[0]->mesh)].bounds = {};  // as of a pose that leaves no triangles
     refresh(scene);
-    EXPECT_EQ(scene.standing.hi.x, 20);
+    EXPECT_EQ(scene.bounds_without_floor.hi.x, 20);
 }
 
 // A sphere's box is half as wide again as it is.
@@ -110,7 +110,7 @@ TEST(Outline, LetsAFilesPictureBeFilled) {
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(60, 60), 0), glm::dmat4(1));
     scene.file_scenes = {""};
     finalise(scene);
-    keep_framed(scene);
+    store_framing_points(scene);
     Settings s;
     const glm::dvec3 to_light = direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
     for (const double aspect : {0.6, 1.0, 1.78}) {

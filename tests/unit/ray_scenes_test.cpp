@@ -18,8 +18,8 @@ std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Setti
     return std::make_shared<const TruthGeometry>(scene, settings);
 }
 
-TEST(RayScenes, TwoUsersGetTheSameObjectAndItIsFreed) {
-    RayScenes scenes;
+TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
+    RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
     EXPECT_EQ(scenes.find(geometry->key), nullptr);
@@ -32,13 +32,13 @@ TEST(RayScenes, TwoUsersGetTheSameObjectAndItIsFreed) {
     const Weak weak = first;
     first.reset(), second.reset();
     EXPECT_FALSE(weak.expired()) << "the last one is kept for who comes next";
-    scenes.forget();
+    scenes.clear();
     EXPECT_TRUE(weak.expired());
     EXPECT_EQ(scenes.size(), 0u);
 }
 
-TEST(RayScenes, KeepNoMoreThanOneThatNobodyHolds) {
-    RayScenes scenes;
+TEST(RaySceneCache, KeepNoMoreThanOneThatNobodyHolds) {
+    RaySceneCache scenes;
     std::vector<Weak> weak;
     std::vector<Scene> all;
     for (int i = 0; i < 5; ++i) all.push_back(load_scene("boxes"));  // each its own, by its id
@@ -52,8 +52,8 @@ TEST(RayScenes, KeepNoMoreThanOneThatNobodyHolds) {
     EXPECT_TRUE(weak[4].expired()) << "now another one is the last";
 }
 
-TEST(RayScenes, WhoeverCastsDecides) {
-    RayScenes scenes;
+TEST(RaySceneCache, WhoeverCastsDecides) {
+    RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     Settings without;
     without.objects[boxes.nodes[std::size_t(boxes.objects[0].node)].path].cast = false;
@@ -62,8 +62,8 @@ TEST(RayScenes, WhoeverCastsDecides) {
     EXPECT_GT(all->triangle_count(), fewer->triangle_count());
 }
 
-TEST(RayScenes, ThreadsThatAskAtOnceWaitForOneBuild) {
-    RayScenes scenes;
+TEST(RaySceneCache, ThreadsThatAskAtOnceWaitForOneBuild) {
+    RaySceneCache scenes;
     const Scene boxes = load_scene("boxes");
     const auto geometry = geometry_of(boxes);
     std::promise<void> building, go_on;
@@ -94,8 +94,8 @@ TEST(RayScenes, ThreadsThatAskAtOnceWaitForOneBuild) {
     for (const auto& other : others) EXPECT_EQ(other, first);
 }
 
-TEST(RayScenes, ACancelledBuildIsNobodysElse) {
-    RayScenes scenes;
+TEST(RaySceneCache, ACancelledBuildIsNobodysElse) {
+    RaySceneCache scenes;
     const auto geometry = geometry_of(load_scene("boxes"));
     std::stop_source stop;
     stop.request_stop();

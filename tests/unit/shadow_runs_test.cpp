@@ -44,7 +44,7 @@ struct Floor {
                         return u < w && v < h && (rows[std::size_t(v)][std::size_t(u)] == '|') == (c == '|') &&
                                rows[std::size_t(v)][std::size_t(u)] != ' ';
                     };
-                    r.joins_right = same(x + 1, y), r.joins_below = same(x, y + 1);
+                    r.same_surface_right = same(x + 1, y), r.same_surface_below = same(x, y + 1);
                 }
                 receivers.pixels.push_back(r);
             }

@@ -114,7 +114,7 @@ std::size_t outside(const Scene& scene, const FittedLight& light) {
     const LightView& view = light.views[0];
     const glm::dmat4 clip = view.clip_from_relative(light.map_origin);
     for (const Object& o : scene.objects) {
-        if (o.travel.empty()) continue;
+        if (o.animation_bounds.empty()) continue;
         for (const std::uint32_t i : scene.meshes[std::size_t(o.mesh)].indices) {
             const glm::dvec3 p(o.world * glm::dvec4(glm::dvec3(scene.meshes[std::size_t(o.mesh)].positions[i]), 1));
             const glm::dvec4 c = clip * glm::dvec4(p - light.map_origin, 1);
@@ -156,7 +156,7 @@ TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
 TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
     const Scene scene = swinging_box(Interpolation::Linear);
     const Session session = at(scene, 0, {"scene.fit_animation=on"});
-    const Bounds& travel = session.scene.objects[1].travel;
+    const Bounds& animation_bounds = session.scene.objects[1].animation_bounds;
     const double corner = std::hypot(4.5, 0.5);
     Bounds all;
     for (int i = 0; i <= 1000; ++i) {
@@ -165,37 +165,37 @@ TEST(Travel, BoxesHoldEachMomentAndLittleMore) {
         all.add(posed.meshes[std::size_t(posed.objects[1].mesh)].bounds.transformed(posed.objects[1].world));
     }
     for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_LE(travel.lo[axis], all.lo[axis] + 1e-6) << axis;
-        EXPECT_GE(travel.hi[axis], all.hi[axis] - 1e-6) << axis;
-        EXPECT_NEAR(travel.lo[axis], all.lo[axis], 0.02 * corner) << axis;
-        EXPECT_NEAR(travel.hi[axis], all.hi[axis], 0.02 * corner) << axis;
+        EXPECT_LE(animation_bounds.lo[axis], all.lo[axis] + 1e-6) << axis;
+        EXPECT_GE(animation_bounds.hi[axis], all.hi[axis] - 1e-6) << axis;
+        EXPECT_NEAR(animation_bounds.lo[axis], all.lo[axis], 0.02 * corner) << axis;
+        EXPECT_NEAR(animation_bounds.hi[axis], all.hi[axis], 0.02 * corner) << axis;
     }
-    EXPECT_TRUE(session.scene.objects[0].travel.empty()) << "the floor stands still";
+    EXPECT_TRUE(session.scene.objects[0].animation_bounds.empty()) << "the floor stands still";
 }
 
 TEST(Travel, ItIsKeptForItsAnimationAndForgottenWithTheSetting) {
     Scene scene = swinging_box(Interpolation::Linear);
     SceneSettings moment{.fit_animation = true};
     pose_scene(scene, moment);
-    ASSERT_FALSE(scene.objects[1].travel.empty());
-    scene.objects[1].travel.hi.x = 1000;  // would be put right if it were found again
+    ASSERT_FALSE(scene.objects[1].animation_bounds.empty());
+    scene.objects[1].animation_bounds.hi.x = 1000;  // would be put right if it were found again
     moment.time = 0.3;
     pose_scene(scene, moment);
-    EXPECT_EQ(scene.objects[1].travel.hi.x, 1000) << "not once a frame";
+    EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "not once a frame";
     hide_objects(scene, {scene.nodes[std::size_t(scene.objects[0].node)].path});
     pose_scene(scene, moment);
     hide_objects(scene, {});
-    EXPECT_EQ(scene.objects[1].travel.hi.x, 1000) << "nor for what is hidden";
+    EXPECT_EQ(scene.objects[1].animation_bounds.hi.x, 1000) << "nor for what is hidden";
     moment.animation = 1;  // of no keys
     pose_scene(scene, moment);
-    EXPECT_TRUE(scene.objects[1].travel.empty());
+    EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
     moment.animation = 0;
     pose_scene(scene, moment);
-    EXPECT_LT(scene.objects[1].travel.hi.x, 10);
+    EXPECT_LT(scene.objects[1].animation_bounds.hi.x, 10);
     moment.fit_animation = false;
     pose_scene(scene, moment);
-    EXPECT_TRUE(scene.objects[1].travel.empty());
-    EXPECT_TRUE(scene.travel.empty());
+    EXPECT_TRUE(scene.objects[1].animation_bounds.empty());
+    EXPECT_TRUE(scene.animation_bounds.empty());
 }
 
 TEST(Travel, WhereTheSceneIsPlacedItGoesAlong) {

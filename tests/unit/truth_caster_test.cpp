@@ -320,15 +320,15 @@ TEST(Tracing, OutlivesItsScene) {
 }
 
 TEST(Workers, PassOnWhatFails) {
-    EXPECT_THROW(for_blocks(100, {.threads = 3},
-                            [](std::size_t i) {
-                                if (i == 40) throw Error("no");
-                            }),
+    EXPECT_THROW(parallel_for_blocks(100, {.threads = 3},
+                                     [](std::size_t i) {
+                                         if (i == 40) throw Error("no");
+                                     }),
                  Error);
     std::atomic<int> sum{0};
-    for_blocks(100, {.threads = 5}, [&](std::size_t i) { sum += int(i); });
+    parallel_for_blocks(100, {.threads = 5}, [&](std::size_t i) { sum += int(i); });
     EXPECT_EQ(sum, 4950);
-    for_blocks(0, {}, [](std::size_t) { FAIL(); });
+    parallel_for_blocks(0, {}, [](std::size_t) { FAIL(); });
 }
 
 }  // namespace

@@ -177,7 +177,7 @@ TEST(Truth, AgreesWithEveryTriangleTested) {
     EXPECT_EQ(geometry->caster_triangles(), scene.triangle_count());
     const TruthScene casters(geometry);
     EXPECT_EQ(casters.triangle_count(), scene.triangle_count());
-    const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, w, h), {});
+    const Receivers receivers = reconstruct_receivers(*geometry, camera, test::ids_by_rays(scene, camera, w, h), {});
     const test::RayTruth rays(scene);
     for (const char* type : {"directional", "spot", "point"}) {
         set_setting(settings, "light.0.type", type);
@@ -210,7 +210,8 @@ TEST(Truth, TheQuickWayForDirectionalLightsIsTheSame) {
         set_setting(settings, "object.root/box.receive", receives);
         const auto geometry = geometry_of(scene, settings);
         const TruthScene casters(geometry);
-        const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
+        const Receivers receivers =
+            reconstruct_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
         Receivers slow = receivers;
         slow.starts.clear();
         for (const double elevation : {45.0, 0.05, 0.0, -0.05}) {
@@ -235,7 +236,7 @@ TEST(Truth, CountsWhyPixelsAreLeftOut) {
     set_setting(settings, "object.root/box.receive", "false");
     const Camera camera = make_camera(scene, settings, 1.5);
     const auto geometry = geometry_of(scene, settings);
-    const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
+    const Receivers receivers = reconstruct_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
     Truth truth = trace_visibility(TruthScene(geometry), receivers,
                                    truth_query(scene, settings, fit_lights(scene, settings), 0), {});
     std::array<std::size_t, kPixelStates> counted{};

@@ -10,7 +10,7 @@ namespace si {
 
 struct HealthShown {
     const NumericHealth* health = nullptr;  ///< of the frame shown; null: not asked for, or not there yet
-    const MemoryFacts* memory = nullptr;    ///< of the process; null: not asked for, or not there yet
+    const MemoryReport* memory = nullptr;   ///< of the process; null: not asked for, or not there yet
 };
 
 struct HealthActions {

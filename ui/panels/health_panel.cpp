@@ -70,7 +70,7 @@ std::string count_text(std::size_t count) {
 }
 
 /// What the process takes, in a line; opened, who holds it.
-void draw_memory(const MemoryFacts& memory) {
+void draw_memory(const MemoryReport& memory) {
     const ProcessMemory& p = memory.process;
     const std::string head =
         fmt::format("Memory: {} resident, {} at most; {} held by name, {} kept by the heap for what comes###memory",
@@ -81,7 +81,7 @@ void draw_memory(const MemoryFacts& memory) {
     if (!ImGui::BeginTable("holders", 4, flags)) return;
     for (const char* column : {"Holder", "Now", "At most", "Of"}) ImGui::TableSetupColumn(column);
     ImGui::TableHeadersRow();
-    for (const HeldBytes& h : memory.holders) {
+    for (const MemoryUse& h : memory.holders) {
         ImGui::TableNextRow();
         for (const std::string& text : {h.holder, bytes_text(h.bytes), bytes_text(h.most), count_text(h.count)}) {
             ImGui::TableNextColumn();

@@ -65,7 +65,7 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     for (std::size_t i = count; i-- > 0;) {  // parents stand before their children
         Row& row = tree.rows[i];
         row.node = int(i), row.path = &scene.nodes[i].path;
-        row.placed &= (!state.only_lost || row.lost) && words_match(state.object_search, {*row.path});
+        row.placed &= (!state.only_lost || row.lost) && matches_all_words(state.object_search, {*row.path});
         if (!row.placed && !row.above) continue;
         in[i] = 1;
         tree.placed += row.placed;

@@ -70,7 +70,7 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
 }
 
 /// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
-void amount_row(const char* name, const DepthAmount& a, const char* about, const char* endless = "infinite") {
+void amount_row(const char* name, const DepthShift& a, const char* about, const char* endless = "infinite") {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::TextDisabled("%s", name);
@@ -92,7 +92,7 @@ bool begin_amounts(const char* id) {
     return true;
 }
 
-void bias_terms(const BiasAccount& a) {
+void bias_terms(const BiasBreakdown& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
@@ -106,7 +106,8 @@ void bias_terms(const BiasAccount& a) {
         amount_row(
             "while drawing", a.amount(a.raster),
             "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
-    amount_row("equivalent bias in all", a.amount(a.clears()), "Against acne: it has to be as much as is needed");
+    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()),
+               "Against acne: it has to be as much as is needed");
     amount_row("needed", a.amount(a.least.total()),
                "Less, and the triangle's plane shadows itself; the sum of the next");
     amount_row("  kernel", a.amount(a.least.kernel),

@@ -97,10 +97,10 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
 void nearest_first(std::vector<Group>& list, const EditorState& state) {
     if (state.search.empty()) return;
     const auto rank = [&](const Group& group) {
-        if (words_match(state.search, {group.label, group.prefix})) return 0;
+        if (matches_all_words(state.search, {group.label, group.prefix})) return 0;
         const std::vector<SettingRef> rows = rows_of(state, group.prefix).shown;
         const bool called = std::ranges::any_of(rows, [&](const SettingRef& ref) {
-            return words_match(state.search, {ref.param->label, ref.param->key});
+            return matches_all_words(state.search, {ref.param->label, ref.param->key});
         });
         return called ? 1 : 2;
     };

@@ -26,7 +26,7 @@ bool is_pinned(const EditorState& state) {
 }
 
 /// What stands at each side: what was pinned was there first.
-std::string shown_side(const EditorState& state) {
+std::string visible_side(const EditorState& state) {
     return is_pinned(state) ? "B: shown settings" : "A: shown settings";
 }
 
@@ -129,7 +129,7 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
     const bool there = frame.against && frame.against->picture.texture != 0;
-    const std::string other = other_side(state, frame), shown = shown_side(state);
+    const std::string other = other_side(state, frame), shown = visible_side(state);
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
         std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem

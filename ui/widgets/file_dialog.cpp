@@ -68,7 +68,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
             entries.push_back({name, is_folder, date_of(*it)});
     }
     std::sort(entries.begin(), entries.end(), [](const FileDialog::Entry& a, const FileDialog::Entry& b) {
-        return a.folder != b.folder ? a.folder : in_small_letters(a.name) < in_small_letters(b.name);
+        return a.folder != b.folder ? a.folder : lower_ascii(a.name) < lower_ascii(b.name);
     });
     d.folder = folder;
     d.folder_input = folder.string();

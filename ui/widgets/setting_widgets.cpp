@@ -95,7 +95,7 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
         change(settings, ref, preset), changed = true;
     if (ImGui::MenuItem("Copy as --set")) {
         const std::pair change{setting_key(ref), value_text(*ref.param, get_value(settings, ref))};
-        ImGui::SetClipboardText(sets_text({&change, 1}).c_str());
+        ImGui::SetClipboardText(set_options_text({&change, 1}).c_str());
     }
     ImGui::EndPopup();
     return changed;
