@@ -1,4 +1,5 @@
-// One hierarchy of rays for all who trace the same casters: frames' truth, probed pixels, searches, sweeps.
+// Shared bounding volume hierarchies for ray tracing: references, probed pixels, searches and sweeps over the same
+// casters use one.
 #pragma once
 
 #include <cstdint>
@@ -10,23 +11,25 @@
 
 namespace si {
 
-/// Hierarchies by TruthGeometry::key. Those that somebody holds are found; of others the last one is kept. Any thread.
+/// Cache of ray-tracing hierarchies by TruthGeometry::key. Finds those that are still referenced elsewhere, and keeps
+/// the last one alive. Usable from any thread.
 class RaySceneCache {
 public:
-    /// The hierarchy of that geometry, built unless it is there. Who asks for one that another thread is building waits
-    /// for that. @throws Cancelled; Error as TruthScene does
+    /// Returns the ray-tracing hierarchy of a geometry; builds it on a miss. Waits when another thread is building the
+    /// same one. @throws Cancelled; Error as TruthScene does
     std::shared_ptr<const TruthScene> get(const std::shared_ptr<const TruthGeometry>& geometry,
                                           const Workers& workers = {});
-    /// Null when nobody has built it, or nobody holds it any more.
+    /// Returns the cached hierarchy with this TruthGeometry::key, or null. Never builds one.
     std::shared_ptr<const TruthScene> find(std::uint64_t key) const;
-    /// The geometry of a hierarchy that is there, else a copy of the scene's triangles.
+    /// Returns the geometry of a cached hierarchy for the scene, or else a new one from the scene's triangles.
     std::shared_ptr<const TruthGeometry> geometry(const Scene& scene, const Settings& settings) const;
-    /// How many there are in memory.
+    /// Returns the number of hierarchies in memory.
     std::size_t size() const;
-    /// Keeps none but those that somebody holds.
+    /// Drops the hierarchy that only this cache keeps alive.
     void clear();
 
 private:
+    /// Entry of the cache: a hierarchy, and the lock held while it is built.
     struct Place {
         std::timed_mutex building;
         std::weak_ptr<const TruthScene> scene;  ///< under RaySceneCache::mutex_
@@ -36,7 +39,7 @@ private:
     std::shared_ptr<const TruthScene> last_;
 };
 
-/// The process's own.
+/// Returns the hierarchy cache of the process.
 RaySceneCache& ray_scenes();
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// A traced truth as frames take it: per pixel.
+// Traced reference as a per-pixel input of frames.
 //
 //     TruthTask task = truth_task(renderer, scene, settings, request, light, truth_options(settings));
 //     request.truth = truth_picture(task, cache.trace(task));                // any thread
@@ -12,28 +12,29 @@
 
 namespace si {
 
+/// Traced reference that a frame compares its shadows with.
 struct TruthPicture {
-    std::uint64_t key = 0;      ///< truth_key() of the frames that it is for
-    std::uint64_t version = 0;  ///< another one for each content
-    int step = 1;               ///< pixels of the frame per pixel of the truth
+    std::uint64_t key = 0;      ///< truth_key() of the frames that may use it
+    std::uint64_t version = 0;  ///< unique per content
+    int step = 1;               ///< pixels of the frame per pixel of the reference
     TracedTruth traced;
-    std::optional<TruthOptions> options;  ///< asked for in place of what truth.* of the settings say
+    std::optional<TruthOptions> options;  ///< override truth.* of the settings
 };
 
-/// @param options if given, frames take the truth of these in place of truth_options() of their settings
+/// Wraps a traced reference as input of frames. @param options override truth_options() of the frames' settings
 std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const TracedTruth& traced,
                                                   const std::optional<TruthOptions>& options = {});
 
-/// Traces what lights need whose source is ray traced or a light map, unless `request`, `cache` or light_maps() has it.
-/// Returns whether any does.
-/// @param request keeps what was traced for the next frame @throws Cancelled, Error
+/// Traces the shadows of all lights whose source (light.source) is ray tracing or a light map, unless `request`,
+/// `cache` or light_maps() has them. Returns true when there is such a light.
+/// @param request receives the results, for the next frame @throws Cancelled, Error
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                    TruthCache& cache, const Workers& workers = {});
 
-/// Draws a frame that has all rays it asks for, those of trace_sources() too: traced unless `request` or `cache` has
-/// them.
-/// @param request keeps the truth for the next frame
-/// @param options in place of truth_options() of the settings
+/// Draws a frame with its reference, and with the ray-traced lights of trace_sources(): traces them unless `request` or
+/// `cache` has them.
+/// @param request receives the reference, for the next frame
+/// @param options override truth_options() of the settings
 /// @throws Cancelled, Error
 FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                               TruthCache& cache, const Workers& workers = {},

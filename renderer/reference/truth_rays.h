@@ -1,4 +1,4 @@
-// Rays through a TruthScene. For the sources of this folder; others use trace_visibility() and its kin.
+// Rays through a TruthScene. Internal to this folder; others call trace_visibility() or first_caster_distances().
 #pragma once
 
 #include <algorithm>
@@ -11,14 +11,16 @@
 
 namespace si {
 
-/// One casting object in the hierarchy; its geometry (or instance) has the caster's index as its id.
+/// Casting object in the ray-tracing hierarchy; its index is the id of its Embree geometry or instance.
 struct Caster {
     std::uint32_t object = 0;
-    bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
+    bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
 };
 
+/// Embree objects of a ray-tracing hierarchy, in the unit frame of its scene.
 struct TruthScene::Impl : UnitFrame {
-    TrackedMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
+    TrackedMemory held{"hierarchies of rays",
+                       0};  ///< Embree's memory; first member, as the device reports to it until its end
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
     embree::Scene scene;
@@ -28,23 +30,23 @@ struct TruthScene::Impl : UnitFrame {
     std::size_t triangles = 0, instances = 0;
 };
 
-/// A ray from a receiver that single precision cannot judge, as it leaves along the surface: hits are tested again in
-/// double, without the receiver's own triangle.
+/// Ray at a grazing angle to its receiver, for which single precision is not enough: hits are tested again in double,
+/// without the receiver's own triangle.
 struct ExactRay {
     glm::dvec3 origin{0}, direction{0};  ///< unit frame, unit length
     double length = 0;
     std::uint32_t object = 0, primitive = 0;
 };
-/// Cosine between surface and ray below which a ray needs to be exact.
+/// Cosine between surface normal and ray below which a ray is traced as an ExactRay.
 inline constexpr double kGrazingCosine = 1e-3;
 
-/// Which hits count.
+/// Rules by which hits of a ray count.
 struct HitRules {
     std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
     std::span<const ExactRay> exact;      ///< by the ray's id; empty: none
 };
 
-/// From `origin` along `direction` for `length` times its length.
+/// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
 inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
     RTCRay ray;
     ray.org_x = origin.x, ray.org_y = origin.y, ray.org_z = origin.z;
@@ -58,14 +60,15 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
     return ray;
 }
 
-/// Marks occluded rays by a negative tfar.
+/// Traces shadow rays: an occluded ray gets a negative tfar.
 void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
 
+/// One intersection of a ray with a caster.
 struct Hit {
     float t = 0;          ///< in lengths of the ray's direction
     bool culled = false;  ///< by HitRules::culls
 };
-/// All hits up to the ray's end, culled ones too, in no order.
+/// Collects all hits of a ray up to its end, culled ones too, in no order. @param out receives the hits
 void collect_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

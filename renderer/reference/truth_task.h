@@ -1,4 +1,5 @@
-// From a frame to its truth: what must be taken on the renderer's thread, and what any thread then computes and keeps.
+// Tasks that trace a frame's reference: inputs are collected on the renderer's thread, then traced and cached on any
+// thread.
 //
 //     TruthCache cache;                                                              // lives as long as the session
 //     TruthTask task = truth_task(renderer, scene, settings, request, light, {.area = true});
@@ -14,31 +15,34 @@
 
 namespace si {
 
-/// Everything that a trace needs; it touches neither scene nor GPU any more.
+/// Input for tracing a reference, independent of scene and GPU: any thread may trace it.
 struct TruthTask {
     std::shared_ptr<const TruthGeometry> geometry;
     Camera camera;
     PixelRaster raster;
-    SurfaceIds ids;  ///< of the raster's pixels
+    SurfaceIds ids;  ///< triangle of each sampled pixel
     TruthQuery query;
-    std::vector<FittedLight> lights;  ///< of the frame
+    std::vector<FittedLight> lights;  ///< all lights of the frame
     int map_resolution = 0;
     std::uint64_t receivers_key = 0;
-    std::uint64_t key = 0;  ///< of the truth: scene, objects, camera, size, light, options; not the map's resolution
+    std::uint64_t key = 0;  ///< truth_key(): scene, objects, camera, size, light, options; not the map's resolution
 };
 
-/// The key of the truth about one light in one picture. 0 when there is no such light.
+/// Returns the cache key of the reference of one light in one picture. 0 when there is no such light.
+/// @param width,height of the picture, pixels @param light index of light.*
 std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
                         const std::vector<FittedLight>& lights, int light, const TruthOptions& options);
 
-/// Every `step`-th pixel across and down, from the top left.
+/// Subsamples an image: every `step`-th pixel across and down, from the top left.
 FloatImage every_nth(const FloatImage& image, int step);
 
-/// Draws which triangle each pixel shows, and shares the scene's triangles unless ray_scenes() have them already.
+/// Collects the input for tracing a reference: draws the triangle ids of all pixels, and takes the scene's geometry
+/// from ray_scenes() or the scene. Call on the renderer's thread.
 /// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
 TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light, const TruthOptions& options = {});
 
+/// Traced reference with everything it was computed from, and the times that took.
 struct TracedTruth {
     std::shared_ptr<const TruthScene> scene;
     std::shared_ptr<const Receivers> receivers;
@@ -47,20 +51,23 @@ struct TracedTruth {
     double build_ms = 0, place_ms = 0, trace_ms = 0, runs_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// The last receivers and truths, and the last hierarchy of ray_scenes(). Used by one thread at a time.
+/// Cache of the last receivers, references and ray-tracing hierarchy. Used by one thread at a time.
 class TruthCache {
 public:
-    /// @throws Cancelled, Error; what was complete by then is kept
+    /// Traces the reference of a task, or returns it from the cache.
+    /// @throws Cancelled, Error; parts that were complete by then stay in the cache
     TracedTruth trace(const TruthTask& task, const Workers& workers = {});
+    /// Empties the cache.
     void clear() { *this = {}; }
-    /// Of what was traced last; null: nothing.
+    /// Returns the receivers of the last trace; null: none.
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:
-    static constexpr std::size_t kKept = 4;  ///< truths: hard and area of two lights
+    static constexpr std::size_t kKept = 4;  ///< references: hard and area of two lights
     std::shared_ptr<const TruthScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
+    /// A cached reference and its key.
     struct Known {
         std::uint64_t key = 0;
         std::shared_ptr<const Truth> truth;
