@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture
-/// and the map count positions from.
+/// Returns the largest coordinate in metres that shaders of this pixel compute with: the map's extent, or the distance
+/// from the origins of picture and map.
 double extent_m(const FittedLight& light, const LightReceiver& r, int resolution, const SurfacePoint& p) {
     const glm::dvec3 farthest =
         glm::max(glm::abs(p.position_ws - p.origin_ws), glm::abs(p.position_ws - light.map_origin));
@@ -32,7 +32,7 @@ double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     if (!per_texel || plane.edge_on()) return receiver.compared;
     const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
     const double depth = receiver.compared + std::clamp(moved, -max_texel_shift, max_texel_shift);
-    // Where the plane runs on beyond the far plane, the map may be empty.
+    // Where the plane continues beyond the far plane, the map may be empty.
     return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
                                      : std::min(depth, std::max(receiver.compared, 1.0));
 }

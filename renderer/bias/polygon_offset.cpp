@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Everything that the measurement sets, put back at the end.
+/// OpenGL state that the measurement changes, restored at the end.
 class KeptState {
 public:
     KeptState() {
@@ -70,20 +70,20 @@ private:
     GLfloat factor_ = 0, units_ = 0, clamp_ = 0;
 };
 
-/// A plane of `depth` in its middle that falls by `per_pixel` along x and y.
+/// Plane with `depth` at its centre and slope `per_pixel` along x and y.
 struct TiltedPlane {
     double depth = 0.4;
     glm::dvec2 per_pixel{0};
     float factor = 0, units = 0;
 };
 
-constexpr int kTile = 8;  ///< pixels that a plane covers, each way
+constexpr int kTile = 8;  ///< side of a plane, pixels
 
-/// How far each probe's offset moves the stored depth in the middle of its plane.
+/// Measures the shift of the stored depth at the centre of each plane, by its polygon offset.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
     const KeptState kept;
     const bool colour = is_colour(int(format));
-    const int width = int(probes.size()) * kTile, height = 2 * kTile;  // below without, above with the offset
+    const int width = int(probes.size()) * kTile, height = 2 * kTile;  // lower half without offset, upper half with it
     gl::Target stored, beside;
     stored.ensure("polygon offset calibration", map_internal_format(format), width, height);
     if (colour) beside.ensure("polygon offset calibration, depth", GL_DEPTH_COMPONENT32F, width, height);
@@ -111,7 +111,7 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     glBindVertexArray(vao.id());
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const TiltedPlane& p = probes[i];
-        // From one side of the tile to the other normalised coordinates grow by 2.
+        // Normalised coordinates grow by 2 across the tile.
         const glm::dvec2 slope = p.per_pixel * (0.5 * kTile);
         glUniform3f(plane, float(slope.x), float(slope.y), float(p.depth));
         for (const int row : {0, 1}) {
@@ -135,7 +135,7 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     return out;
 }
 
-constexpr double kEqual = 0.01;  ///< relative; the kinds of r and m that there are lie far more apart
+constexpr double kEqual = 0.01;  ///< relative tolerance; possible kinds of r and m differ far more
 
 }  // namespace
 
@@ -147,7 +147,8 @@ double PolygonOffset::slope(const glm::dvec2& per_texel) const {
 PolygonOffset measure_polygon_offset(int map_format) {
     if (holds_distances(map_format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
     const auto format = MapFormat(map_format);
-    // Units for some hundredths of depth in fixed-point formats, and for thousands of steps in float ones.
+    // Units that shift by some hundredths of the depth range in fixed-point formats, by thousands of steps in float
+    // ones.
     const float units = format == MapFormat::D16 ? 0x1p10f : format == MapFormat::D24 ? 0x1p16f : 0x1p12f;
     const float factor = 8;
     std::vector<TiltedPlane> probes;

@@ -31,7 +31,7 @@ void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum sever
 }
 
 std::vector<std::string> MessageLog::take_messages() {
-    // A lost context reports one at every call.
+    // A lost context reports an error at every call.
     for (int i = 0; i < kMostErrors; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;

@@ -36,7 +36,7 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     }
     width = w, height = h, layers = layer_count, format = internal_format, extent = more;
     track_image_memory(texture, label, more);
-    if (more.samples) return true;  // such textures have no sampler's state
+    if (more.samples) return true;  // multisampled textures have no sampler state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);

@@ -5,7 +5,7 @@
 namespace si::gl {
 namespace {
 
-constexpr int kMostForgotten = 64;  ///< a lost context reports one at every call
+constexpr int kMostForgotten = 64;  ///< limit, as a lost context reports an error at every call
 
 [[noreturn]] void throw_lost(std::string_view why) {
     throw ContextLost(

@@ -1,4 +1,4 @@
-// load_gltf: the steps in order.
+// load_gltf() and the order of its steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -62,7 +62,8 @@ void load(Context& context, Scene& scene) {
 
 namespace {
 
-/// Foliage that is blended casts by its mask: a tree without the shadow of its leaves is none.
+/// Suggests that blended surfaces cast shadows by their alpha mask, where they are a large part of the scene: blended
+/// foliage would otherwise cast none.
 void suggest_casters(Scene& scene) {
     constexpr std::string_view kKey = "caster.blend";
     if (std::ranges::any_of(scene.suggested, [&](const auto& row) { return row.first == kKey; })) return;
@@ -95,7 +96,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         context.close_warnings();
         context.progress(0.95);
         finalise(scene);
-        // What an export wrote of lights changed by hand is not undone by the lights themselves.
+        // Exported light settings that the user changed take precedence over those that the lights suggest.
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
         suggest_casters(scene);

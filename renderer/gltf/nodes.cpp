@@ -37,7 +37,7 @@ std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int
         }
         return roots;
     }
-    // Without scenes, every node without a parent is shown.
+    // A file without scenes shows all root nodes.
     std::vector<char> has_parent(model.nodes.size(), 0);
     for (const auto& node : model.nodes) {
         for (const int child : node.children) has_parent[static_cast<std::size_t>(child)] = 1;

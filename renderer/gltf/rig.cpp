@@ -19,7 +19,7 @@ void gather(std::vector<T>& values, const std::vector<std::uint32_t>& from) {
     values = std::move(out);
 }
 
-/// Gives each triangle vertices of its own, so that flat normals can follow it; `pick` follows.
+/// Splits all vertices, so that each triangle has its own three and can have a flat normal; updates `pick` too.
 void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
     const std::vector<std::uint32_t> from = mesh.indices;
     gather(mesh.positions.edit(), from);
@@ -46,7 +46,7 @@ public:
           placed_(placed),
           scene_(scene) {}
 
-    /// Meshes and objects of glTF node `node`.
+    /// Adds the deformed meshes and objects of glTF node `node`.
     void add(int node) {
         const tinygltf::Node& from = model_.nodes[static_cast<std::size_t>(node)];
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(from.mesh)];
@@ -86,7 +86,7 @@ private:
         std::shared_ptr<const DeformSource> source;  ///< null: nothing to draw
     };
 
-    /// A root node for a skinned object, which the transform of its own node must not move (glTF 2.0, section 3.7.3.3).
+    /// Adds a root node for a skinned object, as its own node's transform must not move it (glTF 2.0, section 3.7.3.3).
     int add_placement(int scene_node) {
         Node node;
         node.name = scene_.nodes[static_cast<std::size_t>(scene_node)].name + " (skinned)";

@@ -37,7 +37,7 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
     Settings shown = settings;
     shown.view.light = light;
     TruthOptions wanted = options;
-    wanted.nearest = true;  // by which lost casters and peter-panning are told apart
+    wanted.nearest = true;  // distinguishes lost casters from peter-panning
     FrameRequest judged = request;
     judged.outputs = {.colour = false, .judged = true};
     judged.timing = judged.force = false;

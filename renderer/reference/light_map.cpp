@@ -13,25 +13,25 @@
 namespace si {
 namespace {
 
-constexpr int kStrip = 64;            ///< rows that are traced at once
-constexpr double kInset = 0.25;       ///< texels that a texel keeps from its chart's borders
-constexpr double kNoise = 0.005;      ///< wanted standard error of an area light, about one step of 8 bits
-constexpr double kBeside = 1e6;       ///< put on distances of texels beside their chart: any in it are nearer
-constexpr std::uint64_t kMethod = 1;  ///< counted up when the same task would give another map
+constexpr int kStrip = 64;        ///< rows traced at once
+constexpr double kInset = 0.25;   ///< least distance of a sample from its chart's borders, texels
+constexpr double kNoise = 0.005;  ///< target standard error for area lights, about one step of 8 bits
+constexpr double kBeside = 1e6;   ///< added to distances of texels outside their chart, so that any inside are nearer
+constexpr std::uint64_t kMethod = 1;  ///< version of the algorithm: increase when the same task gives another map
 
 int samples_of(const Emitter& emitter, const Settings& settings) {
     return emitter.size > 0 ? std::max(settings.light_map.samples, 1) : 1;
 }
 
 void add_emitter(Key& key, const Emitter& e, int samples) {
-    // Cone and range bound where light falls, not what stands in its way.
+    // Cone and range limit the lit region, not the occluders.
     key.add(e.type).add(e.casts).add(samples);
     if (e.type != LightType::Directional) key.add(e.position_ws);
     if (e.type == LightType::Directional || (e.type == LightType::Spot && samples > 1)) key.add(e.to_light);
     if (samples > 1) key.add(e.size);
 }
 
-/// Shares of a triangle's corners at the point of it that is nearest to `at`.
+/// Returns the barycentric coordinates of the point of a triangle that is nearest to `at`.
 glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& at) {
     glm::dvec3 best(1, 0, 0);
     double least = std::numeric_limits<double>::infinity();
@@ -55,7 +55,7 @@ glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& 
     return best;
 }
 
-/// A triangle of a chart as texels find their place on it.
+/// Triangle of a chart in the atlas, which maps texels to surface points.
 class PlacedTriangle {
 public:
     PlacedTriangle(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners,
@@ -64,7 +64,7 @@ public:
         for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.place(chart, corners_[k]);
         const glm::dvec3 cross = glm::cross(corners.b - corners.a, corners.c - corners.a);
         normal_ = cross / glm::length(cross);
-        std::array<double, 3> lengths;  // of the sides opposite to corners, in the atlas
+        std::array<double, 3> lengths;  // sides opposite to the corners, in the atlas
         for (std::size_t k = 0; k < 3; ++k) lengths[k] = glm::length(at_[(k + 2) % 3] - at_[(k + 1) % 3]);
         const glm::dvec2 e1 = at_[1] - at_[0], e2 = at_[2] - at_[0];
         const double area2 = std::abs(e1.x * e2.y - e1.y * e2.x);
@@ -85,8 +85,8 @@ public:
     const glm::dvec3& normal() const { return normal_; }
     float edge_m() const { return edge_m_; }
 
-    /// The point for a texel whose middle is `at`, and how far off it is in texels: kBeside more where that lies beside
-    /// the triangle.
+    /// Returns the surface point for a texel with centre `at`.
+    /// @param distance receives its distance in texels, plus kBeside where the centre lies outside the triangle
     glm::dvec3 point(const glm::dvec2& at, double& distance) const {
         const glm::dvec3 own = nearest_shares(at_, at);
         const bool within = glm::distance(mixed(at_, own), at) < 1e-9;
@@ -108,7 +108,7 @@ private:
     std::array<glm::dvec3, 3> corners_;
     std::array<glm::dvec2, 3> at_;  ///< texels
     glm::dvec3 normal_;
-    glm::dvec3 all_in_, borders_in_;  ///< least share of each corner: in from all sides, or from those that are borders
+    glm::dvec3 all_in_, borders_in_;  ///< least barycentric coordinates: inset from all sides, and from borders only
     float edge_m_ = 0;
 
     static glm::dvec2 mixed(const std::array<glm::dvec2, 3>& t, const glm::dvec3& share) {
@@ -150,9 +150,9 @@ private:
     const LightMapLayout& layout_;
     const TruthScene& scene_;
     TruthQuery query_;
-    std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts
+    std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts by strip of rows
     Receivers receivers_;
-    std::vector<double> distances_;  ///< of the points found so far, texels
+    std::vector<double> distances_;  ///< distance of each texel's best point so far, texels
 
     void place(int y0, int rows, const std::vector<std::uint32_t>& charts, const Workers& workers) {
         const std::size_t count = std::size_t(layout_.side) * std::size_t(rows);
@@ -178,7 +178,7 @@ private:
             const std::uint32_t t = layout_.triangles[chart.first + i];
             const PlacedTriangle triangle(layout_, chart, task_.geometry->triangle(chart.object, t),
                                           layout_.borders[first + t]);
-            // Bilinear look-ups reach texels whose middles are less than one away.
+            // Bilinear look-ups reach texels whose centres are less than one texel away.
             const glm::ivec2 from = glm::max(glm::ivec2(glm::floor(triangle.lo() - 1.5)), least);
             const glm::ivec2 to = glm::min(glm::ivec2(glm::ceil(triangle.hi() + 1.5)), end);
             for (int y = from.y; y < to.y; ++y)

@@ -12,7 +12,7 @@
 namespace si {
 namespace {
 
-/// Pixels on either side of a step between lit and dark on one surface.
+/// Returns the pixels on either side of a change between lit and dark on one surface.
 template <typename Dark>
 std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uint8_t>& joins, Dark&& dark) {
     const auto w = std::size_t(truth.width), h = std::size_t(truth.height);
@@ -30,6 +30,7 @@ std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uin
     return out;
 }
 
+/// Computes the distances between two sets of contour pixels: ErrorMetrics::boundary_px_*.
 /// @param step pixels of the picture per pixel of a and b
 void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
                        int width, int height, int step) {
@@ -64,7 +65,7 @@ constexpr std::uint32_t causes(std::initializer_list<Artefact> list) {
     return bits;
 }
 constexpr std::uint32_t kAnyCause = (1u << kArtefacts) - 1;
-// No bias and no offset puts these right.
+// Causes that no change of bias or offset makes right.
 constexpr std::uint32_t kAtEdges =
     causes({Artefact::EdgeAliasing, Artefact::Undersampled, Artefact::Penumbra, Artefact::Filter, Artefact::NoMap});
 
@@ -380,7 +381,7 @@ std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
 TruePixel true_pixel(const Truth& truth, std::size_t i) {
     TruePixel p{.visibility = truth.visibility.data[i], .noise = 0, .hard_lit = truth.hard().data[i] >= 0.5f};
     if (truth.is_area()) p.noise = truth.standard_error.data[i];
-    // One look at a light tells nothing of how others would turn out: its error is at most that of a tossed coin.
+    // One sample gives no estimate of the error, which is at most 0.5: that of a fair coin.
     if (std::isnan(p.noise)) p.noise = 0.5;
     return p;
 }

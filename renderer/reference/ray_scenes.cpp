@@ -19,7 +19,7 @@ std::shared_ptr<const TruthScene> RaySceneCache::get(const std::shared_ptr<const
     std::unique_lock building(place->building, std::defer_lock);
     while (!building.try_lock_for(std::chrono::milliseconds(10)))
         if (workers.stop.stop_requested()) throw Cancelled();
-    std::shared_ptr<const TruthScene> old;  // ends after the lock
+    std::shared_ptr<const TruthScene> old;  // released after the lock
     {
         const std::lock_guard lock(mutex_);
         if (auto scene = place->scene.lock()) {
@@ -28,7 +28,7 @@ std::shared_ptr<const TruthScene> RaySceneCache::get(const std::shared_ptr<const
         }
         old = std::exchange(last_, nullptr);
     }
-    old.reset();  // the old hierarchy's memory first
+    old.reset();  // frees the old hierarchy before the new one is built
     auto scene = std::make_shared<const TruthScene>(geometry, workers);
     const std::lock_guard lock(mutex_);
     place->scene = scene;

@@ -14,7 +14,7 @@ std::uint64_t next_version() {
     return ++last;
 }
 
-/// Bakes the light maps that lights need and `request` lacks. Returns whether any needs one.
+/// Bakes the light maps that lights need and `request` lacks. Returns true when a light needs one.
 bool bake_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                   const Workers& workers) {
     if (!any_source_needs(settings, &SourceNeeds::light_map)) return false;
@@ -60,14 +60,14 @@ bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& setti
 FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                               TruthCache& cache, const Workers& workers, const std::optional<TruthOptions>& options) {
     trace_sources(renderer, scene, settings, request, cache, workers);
-    // What the picture at hand was asked for is not what this one is.
+    // The reference in the request was traced with other options.
     if (request.truth && request.truth->options != options) request.truth.reset();
     const TruthOptions wanted = options.value_or(truth_options(settings));
     const auto trace = [&] {
         const TruthTask task = truth_task(renderer, scene, settings, request, settings.view.light, wanted);
         request.truth = truth_picture(task, cache.trace(task, workers), options);
     };
-    if (!request.truth && options) trace();  // else the frame tells whether it asks for any
+    if (!request.truth && options) trace();  // otherwise the frame decides whether it needs a reference
     FrameResult frame = renderer.render(scene, settings, request);
     if (frame.truth.key == 0 || frame.truth.met) return frame;
     trace();

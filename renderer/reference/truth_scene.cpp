@@ -30,7 +30,7 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
     }
 }
 
-/// Whether single precision transforms of rays into the object's frame lose little.
+/// Returns true when transforming rays into the object's space in single precision loses little accuracy.
 bool well_conditioned(const glm::dmat3& m) {
     const glm::dmat3 inverse = glm::inverse(m);
     double forth = 0, back = 0;
@@ -94,10 +94,11 @@ private:
         return geometry;
     }
 
-    /// Those of the mesh, which outlives the hierarchy, unless some triangle has to be another here.
+    /// Sets the index buffer: the mesh's own, which outlives the hierarchy, or a copy where triangles have to be
+    /// replaced.
     void set_indices(const embree::Geometry& geometry, const TruthMesh& mesh, const glm::vec3* corners) {
         constexpr std::size_t kStride = 3 * sizeof(std::uint32_t);
-        // A needle that rounding made straight can be hit where nothing is; a point cannot.
+        // A triangle that rounding collapsed to a line can give false hits; one collapsed to a point cannot.
         const auto is_needle = [&](std::size_t i) {
             const glm::dvec3 a(corners[mesh.indices[i]]), b(corners[mesh.indices[i + 1]]),
                 c(corners[mesh.indices[i + 2]]);

@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// A view's axes and near plane and nothing else: the map's size and resolution are no part of the truth.
+/// Adds a view's axes and near plane to a key. Size and resolution of the map do not affect the reference.
 void add_view(Key& key, const LightView& view) {
     key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective).add(view.clamps_near).add(view.warped());
     if (view.warped()) return;
@@ -109,7 +109,7 @@ TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& set
 TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
     TracedTruth out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
-        scene_ = ray_scenes().find(task.geometry->key);  // lets go of the old one's memory first
+        scene_ = ray_scenes().find(task.geometry->key);  // frees the old hierarchy first
         if (!scene_)
             scene_ = timed(out.build_ms,
                            [&] { return ray_scenes().get(task.geometry, workers.with_progress_range(0, 0.1)); });

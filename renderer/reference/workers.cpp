@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Flush-to-zero and denormals-are-zero while it lives.
+/// Flush-to-zero and denormals-are-zero mode of the calling thread, for the lifetime of this object.
 class FlushDenormals {
 public:
 #if defined(__SSE2__)

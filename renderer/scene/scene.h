@@ -71,7 +71,8 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-struct Deformer;  // renderer/scene/animation.h
+// Defined in renderer/scene/animation.h.
+struct Deformer;
 struct Rig;
 
 /// Triangle mesh with one material. All attribute arrays are empty or as long as `positions`.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kPixels = "share of pixels", kCount = "pixels";
 
-// What all rows of one kind give as the reason of their limit.
+// Reasons of limits that several rows share.
 constexpr std::string_view kExact =
     "nothing on this plane is in shadow, and the bias is the theory's upper bound: one dark pixel refutes it";
 constexpr std::string_view kTwin =
