@@ -76,26 +76,26 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "mae",
      .label = "Mean error",
      .unit = kOfVisibility,
-     .help = "Mean of |V - truth| over the counted pixels.",
+     .help = "Mean of |V - R| over the counted pixels.",
      .formula = "sum |V - R| / n",
      .member = &M::mae},
     {.key = "rmse",
      .label = "RMS error",
      .unit = kOfVisibility,
-     .help = "Root of the mean of (V - truth)^2: large errors weigh more.",
+     .help = "Root of the mean of (V - R)^2: large errors count more.",
      .formula = "sqrt(sum (V - R)^2 / n)",
      .member = &M::rmse},
     {.key = "signed_mean",
      .label = "Mean signed error (+ too light)",
      .unit = kOfVisibility,
-     .help = "Mean of V - truth: negative is too dark.",
+     .help = "Mean of V - R: negative is too dark.",
      .formula = "sum (V - R) / n",
      .member = &M::signed_mean,
      .better = Better::NearZero},
     {.key = "false_shadow",
      .label = "False shadow",
      .unit = kShareOfPixels,
-     .help = "Lit in truth, dark in the picture: the sum of its causes.",
+     .help = "Lit in the reference, dark in the picture: the sum of its causes.",
      .formula = "#{R >= 1/2 and V < 1/2, wrong} / n",
      .member = &M::false_shadow,
      .counts = Counts::Dark,
@@ -103,7 +103,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "false_light",
      .label = "False light",
      .unit = kShareOfPixels,
-     .help = "In shadow in truth, bright in the picture: the sum of its causes.",
+     .help = "In shadow in the reference, bright in the picture: the sum of its causes.",
      .formula = "#{R < 1/2 and V >= 1/2, wrong} / n",
      .member = &M::false_light,
      .counts = Counts::Bright,
@@ -121,7 +121,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "any_acne",
      .label = "Any acne",
      .unit = kShareOfPixels,
-     .help = "Wholly lit in truth, at all darker, and more bias lights it: also what a wide kernel hides.",
+     .help = "Fully lit in the reference, darker in the picture, and more bias lights it: includes acne that a wide "
+             "kernel hides.",
      .formula = "#{R = 1, V < 1 - 0.001, and more bias lights it: to one half or more where it is wrong, wholly where "
                 "it is not} / n",
      .member = &M::any_acne},
@@ -227,7 +228,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "artefacts.peter_panning_raster",
      .label = "Peter-panning by polygon offset",
      .unit = "px",
-     .help = "False light that is right without polygon offset, by what the driver makes of it.",
+     .help = "False light that is right without polygon offset, as the driver applies it.",
      .formula = "#{`peter_panning_raster`}",
      .causes = causes({Artefact::PeterPanningRaster})},
     {.key = "artefacts.contact",
@@ -239,7 +240,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "artefacts.edge_aliasing",
      .label = "Edge aliasing",
      .unit = "px",
-     .help = "Wrong by where the map's texels lie; smaller ones help.",
+     .help = "Wrong by the position of the map's texels; smaller ones help.",
      .formula = "#{`edge_aliasing`}",
      .causes = causes({Artefact::EdgeAliasing})},
     {.key = "artefacts.undersampled",
@@ -263,8 +264,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "within_noise",
      .label = "Within the noise",
      .unit = kShareOfPixels,
-     .help = "On the other side of one half than a truth that is too noisy to call them wrong. A smaller truth.noise "
-             "decides them.",
+     .help =
+         "On the other side of one half than the reference, but within its noise. A smaller truth.noise decides them.",
      .formula = "#{V and R on different sides of one half, but not wrong} / n",
      .member = &M::within_noise,
      .better = Better::Neither,
@@ -304,8 +305,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "outside_map",
      .label = "Outside the map",
      .unit = kShareOfPixels,
-     .help = "No texel of the map holds them, right or wrong.",
-     .formula = "#{the look-up lies beside the map, beyond its far plane or behind the light} / n; "
+     .help = "The map does not cover them, right or wrong.",
+     .formula = "#{the look-up lies outside the map, beyond its far plane or behind the light} / n; "
                 "`artefacts.outside_map` counts only the wrong ones, and taps beyond the map's sides",
      .member = &M::outside_map,
      .better = Better::Neither},
@@ -390,7 +391,7 @@ std::vector<ClassifiedPixel> classified_pixels(const FloatImage& judged) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
             shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
-        "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
+        "a classified pixel has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
     std::vector<ClassifiedPixel> out(judged.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(judged.data[2 * i]);
@@ -428,7 +429,7 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& judged, const Truth& truth,
                            const std::vector<std::uint8_t>& joins) {
     if (judged.size() != truth.state.size())
-        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
+        throw Error(fmt::format("{} classified pixels cannot be compared with a reference of {} x {}", judged.size(),
                                 truth.width, truth.height));
     using J = ClassifiedPixel;
     PixelSums sums;

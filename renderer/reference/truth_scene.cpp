@@ -16,8 +16,8 @@ void check(const embree::Device& device, const std::stop_token& stop) {
     const RTCError error = rtcGetDeviceError(device.get());
     if (stop.stop_requested()) throw Cancelled();
     if (error == RTC_ERROR_NONE) return;
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("out of memory for the ray-traced truth; use a smaller scene");
-    throw Error(fmt::format("the ray-traced truth cannot be prepared: Embree reports error {}", int(error)));
+    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("out of memory for the ray-traced reference; use a smaller scene");
+    throw Error(fmt::format("the ray-traced reference cannot be prepared: Embree reports error {}", int(error)));
 }
 
 void solid_points(const RTCFilterFunctionNArguments* args) {
@@ -149,7 +149,7 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     static_cast<UnitFrame&>(i) = geometry_->unit_frame();
     i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);
     i.device.reset(rtcNewDevice(nullptr));
-    if (!i.device) throw Error("the ray-traced truth cannot be prepared: Embree finds no device");
+    if (!i.device) throw Error("the ray-traced reference cannot be prepared: Embree finds no device");
     const auto taken = [](void* held, ssize_t bytes, bool) {
         static_cast<TrackedMemory*>(held)->add(bytes);
         return true;
