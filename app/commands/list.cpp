@@ -167,11 +167,11 @@ Json hard_case_rows() {
     for (const HardCase& c : hard_cases()) {
         Json json = row(HardCaseView{&c, false}.name(), c.title, c.fault);
         json["number"] = c.number;
-        json["remedy"] = c.remedy;
+        json["remedy"] = c.fix;
         json["measure"] = c.measure;
         json["limit"] = c.limit;
         json["unit"] = c.unit;
-        json["why"] = c.why;
+        json["why"] = c.limit_reason;
         json["fixed"] = HardCaseView{&c, true}.name();
         list.push_back(std::move(json));
     }

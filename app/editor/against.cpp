@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "app/report/against.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 namespace si {
 

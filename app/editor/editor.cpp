@@ -24,7 +24,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/read_images.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 namespace si {
 namespace {

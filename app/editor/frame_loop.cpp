@@ -10,7 +10,7 @@
 #include "app/editor/panel_effects.h"
 #include "app/report/number_watch.h"
 #include "app/report/views.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/scene/stand_in.h"
 
 namespace si {

@@ -9,7 +9,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scene/animation.h"
 #include "renderer/scene/ground.h"
-#include "renderer/scene/outline.h"
+#include "renderer/scene/extreme_points.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/placement.h"

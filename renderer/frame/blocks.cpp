@@ -7,7 +7,7 @@
 
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/frame/settings_block.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/view/kernel_reach.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/frame/renderer.h"
-#include "renderer/gl/timer.h"
+#include "renderer/gl/pass_clock.h"
 #include "renderer/settings/settings.h"
 
 namespace si {

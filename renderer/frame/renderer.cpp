@@ -12,7 +12,7 @@
 #include "renderer/frame/pass_progress.h"
 #include "renderer/frame/renderer_impl.h"
 #include "renderer/gl/pace.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/passes/lookup_savings.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"

@@ -9,8 +9,8 @@
 
 #include "renderer/base/key.h"
 #include "renderer/gl/handle.h"
-#include "renderer/scene/bodies.h"
-#include "renderer/scene/same_parts.h"
+#include "renderer/scene/watertight.h"
+#include "renderer/scene/part_identity.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 

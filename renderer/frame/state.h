@@ -21,7 +21,7 @@
 #include "renderer/gl/debug.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/timer.h"
+#include "renderer/gl/pass_clock.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/map_cells.h"

@@ -6,7 +6,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/key.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 namespace si::gl {
 namespace {

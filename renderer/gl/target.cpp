@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "renderer/base/error.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 namespace si::gl {
 

@@ -10,7 +10,7 @@
 #include "renderer/measure/axes.h"
 #include "renderer/measure/frontier.h"
 #include "renderer/passes/casters.h"
-#include "renderer/scene/same_parts.h"
+#include "renderer/scene/part_identity.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/paging.h"

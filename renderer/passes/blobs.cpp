@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 

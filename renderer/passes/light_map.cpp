@@ -5,7 +5,7 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/frame/state.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <map>
 
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/passes/number_check.h"
 #include "renderer/passes/pages.h"
 #include "renderer/settings/filters.h"

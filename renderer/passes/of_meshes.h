@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "renderer/scene/same_parts.h"
+#include "renderer/scene/part_identity.h"
 
 namespace si {
 

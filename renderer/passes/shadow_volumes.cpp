@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/passes/casters.h"
 #include "renderer/settings/sources.h"
 

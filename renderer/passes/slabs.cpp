@@ -3,7 +3,7 @@
 
 #include "renderer/frame/map_depths.h"
 #include "renderer/frame/texel_slabs.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/settings/map_storage.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "renderer/scene/same_parts.h"
+#include "renderer/scene/part_identity.h"
 
 namespace si {
 namespace {

@@ -1,5 +1,5 @@
 // Drivers in trouble, on the command line and in the editor: a sentence, exit code 1, and settings that stay.
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <set>
 
-#include "renderer/gl/timer.h"
+#include "renderer/gl/pass_clock.h"
 #include "renderer/settings/map_storage.h"
 #include "tests/gl/frame_fixture.h"
 

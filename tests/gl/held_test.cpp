@@ -10,7 +10,7 @@
 #include "renderer/gl/pace.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

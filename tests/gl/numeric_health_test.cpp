@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "renderer/frame/effects.h"
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/reference/error_task.h"
 #include "tests/gl/frame_fixture.h"
 

@@ -1,5 +1,5 @@
 // Drivers that run out of memory, cannot build a shader or lose their context: by a seam, at every call of a frame.
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 #include <fmt/format.h>
 

@@ -28,15 +28,15 @@ TEST(HardCaseTable, HasThirtySixRowsWithWordsScenesAndLimits) {
         const HardCase& row = rows[i];
         EXPECT_EQ(row.number, int(i) + 1);
         EXPECT_TRUE(keys.insert(row.key).second && titles.insert(row.title).second) << row.key;
-        for (const std::string_view sentence : {row.fault, row.remedy}) {
+        for (const std::string_view sentence : {row.fault, row.fix}) {
             EXPECT_TRUE(sentence.size() > 30 && sentence.ends_with('.')) << row.key << ": " << sentence;
             EXPECT_LT(sentence.size(), 200u) << row.key << ": longer than a glance";
         }
-        for (const std::string_view words : {row.measure, row.why, row.without})
+        for (const std::string_view words : {row.measure, row.limit_reason, row.fault_measure})
             EXPECT_GT(words.size(), 10u) << row.key;
         EXPECT_FALSE(row.unit.empty()) << row.key;
         EXPECT_GE(row.limit, 0);
-        EXPECT_GT(row.shown, 0) << row.key << ": a case that cannot fail is a defect";
+        EXPECT_GT(row.min_fault, 0) << row.key << ": a case that cannot fail is a defect";
         EXPECT_EQ(row.broken.empty(), row.fixed.empty()) << row.key;
         ASSERT_NE(row.make, nullptr);
     }

@@ -1,5 +1,5 @@
 // Which meshes bound bodies: only of those may a map leave the back faces out.
-#include "renderer/scene/bodies.h"
+#include "renderer/scene/watertight.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 
 #include "renderer/base/angles.h"
 #include "renderer/scene/ground.h"
-#include "renderer/scene/outline.h"
+#include "renderer/scene/extreme_points.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/box_scene.h"
 

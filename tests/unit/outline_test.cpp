@@ -1,5 +1,5 @@
 // What lies outermost of a scene.
-#include "renderer/scene/outline.h"
+#include "renderer/scene/extreme_points.h"
 
 #include <gtest/gtest.h>
 

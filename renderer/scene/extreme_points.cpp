@@ -1,4 +1,4 @@
-#include "renderer/scene/outline.h"
+#include "renderer/scene/extreme_points.h"
 
 #include <algorithm>
 #include <array>

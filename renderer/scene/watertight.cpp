@@ -1,4 +1,4 @@
-#include "renderer/scene/bodies.h"
+#include "renderer/scene/watertight.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "renderer/gl/trouble.h"
+#include "renderer/gl/driver_failure.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "renderer/gl/timer.h"
+#include "renderer/gl/pass_clock.h"
 
 #include <algorithm>
 
