@@ -34,10 +34,10 @@ std::uint64_t unguessable() {
 
 /// Returns a hidden temporary file name in the target's folder. It contains the target's name, cut to the longest
 /// allowed name.
-fs::path temporary_beside(const fs::path& target) {
-    constexpr std::size_t kTold = 100;
+fs::path temporary_path(const fs::path& target) {
+    constexpr std::size_t kMaxNameBytes = 100;
     std::string name = target.filename().string();
-    if (name.size() > kTold) name.erase(0, name.size() - kTold);
+    if (name.size() > kMaxNameBytes) name.erase(0, name.size() - kMaxNameBytes);
     return target.parent_path() / fmt::format(".{}.{:016x}.tmp", name, unguessable());
 }
 
@@ -68,7 +68,7 @@ class Temporary {
 public:
     Temporary(const fs::path& target, mode_t mode) {
         for (int i = 0; i < 8 && descriptor_ < 0; ++i) {
-            path_ = temporary_beside(target);
+            path_ = temporary_path(target);
             descriptor_ = ::open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
             if (descriptor_ < 0 && errno != EEXIST) break;
         }

@@ -15,9 +15,9 @@ namespace si {
 namespace {
 
 /// OpenGL state that the measurement changes, restored at the end.
-class KeptState {
+class SavedGlState {
 public:
-    KeptState() {
+    SavedGlState() {
         for (std::size_t i = 0; i < std::size(kSwitches); ++i) on_[i] = glIsEnabled(kSwitches[i]);
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
         glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
@@ -35,7 +35,7 @@ public:
         if (clamps_) glGetFloatv(GL_POLYGON_OFFSET_CLAMP_EXT, &clamp_);
         glGetIntegerv(GL_PACK_ALIGNMENT, &pack_);
     }
-    ~KeptState() {
+    ~SavedGlState() {
         for (std::size_t i = 0; i < std::size(kSwitches); ++i)
             on_[i] ? glEnable(kSwitches[i]) : glDisable(kSwitches[i]);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
@@ -54,8 +54,8 @@ public:
             glPolygonOffset(factor_, units_);
         glPixelStorei(GL_PACK_ALIGNMENT, pack_);
     }
-    KeptState(const KeptState&) = delete;
-    KeptState& operator=(const KeptState&) = delete;
+    SavedGlState(const SavedGlState&) = delete;
+    SavedGlState& operator=(const SavedGlState&) = delete;
 
 private:
     static constexpr GLenum kSwitches[] = {GL_DEPTH_TEST,   GL_CULL_FACE,         GL_BLEND,
@@ -81,7 +81,7 @@ constexpr int kTile = 8;  ///< side of a plane, pixels
 
 /// Measures the shift of the stored depth at the centre of each plane, by its polygon offset.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
-    const KeptState kept;
+    const SavedGlState kept;
     const bool colour = is_colour(int(format));
     const int width = int(probes.size()) * kTile, height = 2 * kTile;  // lower half without offset, upper half with it
     gl::Target stored, beside;

@@ -9,11 +9,11 @@ namespace si::gl {
 namespace {
 
 /// Throttling state of the calling thread, in which one context is current.
-struct Turns {
+struct DrawThrottle {
     bool lets_others = false;
     GLsync before = nullptr;  ///< signalled when the previous picture is done
 };
-thread_local Turns turns;
+thread_local DrawThrottle turns;
 
 }  // namespace
 

@@ -290,7 +290,7 @@ void Writer::add_lights() {
 }
 
 /// Returns true when a reader of the file derives the same light settings from the lights alone.
-bool lights_say_all(const Scene& scene) {
+bool lights_suggest_same_settings(const Scene& scene) {
     Scene lit;
     lit.lights = scene.lights;
     lit.bounds = scene.bounds;
@@ -311,7 +311,7 @@ Json Writer::document() {
     if (!scene_.name.empty()) scene["name"] = scene_.name;
     if (!roots_.empty()) scene["nodes"] = roots_;
     if (!scene_.about.empty()) scene["extras"][gltf::kExtrasKey]["about"] = scene_.about;
-    const bool lights_suffice = lights_say_all(scene_);
+    const bool lights_suffice = lights_suggest_same_settings(scene_);
     for (const auto& [key, value] : scene_.suggested)
         if (!lights_suffice || !key.starts_with("light.")) scene["extras"][gltf::kExtrasKey]["suggested"][key] = value;
     root_["scene"] = 0;

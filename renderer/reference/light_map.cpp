@@ -16,7 +16,8 @@ namespace {
 constexpr int kStrip = 64;        ///< rows traced at once
 constexpr double kInset = 0.25;   ///< least distance of a sample from its chart's borders, texels
 constexpr double kNoise = 0.005;  ///< target standard error for area lights, about one step of 8 bits
-constexpr double kBeside = 1e6;   ///< added to distances of texels outside their chart, so that any inside are nearer
+constexpr double kOutsideChartPenalty =
+    1e6;  ///< added to distances of texels outside their chart, so that any inside are nearer
 constexpr std::uint64_t kMethod = 1;  ///< version of the algorithm: increase when the same task gives another map
 
 int samples_of(const Emitter& emitter, const Settings& settings) {
@@ -86,7 +87,8 @@ public:
     float edge_m() const { return edge_m_; }
 
     /// Returns the surface point for a texel with centre `at`.
-    /// @param distance receives its distance in texels, plus kBeside where the centre lies outside the triangle
+    /// @param distance receives its distance in texels, plus kOutsideChartPenalty where the centre lies outside the
+    /// triangle
     glm::dvec3 point(const glm::dvec2& at, double& distance) const {
         const glm::dvec3 own = nearest_shares(at_, at);
         const bool within = glm::distance(mixed(at_, own), at) < 1e-9;
@@ -100,7 +102,7 @@ public:
         }
         const glm::dvec3 of_inner = nearest_shares(inner, at);
         const glm::dvec3 share = of_inner[0] * shares[0] + of_inner[1] * shares[1] + of_inner[2] * shares[2];
-        distance = glm::distance(mixed(at_, share), at) + (within ? 0 : kBeside);
+        distance = glm::distance(mixed(at_, share), at) + (within ? 0 : kOutsideChartPenalty);
         return share[0] * corners_[0] + share[1] * corners_[1] + share[2] * corners_[2];
     }
 

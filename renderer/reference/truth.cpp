@@ -17,8 +17,8 @@ namespace {
 constexpr int kTile = 16;  ///< pixels a side: rays of neighbours visit the same nodes
 /// Limit of adjacent tiles per block of work. Adjacent tiles share cache lines, so that one thread takes several.
 constexpr std::size_t kTilesInTurn = 8;
-constexpr std::size_t kTurns = 4;  ///< least blocks per thread
-constexpr int kSquare = 4;         ///< pixels a side of one ray packet
+constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
+constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
@@ -175,7 +175,7 @@ private:
     void for_tiles(const Workers& workers, Work&& work) {
         const std::size_t across = std::size_t((receivers_.width + kTile - 1) / kTile);
         const std::size_t down = std::size_t((receivers_.height + kTile - 1) / kTile);
-        const std::size_t shared_out = across * down / (kTurns * std::size_t(workers.count()));
+        const std::size_t shared_out = across * down / (kBlocksPerThread * std::size_t(workers.count()));
         const std::size_t in_turn = std::clamp<std::size_t>(shared_out, 1, kTilesInTurn);
         const std::size_t runs = (across + in_turn - 1) / in_turn;
         parallel_for_blocks(runs * down, workers, [&](std::size_t run) {

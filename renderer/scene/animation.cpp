@@ -238,9 +238,9 @@ void apply_pose(Scene& scene, int animation, double time_s) {
 
 namespace {
 
-constexpr std::size_t kTravelSteps = 256;                // least number over a whole animation
+constexpr std::size_t kAnimationSteps = 256;             // least number over a whole animation
 constexpr std::size_t kLeastSteps = 4, kMostSteps = 32;  // limits between two keys
-constexpr double kMostTravelWork = 5e7;                  // nodes and deformed vertices times poses
+constexpr double kMostPoseWork = 5e7;                    // nodes and deformed vertices times poses
 
 /// Returns the key times of all channels in ascending order without duplicates, thinned evenly to at most `most`.
 std::vector<double> key_times(const Animation& animation, std::size_t most) {
@@ -257,9 +257,9 @@ std::vector<double> key_times(const Animation& animation, std::size_t most) {
 }
 
 /// Bounds of all objects of a scene in poses of one animation.
-class Travel {
+class PoseBounds {
 public:
-    Travel(const Scene& scene, int animation) : posed_(scene), animation_(animation) {
+    PoseBounds(const Scene& scene, int animation) : posed_(scene), animation_(animation) {
         for (const Mesh& mesh : posed_.meshes) {
             std::vector<std::uint32_t>& used = used_.emplace_back();
             if (!mesh.deformer) continue;
@@ -333,16 +333,16 @@ void measure_animation_bounds(Scene& scene, int animation) {
     scene.animation_bounds = {};
     scene.animation_bounds_of = -1;
     if (!scene.rig || animation < 0 || static_cast<std::size_t>(animation) >= scene.rig->animations.size()) return;
-    Travel animation_bounds(scene, animation);
-    const double poses = kMostTravelWork / std::max(animation_bounds.work(), 1.0);
+    PoseBounds pose_bounds(scene, animation);
+    const double poses = kMostPoseWork / std::max(pose_bounds.work(), 1.0);
     const auto most = static_cast<std::size_t>(std::clamp(poses / kLeastSteps, 2.0, 1e6));
     const std::vector<double> keys = key_times(scene.rig->animations[static_cast<std::size_t>(animation)], most);
     if (keys.empty()) return;
     scene.animation_bounds_of = animation;
-    const std::vector<Bounds> first = animation_bounds.at(keys[0]);
+    const std::vector<Bounds> first = pose_bounds.at(keys[0]);
     std::vector<Bounds> all = first;
     std::vector<bool> moved(all.size());
-    const std::size_t wanted = kTravelSteps / std::max<std::size_t>(keys.size() - 1, 1);
+    const std::size_t wanted = kAnimationSteps / std::max<std::size_t>(keys.size() - 1, 1);
     const std::size_t steps = std::clamp(wanted, kLeastSteps, kMostSteps);
     for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
         std::vector<Bounds> before, at;
@@ -350,7 +350,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
             // A stepped channel jumps at the next key: sample the last value before the jump.
             const double share = static_cast<double>(step) / static_cast<double>(steps);
             const double time = keys[k] + share * (keys[k + 1] - keys[k]);
-            std::vector<Bounds> now = animation_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
+            std::vector<Bounds> now = pose_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 moved[i] = moved[i] || !same(now[i], first[i]);
                 all[i].add(now[i]);
@@ -359,7 +359,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
             before = std::move(at), at = std::move(now);
         }
     }
-    const std::vector<Bounds> last = animation_bounds.at(keys.back());
+    const std::vector<Bounds> last = pose_bounds.at(keys.back());
     const std::vector<Object*> objects = every_object(scene);
     for (std::size_t i = 0; i < objects.size(); ++i) {
         Object& o = *objects[i];

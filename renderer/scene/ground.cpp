@@ -12,9 +12,9 @@ namespace {
 constexpr double kLevel = 0.85;       // least cosine to the vertical of a level surface
 constexpr double kGentle = 0.5;       // least cosine to the vertical of a landscape's surface
 constexpr double kBottom = 0.15;      // share of the scene's height up to which a level surface is a floor
-constexpr double kMostOfIt = 0.5;     // least share of the scene's width and depth that a floor covers
+constexpr double kFloorShare = 0.5;   // least share of the scene's width and depth that a floor covers
 constexpr double kFlat = 0.25;        // largest height over width of a landscape
-constexpr double kRoofed = 0.9;       // share of a level surface below other objects from which it is indoors
+constexpr double kRoofedShare = 0.9;  // share of a level surface below other objects from which it is indoors
 constexpr double kShadowLengths = 2;  // radius of the disc, in radii and heights of the scene
 constexpr double kBelow = 5e-4;       // depth of the disc below the scene, in radii: flat objects stay above it
 constexpr int kSides = 96;
@@ -104,8 +104,8 @@ bool has_level_surface(const Scene& scene) {
             if (up > kLevel * whole && std::max({a.y, b.y, c.y}) <= bottom) level.add(a, b, c);
         }
     }
-    return (level.share() >= kMostOfIt && level.share_under(above) < kRoofed) ||
-           (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
+    return (level.share() >= kFloorShare && level.share_under(above) < kRoofedShare) ||
+           (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kFloorShare);
 }
 
 void add_ground(Scene& scene) {

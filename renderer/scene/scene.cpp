@@ -335,7 +335,7 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
 }
 
 /// Sets Scene::bounds_without_floor; Scene::bounds must be set.
-void find_standing(Scene& scene) {
+void set_bounds_without_floor(Scene& scene) {
     scene.bounds_without_floor = {};
     for (const Object* o : objects_without_floor(scene))
         scene.bounds_without_floor.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
@@ -409,7 +409,7 @@ namespace {
 
 constexpr std::string_view kHolder = "scenes";
 
-void tell_arrays(Mesh& m) {
+void track_arrays(Mesh& m) {
     m.positions.track_memory(kHolder), m.normals.track_memory(kHolder), m.uv.track_memory(kHolder),
         m.uv_normal.track_memory(kHolder);
     m.tangents.track_memory(kHolder), m.colours.track_memory(kHolder), m.indices.track_memory(kHolder);
@@ -427,9 +427,9 @@ void finalise(Scene& scene) {
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
     for (Texture& texture : scene.textures) texture.rgba.track_memory(kHolder);
-    for (Mesh& mesh : scene.meshes) tell_arrays(mesh);
+    for (Mesh& mesh : scene.meshes) track_arrays(mesh);
     scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
-    find_standing(scene);
+    set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
 
@@ -444,7 +444,7 @@ void refresh(Scene& scene) {
             std::ranges::fill(mesh.positions.edit(), glm::vec3(0));
         }
         drop_degenerate(mesh, mesh.name);
-        tell_arrays(mesh);
+        track_arrays(mesh);
     }
     scene.bounds = scene.ground_bounds = {};
     const auto stand = [&](Object& o) {
@@ -454,7 +454,7 @@ void refresh(Scene& scene) {
     };
     for (Object& o : scene.objects) stand(o);
     for (HiddenObject& h : scene.hidden) stand(h.object);
-    find_standing(scene);
+    set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
 

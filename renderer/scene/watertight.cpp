@@ -212,7 +212,8 @@ bool apart(const Corner3d& a, const Corner3d& b) {
 }
 
 /// Returns true when triangles of one part intersect, or when there are too many pairs to test. Sweeps along x.
-bool cut_themselves(const Welded& mesh, const std::vector<std::uint32_t>& part_of, const std::vector<BodyPart>& parts) {
+bool self_intersects(const Welded& mesh, const std::vector<std::uint32_t>& part_of,
+                     const std::vector<BodyPart>& parts) {
     struct Entry {
         glm::dvec3 lo, hi;
         std::size_t triangle;
@@ -251,7 +252,7 @@ WatertightCheck check_watertight(std::span<const glm::vec3> positions, std::span
     const std::vector<BodyPart> parts = measure_parts(mesh, numbers);
     for (const BodyPart& p : parts)
         if (!(p.six_volumes > 1e-9 * p.size() * p.size() * p.size())) return {};
-    if (cut_themselves(mesh, numbers.of_triangle, parts)) return {};
+    if (self_intersects(mesh, numbers.of_triangle, parts)) return {};
     WatertightCheck out{.closed = !mesh.triangles.empty(), .joined = {}};
     for (std::uint32_t i = 0; i < positions.size(); ++i)
         if (const std::uint32_t there = mesh.vertex_at[mesh.place_of[i]]; positions[there] != positions[i])

@@ -54,7 +54,7 @@ glm::dvec3 suggested_light(const Scene& scene) {
 }
 
 /// What is to be framed of what stands there, world.
-std::vector<glm::dvec3> standing_points(const Scene& scene) {
+std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
     const Box box = scene.bounds_without_floor.corners();
     if (scene.framed.empty()) return {box.begin(), box.end()};
     std::vector<glm::dvec3> points;
@@ -139,7 +139,7 @@ bool frames_shadow(const Scene& scene, const Settings& settings) {
 }
 
 void frame_with_shadow(Camera& c, const Scene& scene) {
-    const std::vector<glm::dvec3> standing = standing_points(scene);
+    const std::vector<glm::dvec3> standing = points_to_frame(scene);
     Bounds bounds;
     for (const glm::dvec3& p : standing) bounds.add(p);
     const std::vector<glm::dvec3> all = with_shadows(scene, standing, bounds);

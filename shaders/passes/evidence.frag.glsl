@@ -14,7 +14,7 @@ layout(location = 6) out vec4 out_6;
 layout(location = 7) out vec4 out_7;
 
 /// The least worth of bias at which the pixel is lit, up to that of the trial for bent surfaces.
-float curing_worth(Receiver r, Evidence e) {
+float curing_bias(Receiver r, Evidence e) {
     float lo = e.worth, hi = max(e.bent, e.worth);
     for (int i = 0; i < kept_loop(12); ++i) {
         float middle = 0.5 * (lo + hi);
@@ -46,6 +46,6 @@ void main() {
     out_3 = vec4(e.bent, e.far, e.strip_bias_m, e.strip_offset_m);
     out_4 = vec4(e.least_kept, e.least_bare, e.own_bare, e.far_bare);
     out_5 = vec4(e.raised, e.bent_raised, e.nearest_kept, e.nearest_bare);
-    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_worth(r, e), 0.0);
+    out_6 = vec4(e.nearest_own_bare, e.unfiltered, curing_bias(r, e), 0.0);
     out_7 = vec4(e.gap_drawn, e.gap_all, e.run_m, e.edge_m);
 }
