@@ -23,8 +23,8 @@
 #include "app/editor/model.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/read_images.h"
-#include "renderer/gl/target.h"
 #include "renderer/gl/driver_failure.h"
+#include "renderer/gl/target.h"
 
 namespace si {
 namespace {

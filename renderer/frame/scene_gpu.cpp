@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "renderer/base/printable.h"
-#include "renderer/gl/target.h"
 #include "renderer/gl/driver_failure.h"
+#include "renderer/gl/target.h"
 #include "renderer/scene/face_normals.h"
 
 namespace si {

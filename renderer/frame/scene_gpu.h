@@ -9,9 +9,9 @@
 
 #include "renderer/base/key.h"
 #include "renderer/gl/handle.h"
-#include "renderer/scene/watertight.h"
 #include "renderer/scene/part_identity.h"
 #include "renderer/scene/scene.h"
+#include "renderer/scene/watertight.h"
 #include "renderer/settings/settings.h"
 
 namespace si {

@@ -16,7 +16,8 @@ void check(const embree::Device& device, const std::stop_token& stop) {
     const RTCError error = rtcGetDeviceError(device.get());
     if (stop.stop_requested()) throw Cancelled();
     if (error == RTC_ERROR_NONE) return;
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("out of memory for the ray-traced reference; use a smaller scene");
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw Error("out of memory for the ray-traced reference; use a smaller scene");
     throw Error(fmt::format("the ray-traced reference cannot be prepared: Embree reports error {}", int(error)));
 }
 

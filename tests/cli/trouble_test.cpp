@@ -1,10 +1,9 @@
 // Drivers in trouble, on the command line and in the editor: a sentence, exit code 1, and settings that stay.
-#include "renderer/gl/driver_failure.h"
-
 #include <gtest/gtest.h>
 
 #include "app/cli/cli.h"
 #include "app/editor/headless_editor.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
 

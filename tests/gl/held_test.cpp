@@ -7,10 +7,10 @@
 
 #include "app/editor/rehearsals.h"
 #include "app/sweep/measuring_thread.h"
+#include "renderer/gl/driver_failure.h"
 #include "renderer/gl/pace.h"
 #include "renderer/gl/program_cache.h"
 #include "renderer/gl/target.h"
-#include "renderer/gl/driver_failure.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

@@ -1,11 +1,10 @@
 // Drivers that run out of memory, cannot build a shader or lose their context: by a seam, at every call of a frame.
-#include "renderer/gl/driver_failure.h"
-
 #include <fmt/format.h>
 
 #include <memory>
 #include <set>
 
+#include "renderer/gl/driver_failure.h"
 #include "tests/gl/frame_fixture.h"
 
 namespace si {

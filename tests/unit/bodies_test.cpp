@@ -1,10 +1,9 @@
 // Which meshes bound bodies: only of those may a map leave the back faces out.
-#include "renderer/scene/watertight.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
+#include "renderer/scene/watertight.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/scenes/shapes.h"
 

@@ -8,8 +8,8 @@
 #include <random>
 
 #include "renderer/base/angles.h"
-#include "renderer/scene/ground.h"
 #include "renderer/scene/extreme_points.h"
+#include "renderer/scene/ground.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/support/box_scene.h"
 

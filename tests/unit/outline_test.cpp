@@ -1,11 +1,10 @@
 // What lies outermost of a scene.
-#include "renderer/scene/extreme_points.h"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <random>
 
+#include "renderer/scene/extreme_points.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/camera.h"
 #include "tests/support/box_scene.h"
