@@ -31,11 +31,11 @@ void clear_gl_errors() {
     }
 }
 
-void check_memory_errors(std::string_view what, std::string_view remedy) {
+void check_memory_errors(std::string_view what, std::string_view fix) {
     const GLenum error = is_injected_failure(DriverFailure::Memory, what) ? GLenum(GL_OUT_OF_MEMORY) : glGetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_CONTEXT_LOST) throw_lost("while it made room for " + std::string(what));
-    throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, remedy));
+    throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, fix));
 }
 
 namespace {

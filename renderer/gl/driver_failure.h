@@ -50,9 +50,9 @@ void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const
 /// Discards pending OpenGL errors, so that check_memory_errors() sees only those of later calls.
 void clear_gl_errors();
 /// Throws when a call since clear_gl_errors() ran out of memory or lost the context.
-/// @param what what was allocated: "the shadow maps (1024 x 1024 x 4)" @param remedy a clause that names the fix
+/// @param what the allocated object: "the shadow maps (1024 x 1024 x 4)" @param fix clause with advice for the user
 /// @throws OutOfMemory, ContextLost
-void check_memory_errors(std::string_view what, std::string_view remedy);
+void check_memory_errors(std::string_view what, std::string_view fix);
 /// Throws when the current OpenGL context was lost by a reset of the driver. @throws ContextLost
 void check_context_alive();
 

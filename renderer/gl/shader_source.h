@@ -10,7 +10,7 @@
 
 namespace si::gl {
 
-/// Files that stand behind a name in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
+/// Files by name in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
 using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
 /// Registers a GLSL text under `path` below shaders/, for techniques that are not built in. Every ShaderSource made

@@ -31,11 +31,11 @@ class Context {
 public:
     Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);
 
-    /// Throws Error "FILE: place: what; remedy", one printable line.
-    /// @param what the problem @param remedy the fix, for the user
-    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view remedy) const;
-    /// Throws Error "FILE: what; remedy" for a problem of the whole glTF file.
-    [[noreturn]] void fail(std::string_view what, std::string_view remedy) const;
+    /// Throws Error "FILE: place: what; fix", one printable line.
+    /// @param what the problem @param fix advice for the user
+    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix) const;
+    /// Throws Error "FILE: what; fix" for a problem of the whole glTF file.
+    [[noreturn]] void fail(std::string_view what, std::string_view fix) const;
     /// Records a warning about a position in the glTF file; after the first hundred it only counts them.
     void warn(const Place& place, std::string_view what);
     /// Records a warning about the whole glTF file; after the first hundred it only counts them.

@@ -46,7 +46,7 @@ struct CauseEvidence {
     float slack = 0;                        ///< change of the plane's depth over the kernel's reach
     float own = 0, offset = 0;              ///< constant or slope bias; equivalent depth bias of the normal offset
     float texel_m = 0;                      ///< texel size at the pixel, metres
-    float bent = 0, far = 0;  ///< bias of the trials for surfaces that rise beside the plane, and for distant casters
+    float bent = 0, far = 0;  ///< bias of the trials for surfaces that rise next to the plane, and for distant casters
     float strip_bias_m = 0, strip_offset_m = 0;  ///< lit strips that bias and normal offset leave, metres
     float least_kept = 1, least_bare = 1;        ///< visibility at the least bias, with and without normal offset
     float own_bare = 1, far_bare = 1;            ///< visibility without normal offset, by bias `own` and `far`

@@ -256,14 +256,14 @@ private:
     [[noreturn]] void refuse(const std::vector<std::uint32_t>& order) {
         int least = int(std::bit_ceil(unsigned(std::max(out_.side, 1))));
         while (least <= kMostSide && !place_all(order, least, 0)) least *= 2;
-        const std::string remedy =
+        const std::string fix =
             least <= kMostSide
                 ? fmt::format("set light_map.resolution to {} or more", least)
                 : fmt::format("that is more than any atlas up to {}² holds; choose another light.source", kMostSide);
         throw Error(
             fmt::format("light_map.resolution {}: the scene's {} triangles make {} charts, which do not fit "
                         "even at one texel each; {}",
-                        out_.side, out_.chart_of.size(), out_.charts.size(), remedy));
+                        out_.side, out_.chart_of.size(), out_.charts.size(), fix));
     }
 
     /// Marks charts that overlap themselves: two triangles far from each other share a texel. Returns true if any does.

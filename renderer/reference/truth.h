@@ -1,10 +1,12 @@
 // Ray-traced reference of one light's shadows: the visible share of the light at each pixel's surface.
 //
-//     auto geometry = std::make_shared<TruthGeometry>(scene, settings);           // a copy; any thread from here on
-//     TruthScene casters(geometry);                                               // the hierarchy
-//     Receivers receivers = reconstruct_receivers(*geometry, frame.camera,
-//     renderer.read_surface_ids(frame.surface_ids), {}); Truth truth = trace_visibility(casters, receivers,
-//     truth_query(scene, settings, frame.lights, 0), {}); truth.visibility.at(x, y); // 1 lit ... 0 in shadow
+//     auto geometry = std::make_shared<TruthGeometry>(scene, settings);  // a copy; any thread from here on
+//     TruthScene casters(geometry);                                      // the hierarchy
+//     SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+//     Receivers receivers = reconstruct_receivers(*geometry, frame.camera, ids, {});
+//     TruthQuery query = truth_query(scene, settings, frame.lights, 0);
+//     Truth truth = trace_visibility(casters, receivers, query, {});
+//     truth.visibility.at(x, y);  // 1 lit ... 0 in shadow
 #pragma once
 
 #include <array>

@@ -19,7 +19,7 @@ Scene hard_field();           ///< boxes in rows
 Scene hard_degenerate();      ///< a box some of whose triangles have no area
 Scene hard_stretched();       ///< a turned box below a node of uneven scale
 Scene hard_mirrored();        ///< below a node that mirrors x: a box and a single-sided plate
-Scene hard_flattened();       ///< beside a box two that a scale of 0 makes a plate and a point
+Scene hard_flattened();       ///< three boxes, two flattened by a scale of 0 to a plate and a point
 Scene hard_plate_on_floor();  ///< a plate 1/64 m above a floor: hardly any depth
 Scene hard_wires();           ///< wires of 1/128 m over a floor
 Scene hard_slope();           ///< a slope that fills the map, and a bar over it
