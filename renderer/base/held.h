@@ -53,7 +53,7 @@ struct ProcessMemory {
 struct MemoryReport {
     ProcessMemory process;
     std::vector<MemoryUse> holders;  ///< the largest first
-    /// Returns the sum of the bytes that all holders count.
+    /// Returns the bytes of all holders of this memory report together.
     std::uint64_t held() const;
 };
 

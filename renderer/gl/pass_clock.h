@@ -20,12 +20,12 @@ public:
     bool uses_queries() const { return uses_queries_; }
     /// Returns query time over wall time of the calibration pass.
     double query_share() const { return query_share_; }
-    /// Returns the name of the clock in use, for reports.
+    /// Returns the name of the clock that times passes (queries or wall time), for reports.
     std::string name() const;
 
-    /// Starts timing a pass.
+    /// Starts timing a render pass; end() stops it.
     void begin();
-    /// Ends timing of the pass begun last. Returns its slot for milliseconds().
+    /// Stops timing the render pass begun last. Returns its slot for milliseconds().
     std::size_t end();
     /// Returns the time of a pass in milliseconds. Waits for the GPU when queries are used.
     /// @param slot from end()

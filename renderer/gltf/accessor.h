@@ -16,9 +16,9 @@ class Accessors {
 public:
     Accessors(Context& context, const tinygltf::Model& model, Buffers& buffers);
 
-    /// Returns the number of elements of an accessor (an index of the file).
+    /// Returns the number of elements of a glTF accessor (an index of the file).
     std::size_t count(int accessor) const;
-    /// Returns the number of components of an accessor's elements: 3 for VEC3.
+    /// Returns the number of components of a glTF accessor's elements: 3 for VEC3.
     int width(int accessor) const;
 
     /// Reads a glTF accessor as elements of N floats. Normalised integers are mapped to [0,1] or [-1,1], others keep
@@ -36,16 +36,16 @@ public:
     std::vector<std::uint32_t> indices(int accessor, const Place& place, std::size_t limit);
 
 private:
-    /// Converts elements of an accessor to floats, `width` per element, into `out`.
+    /// Converts elements of a glTF accessor to floats, `width` per element, into `out`.
     void read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out);
-    /// Overwrites elements in `out` by the sparse values of an accessor.
+    /// Overwrites elements in `out` by the sparse values of a glTF accessor.
     void overlay_sparse(int accessor, const Place& place, int width, float* out);
-    /// Returns the indices of the elements that a sparse accessor overwrites.
+    /// Returns the indices of the elements that a sparse glTF accessor overwrites.
     std::vector<std::uint32_t> sparse_positions(int accessor, const Place& place);
     /// Adds to the count of decoded bytes. @throws Error above a limit, so that a small file that refers to the same
     /// data a million times is refused
     void spend(int accessor, std::size_t bytes, const Place& place);
-    /// Throws Error when an accessor's elements do not have `width` components.
+    /// Throws Error when the elements of a glTF accessor do not have `width` components.
     void expect_width(int accessor, int width, const Place& place) const;
 
     Context& context_;

@@ -27,7 +27,7 @@ public:
     void spend(std::size_t bytes) { bytes_left_ -= std::min(bytes, bytes_left_); }
 
 private:
-    /// Loads the bytes of a buffer from a data URI or a file. @throws Error
+    /// Loads the bytes of a glTF buffer from a data URI or a file. @throws Error
     Bytes load(const Json& buffer, const Place& place);
 
     Context& context_;

@@ -19,7 +19,7 @@ struct Place {
 
     Place(std::string_view name_, std::int64_t index_ = -1) : name(name_), index(index_) {}
     Place(const Place& up_, std::string_view name_, std::int64_t index_ = -1) : up(&up_), name(name_), index(index_) {}
-    /// Formats the position: "meshes[3].primitives[0]".
+    /// Formats a position in a glTF file: "meshes[3].primitives[0]".
     std::string text() const;
 };
 
@@ -40,7 +40,7 @@ public:
     void warn(const Place& place, std::string_view what);
     /// Records a warning about the whole glTF file; after the first hundred it only counts them.
     void warn(std::string_view what);
-    /// Appends the number of warnings that were only counted. Call once, at the end.
+    /// Appends the number of glTF warnings that were only counted. Call once, at the end.
     void close_warnings();
 
     /// Reports loading progress 0..1 to the caller's callback, never less than before.

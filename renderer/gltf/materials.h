@@ -14,7 +14,7 @@ struct UvSource {
     bool operator==(const UvSource&) const = default;
     /// Returns true when texture coordinates are not transformed.
     bool is_plain() const { return offset == glm::dvec2(0) && scale == glm::dvec2(1) && rotation_rad == 0; }
-    /// Applies the texture transform to coordinates in place.
+    /// Applies KHR_texture_transform to texture coordinates in place.
     void apply(std::vector<glm::vec2>& uv) const;
 };
 

@@ -95,14 +95,14 @@ struct Metric {
     bool rare = false;         ///< shown to people only when not 0
     bool contours = false;     ///< distance between contours, which the GPU's sums cannot provide: NaN in LiveError
 
-    /// Returns the value of this metric.
+    /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;
 };
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 
 /// Returns the table of error metrics; the first is the default of searches and plots.
 std::span<const Metric> metrics();
-/// Returns the metric with this key, or null.
+/// Returns the error metric with this key, or null.
 const Metric* find_metric(std::string_view key);
 
 /// Sums over the counted pixels of a picture, from which error metrics follow. The GPU computes them per tile

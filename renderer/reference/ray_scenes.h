@@ -23,9 +23,9 @@ public:
     std::shared_ptr<const TruthScene> find(std::uint64_t key) const;
     /// Returns the geometry of a cached hierarchy for the scene, or else a new one from the scene's triangles.
     std::shared_ptr<const TruthGeometry> geometry(const Scene& scene, const Settings& settings) const;
-    /// Returns the number of hierarchies in memory.
+    /// Returns the number of ray-tracing hierarchies in memory.
     std::size_t size() const;
-    /// Drops the hierarchy that only this cache keeps alive.
+    /// Drops the ray-tracing hierarchy that only this cache keeps alive.
     void clear();
 
 private:
@@ -39,7 +39,7 @@ private:
     std::shared_ptr<const TruthScene> last_;
 };
 
-/// Returns the hierarchy cache of the process.
+/// Returns the cache of ray-tracing hierarchies of the process.
 RaySceneCache& ray_scenes();
 
 }  // namespace si

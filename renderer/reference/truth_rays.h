@@ -40,7 +40,7 @@ struct ExactRay {
 /// Cosine between surface normal and ray below which a ray is traced as an ExactRay.
 inline constexpr double kGrazingCosine = 1e-3;
 
-/// Rules by which hits of a ray count.
+/// Rules by which hits of a shadow ray count: face culling by object, and double-precision tests of grazing rays.
 struct HitRules {
     std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
     std::span<const ExactRay> exact;      ///< by the ray's id; empty: none

@@ -19,7 +19,7 @@ struct Workers {
     int threads = 0;  ///< 0: as many as the hardware runs at once
     std::stop_token stop;
     std::function<void(double)> progress = nullptr;  ///< called with 0..1, rising, on the caller's thread only
-    /// Returns the number of threads to use, at least 1.
+    /// Returns the number of threads of a parallel loop, at least 1.
     int count() const;
     /// Returns a copy for one step of a longer computation: its progress 0..1 is reported as lo..hi.
     Workers with_progress_range(double lo, double hi) const;
