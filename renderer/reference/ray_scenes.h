@@ -30,12 +30,12 @@ public:
 
 private:
     /// Entry of the cache: a hierarchy, and the lock held while it is built.
-    struct Place {
+    struct Entry {
         std::timed_mutex building;
         std::weak_ptr<const TruthScene> scene;  ///< under RaySceneCache::mutex_
     };
     mutable std::mutex mutex_;
-    std::map<std::uint64_t, std::shared_ptr<Place>> places_;
+    std::map<std::uint64_t, std::shared_ptr<Entry>> entries_;
     std::shared_ptr<const TruthScene> last_;
 };
 

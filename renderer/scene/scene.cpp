@@ -447,13 +447,13 @@ void refresh(Scene& scene) {
         track_arrays(mesh);
     }
     scene.bounds = scene.ground_bounds = {};
-    const auto stand = [&](Object& o) {
+    const auto place_object = [&](Object& o) {
         o.world = scene.nodes[o.node].world * o.instance;
         if (!finite(o.world)) return;
         (o.ground ? scene.ground_bounds : scene.bounds).add(scene.meshes[o.mesh].bounds.transformed(o.world));
     };
-    for (Object& o : scene.objects) stand(o);
-    for (HiddenObject& h : scene.hidden) stand(h.object);
+    for (Object& o : scene.objects) place_object(o);
+    for (HiddenObject& h : scene.hidden) place_object(h.object);
     set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
@@ -491,14 +491,14 @@ std::vector<const Object*> all_objects(const Scene& scene) {
 }
 
 std::vector<const Object*> objects_without_floor(const Scene& scene) {
-    std::vector<const Object*> all = all_objects(scene), standing;
+    std::vector<const Object*> all = all_objects(scene), without_floor;
     std::erase_if(all, [&](const Object* o) {
         return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();
     });
-    std::ranges::copy_if(all, std::back_inserter(standing), [&](const Object* o) {
+    std::ranges::copy_if(all, std::back_inserter(without_floor), [&](const Object* o) {
         return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), scene.bounds);
     });
-    return standing.empty() ? all : standing;
+    return without_floor.empty() ? all : without_floor;
 }
 
 void place(Scene& scene, const glm::dmat4& placement) {
