@@ -85,7 +85,7 @@ std::string hard_cases_page() {
     for (const HardCase& c : hard_cases()) {
         text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.fix);
         text += fmt::format("Measured: {}. At most {:.4g} ({}): {}. Without the remedy: {}; at least {:.4g}.\n\n",
-                            c.measure, c.limit, c.unit, c.why, c.without, c.shown);
+                            c.measure, c.limit, c.unit, c.limit_reason, c.fault_measure, c.min_fault);
         for (const bool fixed : {false, true}) {
             const HardCaseView view{&c, fixed};
             if (!fixed && c.broken.empty()) continue;

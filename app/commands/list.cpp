@@ -171,7 +171,7 @@ Json hard_case_rows() {
         json["measure"] = c.measure;
         json["limit"] = c.limit;
         json["unit"] = c.unit;
-        json["why"] = c.why;
+        json["why"] = c.limit_reason;
         json["fixed"] = HardCaseView{&c, true}.name();
         list.push_back(std::move(json));
     }

@@ -50,7 +50,7 @@ Json account_json(const BiasBreakdown& a) {
               {"by_itself", amount_json(a.amount(a.by_itself))},
               {"normal", amount_json(a.amount(a.normal))},
               {"raster", amount_json(a.amount(a.raster))}}},
-            {"worth", amount_json(a.amount(a.clears()))},
+            {"worth", amount_json(a.amount(a.equivalent_depth()))},
             {"lifted", amount_json(a.amount(a.depth_shift))},
             {"least", amount_json(a.amount(a.least.total()))},
             {"least_parts",

@@ -215,7 +215,7 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
         if (report) report(share, what);
     };
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.part(0, 0);
+    const Workers quiet = workers.with_progress_range(0, 0);
     AdviceReport out;
     out.options = options;
     tell(0, "the present settings");

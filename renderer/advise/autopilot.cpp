@@ -355,7 +355,7 @@ AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Sett
         if (report) report(share, what);
     };
     const Settings base = measured_settings(settings);
-    const Workers quiet = workers.part(0, 0);
+    const Workers quiet = workers.with_progress_range(0, 0);
     tell(0, "the present settings");
     if (axes.empty())
         axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),

@@ -153,7 +153,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
         if (!measured.classified[i].has(ClassifiedPixel::kAnyAcne)) return;
-        if (a.clears() >= a.least.total())
+        if (a.equivalent_depth() >= a.least.total())
             out.folds += measured.classified[i].visibility >= 0.5f;
         else
             out.faint_acne += measured.classified[i].visibility >= 0.5f;
@@ -192,10 +192,10 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
     std::vector<At> pixels;
     each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
         const BiasBreakdown none = account_of(measured, least, r, driver);
-        At at{none.least.total() - none.clears(), none.least.kernel, {}};
+        At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
         if (!std::isfinite(at.need) || none.plane.edge_on()) return;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.worth.push_back(account_of(measured, one[k], r, driver).clears() - none.clears());
+            at.worth.push_back(account_of(measured, one[k], r, driver).equivalent_depth() - none.equivalent_depth());
             worth_it[k] = std::max(worth_it[k], at.worth.back());
         }
         pixels.push_back(std::move(at));

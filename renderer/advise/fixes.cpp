@@ -320,7 +320,8 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
     };
     tell(0, "the present settings");
     const auto measure = [&](const Settings& s) {
-        return measure_error(renderer, scene, s, request, light, options.reference, cache, workers.part(0, 0));
+        return measure_error(renderer, scene, s, request, light, options.reference, cache,
+                             workers.with_progress_range(0, 0));
     };
     const auto bytes = [](const Settings& s, const MeasuredError& measured) {
         FrameResult maps;

@@ -1,4 +1,4 @@
-// Angles in degrees as directions need them.
+// Sine and cosine of angles in degrees, exact at multiples of 90.
 #pragma once
 
 #include <cmath>
@@ -6,14 +6,15 @@
 
 namespace si {
 
-inline constexpr double kDegree = std::numbers::pi / 180;  ///< rad
+inline constexpr double kDegree = std::numbers::pi / 180;  ///< radians in one degree
 
+/// Sine and cosine of one angle; the default is the angle 0.
 struct SineCosine {
     double sine = 0, cosine = 1;
 };
 
-/// Sine and cosine of an angle in degrees; exact at multiples of 90, of which radians leave 6e-17: enough to call a
-/// surface that is parallel to the light lit.
+/// Returns sine and cosine of an angle in degrees, exact at multiples of 90. Through radians an error of 6e-17 remains
+/// there: enough to classify a surface that is parallel to the light as lit.
 inline SineCosine sine_cosine(double degrees) {
     int quarter = 0;
     const double rest = std::remquo(degrees, 90.0, &quarter) * kDegree;

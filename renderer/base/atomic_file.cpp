@@ -32,11 +32,12 @@ std::uint64_t unguessable() {
     return std::uint64_t(device()) << 32 | device();
 }
 
-/// Hidden beside the target, and no longer than a name may be. Says whose it was.
+/// Returns a hidden temporary file name in the target's folder. It contains the target's name, cut to the longest
+/// allowed name.
 fs::path temporary_path(const fs::path& target) {
-    constexpr std::size_t kTold = 100;
+    constexpr std::size_t kMaxNameBytes = 100;
     std::string name = target.filename().string();
-    if (name.size() > kTold) name.erase(0, name.size() - kTold);
+    if (name.size() > kMaxNameBytes) name.erase(0, name.size() - kMaxNameBytes);
     return target.parent_path() / fmt::format(".{}.{:016x}.tmp", name, unguessable());
 }
 
@@ -49,12 +50,12 @@ int write_all(int descriptor, std::string_view bytes) {
     return 0;
 }
 
-/// File systems that cannot do it are no failure.
+/// Flushes a file to the disk. File systems without such a function count as success.
 int onto_disk(int descriptor) {
     return ::fsync(descriptor) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS ? 0 : errno;
 }
 
-/// So that the move, too, outlives the machine's end. A folder that cannot be opened has it moved all the same.
+/// Flushes a folder to the disk, so that a rename survives a power failure. Ignores folders that cannot be opened.
 void folder_onto_disk(const fs::path& folder) {
     const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0) return;
@@ -62,7 +63,7 @@ void folder_onto_disk(const fs::path& folder) {
     ::close(descriptor);
 }
 
-/// Whose temporary file goes unless it was moved.
+/// Temporary file that is removed in the end unless it was renamed.
 class Temporary {
 public:
     Temporary(const fs::path& target, mode_t mode) {
@@ -118,7 +119,7 @@ fs::path writable_target(const fs::path& path) {
         if (error) fail(path, "it is a link: " + error.message());
         if (::stat(target.c_str(), &status) != 0) fail(path, std::strerror(errno));
     }
-    // Root may write whatever the mode; who made the file read-only meant it.
+    // Root could write a read-only file anyway, but its mode is respected.
     if (S_ISREG(status.st_mode) && (status.st_mode & 0222) == 0)
         fail(path, "it is read-only; choose another name, or make it writable");
     if (::access(target.c_str(), W_OK) != 0) fail(path, std::strerror(errno));
@@ -134,7 +135,7 @@ void write_atomically(const fs::path& path, std::initializer_list<std::string_vi
     for (const std::string_view part : parts)
         if (file.error() == 0) file.then(write_all(file.descriptor(), part));
     if (replaces) {
-        // Someone else's stays theirs where that is allowed. The owner first: it takes bits of the mode away.
+        // The file keeps its owner where that is allowed. The owner comes first: changing it clears bits of the mode.
         if (::fchown(file.descriptor(), old.st_uid, old.st_gid) != 0) errno = 0;
         if (::fchmod(file.descriptor(), old.st_mode & 0777) != 0) file.then(errno);
     }

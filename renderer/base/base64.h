@@ -1,4 +1,4 @@
-// Bytes as text.
+// Base64 encoding.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Bytes in base 64 (RFC 4648), padded.
+/// Encodes bytes as base64 text (RFC 4648) with padding.
 inline std::string base64(std::string_view bytes) {
     constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string out;

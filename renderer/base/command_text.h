@@ -1,4 +1,4 @@
-// What is typed at a POSIX shell: words quoted where they need to be, settings as --set.
+// Text of command lines for a POSIX shell: quoted words, and settings as --set options.
 #pragma once
 
 #include <span>
@@ -8,10 +8,11 @@
 
 namespace si {
 
-/// Quoted where a shell would not take it for one word.
+/// Quotes `text` for a POSIX shell; returns it unchanged where the shell reads it as one word anyway.
 std::string shell_quoted(std::string_view text);
 
-/// "--set bias.normal=0 --set bias.constant=2.1"; empty of nothing. @param changes keys and values
+/// Formats setting changes as command-line options: "--set bias.normal=0 --set bias.constant=2.1". Empty for no change.
+/// @param changes pairs of setting key and value
 std::string set_options_text(std::span<const std::pair<std::string, std::string>> changes);
 
 }  // namespace si

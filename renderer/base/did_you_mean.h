@@ -1,11 +1,11 @@
-// The end of a sentence about a name that does not exist.
+// Suggestion at the end of an error about an unknown name.
 #pragma once
 
 #include <string>
 
 namespace si {
 
-/// "; did you mean NEAREST?", or nothing where no name is like it.
+/// Formats the suggestion that ends an error about an unknown name: "; did you mean NEAREST?". Empty when `nearest` is.
 inline std::string did_you_mean(const std::string& nearest) {
     return nearest.empty() ? std::string() : "; did you mean " + nearest + "?";
 }

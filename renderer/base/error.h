@@ -1,16 +1,16 @@
-// Errors that a person reads: one line, naming what, where and the remedy.
+// Exceptions whose text is shown to the user: one line that names the problem, its place and the fix.
 #pragma once
 
 #include <stdexcept>
 
 namespace si {
 
-/// Something outside the program is wrong (a file, a driver, a value in a preset): exit code 1.
+/// Exception for a problem outside the program (a file, a driver, a value in a preset). The program exits with code 1.
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// The command line itself is wrong (an unknown key, a value out of range): exit code 2.
+/// Exception for a wrong command line (an unknown key, a value out of range). The program exits with code 2.
 struct UsageError : Error {
     using Error::Error;
 };

@@ -1,5 +1,5 @@
-// Checks over whole arrays of floats that a compiler turns into wide integer instructions; sums or comparisons of
-// floats it must leave in order.
+// Checks over whole arrays of floats, done on their bits: a compiler vectorises integer code, but may not reorder
+// operations on floats.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Bits of the greatest magnitude among the components. Magnitudes are ordered as their bits are, with infinity above
-/// all numbers and NaN above infinity.
+/// Returns the bit pattern of the largest absolute value among all components of `values` (glm float vectors). Bit
+/// patterns of magnitudes are ordered as the magnitudes are, with infinity above all numbers and NaN above infinity.
 template <class Vec>
 std::uint32_t greatest_magnitude_bits(const std::vector<Vec>& values) {
     const auto* components = reinterpret_cast<const float*>(values.data());
@@ -23,12 +23,13 @@ std::uint32_t greatest_magnitude_bits(const std::vector<Vec>& values) {
     return std::uint32_t(greatest);
 }
 
-/// Whether every component is a number of at most this magnitude.
+/// Returns true when every component of `values` is a number with an absolute value of at most `magnitude`.
 template <class Vec>
 bool all_within(const std::vector<Vec>& values, float magnitude) {
     return greatest_magnitude_bits(values) <= std::bit_cast<std::uint32_t>(magnitude);
 }
 
+/// Returns true when no component of `values` is NaN or infinite.
 template <class Vec>
 bool all_finite(const std::vector<Vec>& values) {
     return all_within(values, std::numeric_limits<float>::max());

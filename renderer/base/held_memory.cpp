@@ -19,7 +19,7 @@ struct MemoryLedgerRow {
     std::size_t count = 0;
 };
 
-/// Outlives all that static storage holds: never destroyed.
+/// Bytes by holder for the whole process. Never destroyed, as objects with static storage may still use it at exit.
 struct MemoryLedger {
     std::mutex mutex;
     std::map<std::string, MemoryLedgerRow, std::less<>> rows;

@@ -1,4 +1,5 @@
-// What memory this process has, and who holds it: images and buffers of OpenGL, scenes, hierarchies of rays, truths.
+// Memory accounting: bytes of the process, and of its large owners (OpenGL images and buffers, scenes, ray hierarchies,
+// references).
 #pragma once
 
 #include <cstddef>
@@ -9,11 +10,12 @@
 
 namespace si {
 
-/// Some bytes that somebody holds, told of as long as this lives; a copy holds as much again. Any thread.
+/// Entry in the process-wide memory accounting that exists as long as this object. It allocates nothing: an owner of
+/// much memory keeps one as a member and states its size. A copy counts the bytes again. Usable from any thread.
 class TrackedMemory {
 public:
     TrackedMemory() = default;
-    /// @param holder in the plural, as people are told: "shadow maps"
+    /// Counts `bytes` under `holder`. @param holder a plural that the memory report prints: "shadow maps"
     TrackedMemory(std::string_view holder, std::uint64_t bytes);
     ~TrackedMemory() { drop(); }
     TrackedMemory(const TrackedMemory& other);
@@ -21,9 +23,11 @@ public:
     TrackedMemory& operator=(const TrackedMemory& other);
     TrackedMemory& operator=(TrackedMemory&& other) noexcept;
 
-    /// Holds so many more, or, below 0, fewer. Of nobody nothing is told.
+    /// Adds `bytes` (negative: subtracts) to this accounting entry. An entry without a holder ignores it.
     void add(std::int64_t bytes);
+    /// Returns the bytes that this entry counts at present.
     std::uint64_t bytes() const { return bytes_; }
+    /// Removes this entry from the memory accounting; its owner has freed the memory.
     void drop();
 
 private:
@@ -32,35 +36,38 @@ private:
     std::uint64_t bytes_ = 0;
 };
 
-/// Of one holder.
+/// Memory counted under one holder, as the memory report lists it.
 struct MemoryUse {
     std::string holder;
-    std::uint64_t bytes = 0, most = 0;  ///< now, and at most so far
-    std::size_t count = 0;              ///< of things
+    std::uint64_t bytes = 0, most = 0;  ///< now, and the peak so far
+    std::size_t count = 0;              ///< number of TrackedMemory entries
 };
 
-/// Of the whole process, bytes. 0: not known on this system.
+/// Memory of the whole process in bytes, as the system reports it. 0: unknown on this system.
 struct ProcessMemory {
-    std::uint64_t resident = 0, peak = 0;
-    std::uint64_t heap = 0, heap_free = 0;  ///< that malloc() has handed out, and keeps for what comes
+    std::uint64_t resident = 0, peak = 0;   ///< physical memory now, and its peak
+    std::uint64_t heap = 0, heap_free = 0;  ///< allocated by malloc(), and freed but kept by malloc()
 };
 
+/// Memory of the process and of each holder that ever counted bytes, at one time.
 struct MemoryReport {
     ProcessMemory process;
-    std::vector<MemoryUse> holders;  ///< that ever held something, the largest first
-    /// Bytes of all holders.
+    std::vector<MemoryUse> holders;  ///< the largest first
+    /// Returns the bytes of all holders of this memory report together.
     std::uint64_t held() const;
 };
 
+/// Returns the memory of the process and of every TrackedMemory holder now.
 MemoryReport memory_report();
+/// Returns resident, peak and heap bytes of this process now.
 ProcessMemory process_memory();
-/// Gives the system the pages back that malloc() keeps of what was freed: of a large scene that was closed, of a sweep
-/// that ended. Takes some ten milliseconds. Nothing where the C library knows no such thing.
+/// Returns freed heap pages that malloc() keeps to the system (malloc_trim). Call after a large scene was closed or a
+/// sweep ended: it takes some ten milliseconds. Does nothing where the C library has no such function.
 void trim_heap();
-/// Bytes in words, "12.5 MiB".
+/// Formats a number of bytes for people: "12.5 MiB".
 std::string bytes_text(std::uint64_t bytes);
 
-/// Bytes of an array's elements.
+/// Returns the bytes that the elements of a container take.
 template <typename T>
 std::uint64_t array_bytes(const T& array) {
     return array.size() * sizeof(typename T::value_type);

@@ -1,4 +1,4 @@
-// How deep and how large a JSON text is, told before it is read.
+// Bounds on depth and size of a JSON text before it is parsed.
 #pragma once
 
 #include <cstddef>
@@ -6,12 +6,14 @@
 
 namespace si {
 
+/// Nesting depth and size of a JSON text, to refuse hostile files before they are parsed.
 struct JsonShape {
     int depth = 0;           ///< deepest nesting
-    std::size_t values = 0;  ///< a bound on the number of values, keys left out
+    std::size_t values = 0;  ///< upper bound of the number of values, without keys
 };
 
-/// Counts brackets and commas outside of strings; of a text that is no JSON it says as much as that.
+/// Measures depth and size of a JSON text by counting brackets and commas outside strings. Accepts any text: the counts
+/// of invalid JSON are no error.
 JsonShape json_shape(std::string_view text);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Cache keys: a 64-bit hash of everything a result depends on.
+// Cache keys: 64-bit hashes of everything that a result depends on.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,27 @@
 
 namespace si {
 
-/// Accumulates values into a key. Never 0, which stands for "undefined contents".
+/// Running 64-bit hash that serves as a cache key: add() all inputs of a result, then read value(). Never 0, which
+/// stands for "undefined contents".
 class Key {
 public:
     template <typename T>
-    requires std::is_arithmetic_v<T> || std::is_enum_v<T> Key& add(T value) {
+    requires std::is_arithmetic_v<T> || std::is_enum_v<T>
+        /// Hashes a number or enumerator.
+        Key& add(T value) {
         std::uint64_t bits = 0;
         std::memcpy(&bits, &value, sizeof value);
         mix(bits);
         return *this;
     }
+    /// Hashes a text and its length.
     Key& add(std::string_view text) {
         add(text.size());
         return bytes(text.data(), text.size());
     }
+    /// Hashes the value of another key.
     Key& add(const Key& other) { return add(other.value()); }
+    /// Hashes `size` raw bytes.
     Key& bytes(const void* data, std::size_t size) {
         const auto* p = static_cast<const unsigned char*>(data);
         while (size) {
@@ -36,17 +42,18 @@ public:
         }
         return *this;
     }
-    /// glm vectors and matrices, and vectors of plain values.
+    /// Hashes a trivially copyable object without padding, such as a glm vector or matrix.
     template <typename T>
     requires(!std::is_arithmetic_v<T> && !std::is_enum_v<T> && std::is_trivially_copyable_v<T> &&
              !std::is_convertible_v<T, std::string_view>) Key& add(const T& value) {
         static_assert(sizeof(T) % 4 == 0);
         return bytes(&value, sizeof value);
     }
+    /// Returns the hash of everything added so far; never 0.
     std::uint64_t value() const { return hash_ ? hash_ : 1; }
 
 private:
-    /// The finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014) over a running value.
+    /// Mixes 64 bits into the running hash by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
     void mix(std::uint64_t bits) {
         std::uint64_t z = (hash_ ^ bits) + 0x9e3779b97f4a7c15ull;
         z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;

@@ -9,7 +9,7 @@ namespace si {
 std::string digits_text(double value) {
     constexpr int kMostDecimals = 12;
     const double a = std::abs(value);
-    if (!(a < 999.5)) return fmt::format("{:.0f}", value);  // what is no number, too
+    if (!(a < 999.5)) return fmt::format("{:.0f}", value);  // NaN too
     if (a >= 1e-4 || a < std::pow(10.0, -kMostDecimals)) return fmt::format("{:.3g}", a < 1e-4 ? 0 : value);
     return fmt::format("{:.{}f}", value, int(std::ceil(-std::log10(a))));
 }

@@ -1,4 +1,4 @@
-// Texts without capitals, to be compared. ASCII alone: other bytes stay as they are, in any locale.
+// Lower case for comparisons, of ASCII letters alone and in any locale.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,7 @@
 
 namespace si {
 
+/// Returns `text` with ASCII capitals in lower case; all other bytes stay.
 inline std::string lower_ascii(std::string_view text) {
     std::string out(text);
     for (char& c : out)
@@ -14,7 +15,7 @@ inline std::string lower_ascii(std::string_view text) {
     return out;
 }
 
-/// The file's extension in small letters, with its dot.
+/// Returns the extension of a file name in lower case, with its dot: ".gltf".
 inline std::string lower_extension(const std::filesystem::path& path) {
     return lower_ascii(path.extension().string());
 }

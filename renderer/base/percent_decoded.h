@@ -1,4 +1,4 @@
-// Escapes in URIs (RFC 3986, 2.1).
+// Percent escapes in URIs (RFC 3986, 2.1).
 #pragma once
 
 #include <string>
@@ -6,7 +6,8 @@
 
 namespace si {
 
-/// %41 -> A; a '%' that starts no escape stays as it is, as in file names that were never encoded.
+/// Decodes percent escapes of a URI: "%41" becomes "A". A '%' that starts no escape stays, as in file names that were
+/// never encoded.
 inline std::string percent_decode(std::string_view uri) {
     const auto hex_value = [](char c) {
         if (c >= '0' && c <= '9') return c - '0';

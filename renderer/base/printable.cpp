@@ -24,7 +24,7 @@ Decoded decode(std::string_view s) {
     return {code, n};
 }
 
-/// Characters that move the cursor, hide text or turn its direction.
+/// Returns true for characters that move the cursor, hide text or change its direction.
 bool is_unsafe(char32_t c) {
     return c < 0x20 || (c >= 0x7f && c < 0xa0) || c == 0x061c || (c >= 0x200b && c <= 0x200f) ||
            (c >= 0x2028 && c <= 0x202e) || (c >= 0x2060 && c <= 0x2069) || c == 0xfeff ||

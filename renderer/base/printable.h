@@ -1,4 +1,4 @@
-// Names and data from a file, made safe to show in a terminal, a log or the window.
+// Escaping of untrusted text for terminals, logs and the window.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Control characters, bidirectional marks and broken UTF-8 become visible escapes such as \x1b or \u202e;
-/// longer than `max_bytes` is cut at a character and ends in "…".
+/// Makes text from a file safe to display: control characters, bidirectional marks and broken UTF-8 become visible
+/// escapes such as \x1b or \u202e. Text longer than `max_bytes` is cut at a character and ends in "…".
 std::string printable(std::string_view text, std::size_t max_bytes = 160);
 
 }  // namespace si

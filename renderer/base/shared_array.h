@@ -1,5 +1,4 @@
-// An array that its copies share until one of them is changed: copies of a scene, and the triangles that rays meet,
-// hold geometry and pictures once.
+// A copy-on-write array: copies of a scene, and the ray-traced reference, share geometry and pictures.
 #pragma once
 
 #include <atomic>
@@ -14,8 +13,8 @@
 
 namespace si {
 
-/// Reads like a const std::vector; whatever changes it has a name of its own. Copies may be read and changed by
-/// different threads, one of them by one thread at a time.
+/// Array with copy-on-write storage: copies share memory until edit() changes one. It reads like a const std::vector.
+/// Different threads may use different copies; one copy is used by one thread at a time.
 template <typename T>
 class SharedArray {
 public:
@@ -33,6 +32,7 @@ public:
     }
     ~SharedArray() = default;
 
+    /// Returns the elements as a std::vector.
     const std::vector<T>& all() const { return block_->elements; }
     operator const std::vector<T>&() const { return all(); }
     std::size_t size() const { return all().size(); }
@@ -44,13 +44,14 @@ public:
     auto begin() const { return all().begin(); }
     auto end() const { return all().end(); }
     bool operator==(const SharedArray& other) const { return block_ == other.block_ || all() == other.all(); }
-    /// Whether both are one in memory.
-    bool shares(const SharedArray& other) const { return block_ == other.block_; }
+    /// Returns true when both arrays share one block of memory; equal contents alone do not count.
+    bool shares_storage_with(const SharedArray& other) const { return block_ == other.block_; }
 
-    /// To be changed, apart from all copies. Ends with the next copy of this array.
+    /// Returns the elements for writing; storage shared with copies is cloned first. The reference is valid until this
+    /// array is copied.
     std::vector<T>& edit() {
         if (block_.use_count() > 1) block_ = std::make_shared<Block>(all());
-        std::atomic_thread_fence(std::memory_order_acquire);  // what those that let go of it had read
+        std::atomic_thread_fence(std::memory_order_acquire);  // orders this write after reads of copies that are gone
         return block_->elements;
     }
     void push_back(const T& element) { edit().push_back(element); }
@@ -58,7 +59,7 @@ public:
     T& emplace_back(Arguments&&... arguments) {
         return edit().emplace_back(std::forward<Arguments>(arguments)...);
     }
-    /// At the end.
+    /// Appends the elements of `range`.
     template <typename Range>
     void append(const Range& range) {
         std::vector<T>& to = edit();
@@ -66,7 +67,7 @@ public:
     }
     void append(std::initializer_list<T> elements) { append<std::initializer_list<T>>(elements); }
     void assign(std::size_t count, const T& element) { *this = std::vector<T>(count, element); }
-    /// In the room that is there where nobody shares it.
+    /// Replaces all elements; reuses the memory where no copy shares it.
     void assign(const std::vector<T>& elements) {
         if (block_.use_count() > 1)
             *this = std::vector<T>(elements);
@@ -77,19 +78,22 @@ public:
     void reserve(std::size_t count) { edit().reserve(count); }
     void clear() { *this = SharedArray(); }
 
-    /// From now on its bytes are told of once, however many share it. @param holder see TrackedMemory
-    void tell(std::string_view holder) {
-        static std::mutex telling;  // others may tell of the same one
-        const std::lock_guard lock(telling);
+    /// Counts the bytes of this array in the memory report from now on, once however many copies share them.
+    /// @param holder see TrackedMemory
+    void track_memory(std::string_view holder) {
+        static std::mutex mutex;  // copies that share the block may be on other threads
+        const std::lock_guard lock(mutex);
         if (block_->held.bytes() != array_bytes(*this)) block_->held = TrackedMemory(holder, array_bytes(*this));
     }
 
 private:
+    /// Elements that copies of one array share, with their memory accounting.
     struct Block {
         explicit Block(std::vector<T> of) : elements(std::move(of)) {}
         std::vector<T> elements;
         TrackedMemory held;
     };
+    /// Returns the block that all empty arrays share.
     static const std::shared_ptr<Block>& none() {
         static const std::shared_ptr<Block> block = std::make_shared<Block>(std::vector<T>());
         return block;

@@ -1,4 +1,4 @@
-// What is searched for by words.
+// Search by words.
 #pragma once
 
 #include <initializer_list>
@@ -6,7 +6,8 @@
 
 namespace si {
 
-/// Whether each word of `text` stands in one of `places`, whatever the case of its letters. No word: it does.
+/// Returns true when every word of the search `text` occurs in one of the texts `places`, ignoring case. True for an
+/// empty search.
 bool matches_all_words(std::string_view text, std::initializer_list<std::string_view> places);
 
 }  // namespace si

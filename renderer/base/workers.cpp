@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Flush-to-zero and denormals-are-zero while it lives.
+/// Flush-to-zero and denormals-are-zero mode of the calling thread, for the lifetime of this object.
 class FlushDenormals {
 public:
 #if defined(__SSE2__)
@@ -36,7 +36,7 @@ int Workers::count() const {
     return threads > 0 ? threads : std::max(1, int(std::thread::hardware_concurrency()));
 }
 
-Workers Workers::part(double lo, double hi) const {
+Workers Workers::with_progress_range(double lo, double hi) const {
     Workers out = *this;
     if (progress) out.progress = [report = progress, lo, hi](double t) { report(lo + (hi - lo) * t); };
     return out;

@@ -1,4 +1,4 @@
-// Work in equal blocks on several threads, for the ray-traced truth.
+// Parallel loops with progress and cancellation, for the ray-traced reference.
 #pragma once
 
 #include <cstddef>
@@ -9,23 +9,25 @@
 
 namespace si {
 
-/// What a long computation throws when its stop token asks for it.
+/// Exception that ends a long computation when its stop token requests it.
 struct Cancelled : Error {
     Cancelled() : Error("cancelled") {}
 };
 
-/// Who computes, who may stop it, and who hears of it.
+/// Thread count, stop token and progress callback of a long computation.
 struct Workers {
     int threads = 0;  ///< 0: as many as the hardware runs at once
     std::stop_token stop;
-    std::function<void(double)> progress = nullptr;  ///< 0..1, rising; called on the caller's thread only
-    int count() const;                               ///< the number of threads used, >= 1
-    /// The same, with 0..1 of its progress shown as lo..hi.
-    Workers part(double lo, double hi) const;
+    std::function<void(double)> progress = nullptr;  ///< called with 0..1, rising, on the caller's thread only
+    /// Returns the number of threads of a parallel loop, at least 1.
+    int count() const;
+    /// Returns a copy for one step of a longer computation: its progress 0..1 is reported as lo..hi.
+    Workers with_progress_range(double lo, double hi) const;
 };
 
-/// Calls work(i) for every i below `blocks`, each once, in no order; the caller works too. In each thread numbers too
-/// small for normal floats count as zero, as Embree wants. The first exception ends all and is thrown again here.
+/// Calls work(i) once for every i below `blocks`, on several threads and in no order; the calling thread takes part.
+/// Threads flush denormal floats to zero, as Embree requires. The first exception stops all threads and is thrown again
+/// here.
 /// @throws Cancelled
 void parallel_for_blocks(std::size_t blocks, const Workers& workers, const std::function<void(std::size_t)>& work);
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 
-/// The largest coordinate that shaders of this pixel compute with, in metres: across the map, or from what the picture
-/// and the map count positions from.
+/// Returns the largest coordinate in metres that shaders of this pixel compute with: the map's extent, or the distance
+/// from the origins of picture and map.
 double extent_m(const FittedLight& light, const LightReceiver& r, int resolution, const SurfacePoint& p) {
     const glm::dvec3 farthest =
         glm::max(glm::abs(p.position_ws - p.origin_ws), glm::abs(p.position_ws - light.map_origin));
@@ -26,14 +26,14 @@ double extent_m(const FittedLight& light, const LightReceiver& r, int resolution
 }  // namespace
 
 double BiasBreakdown::contact_gap_m() const {
-    return contact_gap(amount(clears()).metres, theta_rad);
+    return contact_gap(amount(equivalent_depth()).metres, theta_rad);
 }
 
 double BiasBreakdown::compared_depth_at(const glm::dvec2& centre) const {
     if (!per_texel || plane.edge_on()) return receiver.compared;
     const double moved = glm::dot(plane.gradient, centre - glm::dvec2(receiver.tap));
     const double depth = receiver.compared + std::clamp(moved, -max_texel_shift, max_texel_shift);
-    // Where the plane runs on beyond the far plane, the map may be empty.
+    // Where the plane continues beyond the far plane, the map may be empty.
     return curve.convention.reversed ? std::max(depth, std::min(receiver.compared, 0.0))
                                      : std::min(depth, std::max(receiver.compared, 1.0));
 }
@@ -65,7 +65,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
         a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
         a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
-        b.rest = a.least.rest();
+        b.rest = a.least.without_kernel();
     }
     b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
@@ -81,7 +81,8 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     }
     const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
-    if (bias.normal != 0) a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.at(glm::dvec2(r.tap)) - r.tap.z);
+    if (bias.normal != 0)
+        a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
     a.raster = offsets_polygons(settings) ? bias_at(BiasStage::Raster).amount(bias, b) : 0;
     a.depth_shift = away * (r.uvd.z - r.compared) + a.raster;
     return a;

@@ -1,4 +1,4 @@
-// What bias a surface point gets from the settings, term by term, and what it needs. Pure CPU, double precision.
+// Bias of one surface point, term by term: what the settings give and the least that is needed. CPU, double precision.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,59 +9,63 @@
 
 namespace si {
 
-/// A point on a triangle, and what of the picture its bias depends on.
+/// A point on a triangle, with the normals and the shader origin that its bias depends on.
 struct SurfacePoint {
     glm::dvec3 position_ws{0};
     glm::dvec3 geometric{0, 1, 0};    ///< unit normal of the triangle, on the side that the camera sees
-    glm::dvec3 bias_normal{0, 1, 0};  ///< unit, the one that bias.normal_source chooses
-    glm::dvec3 origin_ws{0};          ///< what the picture's shaders count positions from: Camera::origin()
+    glm::dvec3 bias_normal{0, 1, 0};  ///< unit, the normal that bias.normal_source selects
+    glm::dvec3 origin_ws{0};          ///< Camera::origin(), to which positions in shaders are relative
 };
 
-/// How far a point's depth moves, three times. Texels and metres are those that the point moves by, found by the
-/// inverse of the depth curve: in perspective maps they are no multiples of the depth, and never more than there is to
+/// A shift of a point's depth in three units: depth-buffer units, texels and metres. Texels and metres come from the
+/// inverse depth curve: in perspective maps they are not proportional to the depth, and never exceed the distance to
 /// the light.
 struct DepthShift {
     double depth = 0;   ///< depth-buffer units; above 0 is towards the light
-    double texels = 0;  ///< along the view's axis in widths of a texel at the point, as bias.unit has them
+    double texels = 0;  ///< along the view's axis, in texel widths at the point (the unit of bias.unit)
     double metres = 0;  ///< along the light's ray
 };
 
+/// Depth bias of one surface point, split by the setting that causes it, and the least bias that avoids acne there.
 struct BiasBreakdown {
     LightReceiver receiver;
     ReceiverPlane plane;
     DepthCurve curve;      ///< of the receiver's view
-    double theta_rad = 0;  ///< between the triangle's normal and the light
+    double theta_rad = 0;  ///< angle between the triangle's normal and the light
     LeastBias least;       ///< depth-buffer units
 
-    // What each setting is worth against acne: how far it brings the compared depth before the receiver's own plane.
+    // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
+    // depth and the receiver's plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
-    double by_itself = 0;            ///< what bias.kind gives whatever the numbers are (Bias::brings_need)
-    /// Of the normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on.
+    double by_itself = 0;            ///< bias.kind alone, with constant and slope 0 (Bias::brings_need)
+    /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
     double normal = 0;
-    /// Of bias.raster_*, on this plane, by what the driver makes of them (PolygonOffset).
+    /// bias.raster_* on this plane, as the driver applies them (PolygonOffset).
     double raster = 0;
 
-    /// All of them: the surface does not shadow itself when this is at least least.total().
-    double clears() const { return constant + slope + by_itself + normal + raster; }
-    /// How far the compared depth is moved towards the light: a surface nearer to the receiver than this is lost. Of
-    /// the normal offset that is only its part along the light.
+    /// Returns the equivalent depth bias of all settings together, in depth-buffer units. The surface does not shadow
+    /// itself when it is at least least.total().
+    double equivalent_depth() const { return constant + slope + by_itself + normal + raster; }
+    /// Shift of the compared depth towards the light, in depth-buffer units: occluders nearer to the receiver cast no
+    /// shadow. The normal offset counts only by its part along the light.
     double depth_shift = 0;
-    /// Whether every texel is compared with a depth of its own (Bias::per_texel), and by how much that may differ from
-    /// the one at the look-up (bias.plane_clamp).
-    bool per_texel = false;
+    bool per_texel = false;  ///< every texel is compared with a depth of its own (Bias::per_texel)
+    /// Largest difference between a texel's compared depth and that at the look-up (bias.plane_clamp).
     double max_texel_shift = 0;
-    /// The depth that is compared with a texel. @param centre its map coordinates
+    /// Returns the depth that is compared with one texel of the shadow map. @param centre the texel's map coordinates
     double compared_depth_at(const glm::dvec2& centre) const;
+    /// Converts a shift in depth-buffer units at this point to texels and metres.
     DepthShift amount(double depth) const {
         const double along_axis = curve.metres_nearer(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
-    /// Width of the lit strip on the receiver beside a caster that touches it, in metres: the bias along the ray times
-    /// sin(theta), which is h tan(theta) for a normal offset.
+    /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning): the
+    /// bias along the ray times sin(theta), which is h tan(theta) for a normal offset.
     double contact_gap_m() const;
 };
 
-/// @param resolution of the map
+/// Computes the bias that the settings give a surface point under a light's shadow map, and the least that it needs.
+/// @param resolution of the map, texels a side
 /// @param driver Renderer::driver(); its polygon offset matters where bias.raster_* are not 0
 BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings, int resolution,
                              const SurfacePoint& point, const RasterTraits& driver);

@@ -1,4 +1,5 @@
-// A surface point as a light's map sees it: shaders/lib/receiver.glsl in double. bias_breakdown() brings its bias.
+// A surface point projected into a light's shadow map: shaders/lib/receiver.glsl in double precision. The depth bias
+// itself comes from bias_breakdown().
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,7 +12,7 @@
 
 namespace si {
 
-/// Whether a surface faces the light. @param n_dot_l of its triangle's normal
+/// Returns true when a surface faces the light. @param n_dot_l cosine between the triangle's normal and the light
 inline bool faces_light(double n_dot_l) {
     return n_dot_l > double(shared::FACES_AWAY_COSINE);
 }
@@ -29,32 +30,35 @@ enum class MapPlace {
 /// Returns the place as the probe prints it; "no map" for a light without one.
 std::string_view place_name(std::optional<MapPlace> place);
 
+/// A surface point projected into a light's shadow map, with its texel size, depth curve, bias and compared depth.
 struct LightReceiver {
-    std::size_t view = 0;        ///< of the light's
-    std::size_t other_view = 0;  ///< whose visibility is blended in,
-    double blend = 0;            ///< by this share; everything else here is of `view`
+    std::size_t view = 0;        ///< index among the light's views (cascade or face)
+    std::size_t other_view = 0;  ///< view whose visibility is blended in
+    double blend = 0;            ///< weight of `other_view`; all other members belong to `view`
     glm::dvec4 clip{0};
     glm::dvec3 ndc{0};
     glm::dvec3 uvd{0};        ///< map coordinates and depth in [0,1], before any bias
     glm::dvec3 to_light{0};   ///< unit
-    double n_dot_l = 0;       ///< of the geometric normal
-    double texel_m = 0;       ///< world size of a texel here, along its longest direction
+    double n_dot_l = 0;       ///< cosine between the geometric normal and the light
+    double texel_m = 0;       ///< size of a texel at the point in metres, along its longest direction
     DepthCurve curve;         ///< depths along the light's ray through the point
-    double own_m = 0;         ///< metres along the view's axis
+    double own_m = 0;         ///< metres from the light along the view's axis
     double axis_per_ray = 1;  ///< cosine between the ray to the light and the view's axis, at least 1e-6
-    double bias_depth = 0;    ///< of bias.kind, depth-buffer units, >= 0 brings the compared depth nearer to the light
+    double bias_depth = 0;    ///< bias by bias.kind, depth-buffer units; above 0 shifts towards the light
     double bias_m = 0;        ///< the same in metres along the axis
     double normal_offset_m = 0;
     glm::dvec3 tap{0};    ///< uvd after the normal offset, before the depth bias
-    double tap_m = 1;     ///< metres along the view's axis there, above 0 from a perspective light
-    double compared = 0;  ///< the depth that is compared at `tap`
+    double tap_m = 1;     ///< metres from the light along the view's axis at `tap`; above 0 for a perspective light
+    double compared = 0;  ///< depth that is compared with the map at `tap`
     MapPlace place = MapPlace::Inside;
+    /// Returns true when the shadow map covers the point.
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 
-/// Without the bias of bias.kind, which is bias_breakdown()'s to bring.
-/// @param bias_normal unit, the one that bias.normal_source chooses
-/// @param resolution of the map
+/// Projects a surface point into a light's shadow map, with the normal offset. The depth bias of bias.kind stays 0:
+/// bias_breakdown() adds it.
+/// @param geometric_normal,bias_normal unit, world; the second is the one that bias.normal_source selects
+/// @param resolution of the map, texels a side
 LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias, int resolution,
                              const glm::dvec3& position_ws, const glm::dvec3& geometric_normal,
                              const glm::dvec3& bias_normal);

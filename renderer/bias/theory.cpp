@@ -29,7 +29,7 @@ ReceiverPlane receiver_plane(const LightView& view, const glm::dvec3& point_ws, 
         return !edge_on ? -across / plane.z : across == 0 ? 0 : std::copysign(kUnbounded, -across / plane.z);
     };
     r.gradient = {component(plane.x), component(plane.y)};
-    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kUnbounded);  // the normal is none
+    if (edge_on && r.gradient == glm::dvec2(0)) r.gradient = glm::dvec2(kUnbounded);  // the normal is 0
     return r;
 }
 
@@ -47,7 +47,7 @@ double depth_quantum(MapFormat format, const DepthCurve& curve, double depth) {
     if (!curve.perspective) return depth_quantum(kept, depth);
     const double z = curve.distance(depth), range = curve.far - curve.near;
     const double share = (curve.convention.reversed ? curve.far - z : z - curve.near) / range;
-    // Besides, in single precision the distance is made of w, and of it a depth again.
+    // Shaders also convert w to a distance and back to a depth, in single precision.
     return depth_quantum(kept, share) * range * curve.slope(z) + 4 * depth_quantum(MapFormat::D32F, depth) +
            4 * 0x1p-23 * z * curve.slope(z);
 }
@@ -81,7 +81,7 @@ double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, co
                            double b_min) {
     const glm::dvec3 relative = point_ws - view.eye;
     const double z = -glm::dot(relative, view.axes[2]);
-    // The ray to the point, one metre long along the axis.
+    // Ray to the point, one metre long along the view's axis.
     const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
     return view.curve_through(point_ws).metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
 }

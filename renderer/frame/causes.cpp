@@ -18,16 +18,16 @@ bool dark(float v) {
 
 Cause false_light(const CauseEvidence& e, const CauseContext& c) {
     if (e.place == CauseEvidence::kOutside) return {Artefact::OutsideMap};
-    // Where no tap lies beyond, both answers are the same.
+    // Without taps beyond the map's sides both visibilities are equal.
     if (e.place == CauseEvidence::kInside && dark(e.beyond_dark) && !dark(e.beyond_lit))
         return {.artefact = Artefact::OutsideMap, .seam = true};
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return {Artefact::LostCaster, e.gap_all < e.applied ? bit(Artefact::PeterPanning) : 0};
-    // A surface nearer than the bias was passed by; else the receiver shadowing itself would pass for the caster.
+    // The caster must be nearer than the bias. Otherwise a receiver that shadows itself would count as the caster.
     const bool near = e.gap_drawn < e.applied + e.slack, stands = dark(e.far_bare) || e.gap_drawn < e.far;
     const bool by_bias = dark(e.least_kept) && near, by_offset = dark(e.own_bare) && stands;
     const bool by_both = dark(e.least_bare) && (near || stands);
-    // What casts in truth, nearer to the light, would have withstood more.
+    // The caster in the reference is nearer to the light and would have tolerated more bias.
     const std::uint32_t lost = e.gap_all > e.gap_drawn ? bit(Artefact::LostCaster) : 0;
     if (by_bias && c.raster_bias && dark(e.unfiltered))
         return {Artefact::PeterPanningRaster, lost | (e.own > e.least ? bit(Artefact::PeterPanning) : 0)};
@@ -78,7 +78,7 @@ bool is_wrong(double visibility, const TruePixel& reference) {
 }
 
 Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseContext& context) {
-    const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // no light is drawn from it
+    const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // NaN is drawn as no light
     if (is_wrong(v, reference)) {
         if (reference.hard_lit != dark(v)) return {Artefact::Penumbra};
         if (!context.has_map) return {Artefact::NoMap};

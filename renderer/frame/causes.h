@@ -1,6 +1,6 @@
-// Why a pixel of a shadow map's picture is wrong: it is tested again with one thing changed, and the first change that
-// puts it right names the cause. The GPU makes the trials (shaders/lib/evidence.glsl) and decides for whole frames
-// (shaders/lib/cause.glsl); this is the same decision in C++, for a probed pixel and for the tests of the GPU's.
+// Classification of wrong pixels by cause. The shadow test of a pixel is repeated with one change at a time; the first
+// change that makes it right names the cause. The GPU runs these trials (shaders/lib/evidence.glsl) and classifies
+// whole frames (shaders/lib/cause.glsl). Here is the same decision in C++, for a probed pixel and for tests of the GPU.
 #pragma once
 
 #include <array>
@@ -14,76 +14,93 @@ namespace si {
 struct FittedLight;
 struct Settings;
 
+/// Cause of a wrong pixel: false shadow (dark in the picture, lit in the reference) or false light (the opposite).
 enum class Artefact : std::uint8_t {
-    None,          ///< right, or not counted
-    Acne,          ///< dark though lit: the surface shadows itself, and more bias puts it right
-    PeterPanning,  ///< lit though dark: less depth bias puts it right
-    Leak,          ///< lit though dark: the nearest texel, unfiltered and at its own least bias, is right
-    EdgeAliasing,  ///< no change of bias, offset or filter puts it right: the map's texels decide
-    OutsideMap,    ///< wrong where the map holds nothing, or where taps reach beyond its sides
-    LostCaster,    ///< lit though dark: culling, the near plane or a mask's mip left out of the map what casts here
-    PeterPanningOffset,  ///< lit though dark: without the normal offset it is right
-    OffsetShadow,        ///< dark though lit: without the normal offset it is right
-    Filter,              ///< dark though lit: the nearest texel, unfiltered and at its own least bias, is right
-    Undersampled,        ///< as EdgeAliasing, where the shadow or the light between shadows is narrower than a texel
+    None,                ///< right, or not counted
+    Acne,                ///< false shadow: the surface shadows itself; more bias makes it right
+    PeterPanning,        ///< false light: less depth bias makes it right
+    Leak,                ///< false light: the nearest unfiltered texel at its own least bias is right
+    EdgeAliasing,        ///< no change of bias, offset or filter makes it right: the map's resolution is the cause
+    OutsideMap,          ///< wrong outside the map, or where taps reach beyond its sides
+    LostCaster,          ///< false light: culling, the near plane or a mask's mip level removed the caster from the map
+    PeterPanningOffset,  ///< false light: right without the normal offset
+    OffsetShadow,        ///< false shadow: right without the normal offset
+    Filter,              ///< false shadow: the nearest unfiltered texel at its own least bias is right
+    Undersampled,        ///< as EdgeAliasing, where the shadow or the lit gap is narrower than a texel
     Penumbra,            ///< right for a light without size
-    // From here on never in Cause::also, for which a judgement has no bits to spare.
-    NoMap,               ///< wrong, and the light has no map to try anything on: its source (light.source) says so
-    PeterPanningRaster,  ///< lit though dark: without polygon offset it is right
-    Contact,             ///< dark though lit: without contact shadows it is right; the GPU alone tells
+    // From here on never in Cause::also, whose bits are full.
+    NoMap,               ///< wrong, and the light has no shadow map (light.source), so that no trial is possible
+    PeterPanningRaster,  ///< false light: right without polygon offset
+    Contact,             ///< false shadow: right without contact shadows; only the GPU classifies it
 };
 inline constexpr std::size_t kArtefacts = 15;
 
-/// What trials of one pixel gave. Order and meaning as written by shaders/passes/evidence.frag.glsl, four to an image.
+/// Results of the trials of one pixel, in the order of shaders/passes/evidence.frag.glsl, four to an image. Depths are
+/// in depth-buffer units; visibilities are 1 (lit) to 0. "Bare": without the normal offset.
 struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
                            kLedOutside = shared::PLACE_LED_OUTSIDE;
-    float place = kInside;  ///< whether the map holds the surface; led outside: only the normal offset leaves the map
-    float visibility = 1, beyond_lit = 1, beyond_dark = 1;
-    float least = 0, least_nearest = 0, worth = 0, applied = 0;  ///< depth-buffer units, as all depths here
-    float slack = 0, own = 0, offset = 0, texel_m = 0;
-    float bent = 0, far = 0, strip_bias_m = 0, strip_offset_m = 0;
-    float least_kept = 1, least_bare = 1, own_bare = 1, far_bare = 1;
-    float raised = 1, bent_raised = 1, nearest_kept = 1, nearest_bare = 1;
-    float nearest_own_bare = 1, unfiltered = 1, curing = 0, unused = 0;
-    float gap_drawn = 0, gap_all = 0, run_m = 0, edge_m = 0;
+    float place = kInside;  ///< position relative to the map; kLedOutside: only the normal offset leaves the map
+    float visibility = 1;   ///< as drawn
+    float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark
+    float least = 0, least_nearest = 0;     ///< least depth bias of the kernel, and of one nearest tap
+    float worth = 0;                        ///< equivalent depth bias of all bias together
+    float applied = 0;                      ///< shift of the compared depth towards the light
+    float slack = 0;                        ///< change of the plane's depth over the kernel's reach
+    float own = 0, offset = 0;              ///< constant or slope bias; equivalent depth bias of the normal offset
+    float texel_m = 0;                      ///< texel size at the pixel, metres
+    float bent = 0, far = 0;  ///< bias of the trials for surfaces that rise next to the plane, and for distant casters
+    float strip_bias_m = 0, strip_offset_m = 0;  ///< lit strips that bias and normal offset leave, metres
+    float least_kept = 1, least_bare = 1;        ///< visibility at the least bias, with and without normal offset
+    float own_bare = 1, far_bare = 1;            ///< visibility without normal offset, by bias `own` and `far`
+    float raised = 1, bent_raised = 1;           ///< visibility with all bias raised to `least`, to `bent`
+    float nearest_kept = 1, nearest_bare = 1;  ///< nearest unfiltered texel at its least bias, with and without offset
+    float nearest_own_bare = 1;                ///< nearest unfiltered texel without offset, by bias `own`
+    float unfiltered = 1;                      ///< the kernel on the unfiltered map
+    float curing = 0, unused = 0;              ///< least equivalent depth bias at which the pixel is lit
+    float gap_drawn = 0, gap_all = 0;  ///< depth up to the surface nearest the light: as drawn, and of all casters
+    float run_m = 0, edge_m = 0;       ///< ShadowRuns, metres
 };
 inline constexpr int kEvidenceImages = 8;
 static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
-/// What the renderer's settings make possible; the defines of the GPU's decision.
+/// Settings of the renderer that decide which causes are possible; the defines of the GPU's classification.
 struct CauseContext {
     bool has_map = true;             ///< the light's source is a map
-    double edge_reach_texels = 0.5;  ///< of the kernel
+    double edge_reach_texels = 0.5;  ///< reach of the filter kernel
     bool raster_bias = false;        ///< bias.raster_*
-    bool mask_levels = false;        ///< masks of casters may be read from a coarser mip level in the map
+    bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
     bool depth_blur = false;         ///< map.blur_texels
+    /// Returns true when the unfiltered map may differ from the one that is sampled.
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };
 
-/// What the truth knows of the pixel besides what is in the evidence.
+/// Ray-traced reference of one pixel.
 struct TruePixel {
     double visibility = 1, noise = 0;  ///< noise: standard error of the visibility
-    bool hard_lit = true;              ///< by the light without its size
+    bool hard_lit = true;              ///< lit by the light without its size
 };
 
+/// Classification of one pixel: the artefact, and other causes that apply.
 struct Cause {
     Artefact artefact = Artefact::None;
-    std::uint32_t also = 0;  ///< bits 1 << Artefact: what else has to be put right, or would do as well
-    bool seam = false;       ///< OutsideMap, as taps reach beyond the map's sides while the look-up lies inside
-    bool faint = false;      ///< not wrong, but acne darkens it
+    std::uint32_t also = 0;  ///< bits 1 << Artefact: causes that also have to be fixed, or whose fix would do as well
+    bool seam = false;       ///< OutsideMap because taps reach beyond the map's sides; the look-up itself is inside
+    bool faint = false;      ///< not wrong, but darkened by acne
 };
 
-/// Wrong: visibility and truth lie on different sides of one half, further apart than three times the truth's noise.
+/// Returns true when a pixel's visibility is wrong: it and the reference are on different sides of 0.5, and differ by
+/// more than three times the reference's noise.
 bool is_wrong(double visibility, const TruePixel& reference);
 
-/// The cause of a pixel that counts.
+/// Classifies a counted pixel by the cause of its error, from the results of its trials.
 Cause cause_of(const CauseEvidence& evidence, const TruePixel& reference, const CauseContext& context);
 
-/// A wholly lit pixel counts as darkened below 1 less this.
+/// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this.
 inline constexpr double kRightVisibility = 1e-3;
 
-/// What of the settings and the scene's casters the causes of a light's errors depend on.
+/// Collects the settings that the causes of a light's errors depend on.
+/// @param mask_levels casters' alpha masks have mip levels
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

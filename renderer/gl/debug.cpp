@@ -30,8 +30,8 @@ void GLAPIENTRY MessageLog::on_message(GLenum, GLenum type, GLuint, GLenum sever
     if (log->messages_.size() < 100) log->messages_.emplace_back(message, std::size_t(length));
 }
 
-std::vector<std::string> MessageLog::take() {
-    // A lost context reports one at every call.
+std::vector<std::string> MessageLog::take_messages() {
+    // A lost context reports an error at every call.
     for (int i = 0; i < kMostErrors; ++i) {
         const GLenum error = glGetError();
         if (error == GL_NO_ERROR) break;

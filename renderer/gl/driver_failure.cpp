@@ -5,7 +5,7 @@
 namespace si::gl {
 namespace {
 
-constexpr int kMostForgotten = 64;  ///< a lost context reports one at every call
+constexpr int kMostForgotten = 64;  ///< limit, as a lost context reports an error at every call
 
 [[noreturn]] void throw_lost(std::string_view why) {
     throw ContextLost(
@@ -43,7 +43,7 @@ namespace {
 void require_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size) {
     check_memory_errors(fmt::format("the {} ({} bytes)", label, size),
                         "use a scene of fewer triangles or fewer lights, or close what else draws");
-    buffer.holds(label, std::uint64_t(size));
+    buffer.track_memory(label, std::uint64_t(size));
 }
 
 }  // namespace

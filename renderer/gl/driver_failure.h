@@ -1,4 +1,4 @@
-// Trouble that drivers make, by a seam: where tests have the n-th call fail, and what is then thrown.
+// Errors of OpenGL drivers as exceptions, and the injection of such errors for tests.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -12,43 +12,48 @@
 
 namespace si::gl {
 
-/// The driver has no memory for an image or a buffer. Something smaller may do.
+/// Exception: the driver has no memory for an image or a buffer. A smaller one may succeed.
 class OutOfMemory : public Error {
 public:
     using Error::Error;
 };
 
-/// The context is gone, with all that was in it: only a new one draws again.
+/// Exception: the OpenGL context and all its objects are lost. Only a new context draws again.
 class ContextLost : public Error {
 public:
     using Error::Error;
 };
 
+/// Kinds of driver failures that tests can inject.
 enum class DriverFailure { Memory, Shader, Context };
 
-/// What tests have OpenGL do wrong, in all contexts of the process. Nothing by default.
+/// Driver failures that a test injects into all contexts of the process. By default none.
 struct FaultInjection {
-    /// Asked at each call that may fail of this kind; true: it fails.
+    /// Called at each OpenGL call that may fail in this way; true makes the call fail.
     std::function<bool(DriverFailure, std::string_view what)> fails;
-    /// Handed each image before its numbers are searched.
+    /// Called with each image before it is searched for NaN and infinity, so that a test can write some.
     std::function<void(std::string_view label, GLuint texture)> corrupt_image;
-    /// Kept from frame to frame; 0: as many as ever.
+    /// Limit of cached programs from frame to frame; 0: the usual one.
     std::size_t max_programs = 0;
 };
+/// Returns the process-wide failures to inject; tests assign its members.
 FaultInjection& fault_injection();
-/// Whether the seam has this call fail.
+/// Returns true when a test injects a failure into this call. @param what the object that the call is about
 bool is_injected_failure(DriverFailure kind, std::string_view what);
 
-/// Gives a buffer contents, and room for them. @param bytes null: undefined ones @throws OutOfMemory, ContextLost
+/// Allocates a buffer and copies `size` bytes into it (glNamedBufferData).
+/// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
 void fill_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLenum usage);
-/// The same for good, by glNamedBufferStorage's flags.
+/// Allocates immutable storage for a buffer and copies `size` bytes into it (glNamedBufferStorage).
+/// @param bytes null: contents stay undefined @throws OutOfMemory, ContextLost
 void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const void* bytes, GLbitfield flags);
-/// Forgets errors of calls before, so that those of the next are its own.
+/// Discards pending OpenGL errors, so that check_memory_errors() sees only those of later calls.
 void clear_gl_errors();
-/// Of the calls since clear_gl_errors(). @param what "the shadow maps (1024 x 1024 x 4)" @param remedy a clause
+/// Throws when a call since clear_gl_errors() ran out of memory or lost the context.
+/// @param what the allocated object: "the shadow maps (1024 x 1024 x 4)" @param fix clause with advice for the user
 /// @throws OutOfMemory, ContextLost
 void check_memory_errors(std::string_view what, std::string_view fix);
-/// Whether the context still draws. @throws ContextLost
+/// Throws when the current OpenGL context was lost by a reset of the driver. @throws ContextLost
 void check_context_alive();
 
 }  // namespace si::gl

@@ -48,7 +48,7 @@ PassClock::PassClock() {
     glUseProgram(program);
     glBindVertexArray(vao.id());
     std::array<double, 5> shares{};
-    for (int i = -1; i < int(shares.size()); ++i) {  // the first round compiles and is thrown away
+    for (int i = -1; i < int(shares.size()); ++i) {  // the first round compiles and is discarded
         glFinish();
         const auto start = Clock::now();
         glBeginQuery(GL_TIME_ELAPSED, query.id());

@@ -1,5 +1,5 @@
-// The clock of a pass. On a GPU timer queries tell the truth; on a CPU rasteriser the work is deferred past them, so
-// finished wall time is used there. Which holds is measured once per context.
+// Timing of passes. On a GPU, timer queries are exact; a CPU rasteriser defers work past them, so wall time up to
+// glFinish() is used there. A calibration once per context chooses between the two.
 #pragma once
 
 #include <array>
@@ -11,24 +11,32 @@
 
 namespace si::gl {
 
+/// Stopwatch for render passes, by OpenGL timer queries or by wall time, whichever is right for the driver.
 class PassClock {
 public:
-    /// Measures a known pass both ways. Queries are used when they report 0.5 to 2 times its finished wall time.
+    /// Calibrates with a known pass: queries are used when they report 0.5 to 2 times its wall time.
     PassClock();
+    /// Returns true when passes are timed by queries, false for wall time.
     bool uses_queries() const { return uses_queries_; }
-    double query_share() const { return query_share_; }  ///< query / wall time of the known pass
+    /// Returns query time over wall time of the calibration pass.
+    double query_share() const { return query_share_; }
+    /// Returns the name of the clock that times passes (queries or wall time), for reports.
     std::string name() const;
 
+    /// Starts timing a render pass; end() stops it.
     void begin();
-    /// Ends the pass begun last; returns its slot.
+    /// Stops timing the render pass begun last. Returns its slot for milliseconds().
     std::size_t end();
-    /// Milliseconds of a slot. Waits for the GPU when queries are used.
+    /// Returns the time of a pass in milliseconds. Waits for the GPU when queries are used.
+    /// @param slot from end()
     double milliseconds(std::size_t slot);
+    /// Frees all slots for the next frame.
     void reset() { used_ = 0; }
 
 private:
     bool uses_queries_ = true;
     double query_share_ = 0;
+    /// Queries or wall time of one timed pass.
     struct Slot {
         Query start, stop;
         double wall_ms = 0;

@@ -14,11 +14,10 @@ namespace {
 constexpr const char* kShaderFix =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
-/// A frame takes 5 to 40. On llvmpipe each takes some 4 MB, machine code and what it is made of (resident memory beside
-/// what is held by name, over 55 programs of a random trial); one that is asked for again is found in the driver's
-/// cache of shaders.
+/// Limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and intermediate
+/// data (measured over 55 programs); a program that is linked again comes from the driver's shader cache.
 constexpr std::size_t kMostPrograms = 64;
-constexpr std::size_t kRequestsAProgram = 64;  ///< that come to the same text and are remembered
+constexpr std::size_t kRequestsAProgram = 64;  ///< remembered requests that expand to the same text
 
 std::string info_log(GLuint id, bool program) {
     GLint length = 0;
@@ -102,11 +101,11 @@ GLuint ProgramCache::get(const ProgramRequest& request) {
         text_key.add(head).add(vertex).add(fragment);
         auto it = programs_.find(text_key.value());
         if (it == programs_.end()) {
-            // Vertex and fragment number their files apart; the log names the fragment's, where nearly all code is.
+            // Vertex and fragment shader number their files separately; the log names those of the fragment shader.
             files.resize(vertex_files);
             const auto& named = fragment_files.size() > files.size() ? fragment_files : files;
             Kept kept{build(head + vertex, head + fragment, request.fragment, named)};
-            kept.program.holds("texts of shader programs", 2 * head.size() + vertex.size() + fragment.size());
+            kept.program.track_memory("texts of shader programs", 2 * head.size() + vertex.size() + fragment.size());
             it = programs_.emplace(text_key.value(), std::move(kept)).first;
         }
         log_.clear();

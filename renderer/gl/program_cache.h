@@ -1,4 +1,4 @@
-// Programs by what they are made of: two source files, included techniques and defines.
+// Cache of linked OpenGL programs, by source files, included techniques and defines.
 #pragma once
 
 #include <string>
@@ -10,34 +10,42 @@
 
 namespace si::gl {
 
+/// A preprocessor definition for GLSL: "#define name value".
 struct Define {
     std::string name, value;
 };
 
+/// Description of an OpenGL program to compile: source files, includes and defines. Key of the ProgramCache.
 struct ProgramRequest {
     std::string_view vertex, fragment;  ///< below shaders/
     IncludeNames includes;
-    std::vector<Define> defines;  ///< only those that the sources mention enter the program
+    std::vector<Define> defines;  ///< those that the sources do not mention are ignored
     std::string preamble;         ///< text after the defines, e.g. a uniform block made from the settings table
 };
 
+/// Cache of linked OpenGL programs; compiles on a miss and again after a shader file changed. For one context.
 class ProgramCache {
 public:
     explicit ProgramCache(ShaderSource source = ShaderSource()) : source_(std::move(source)) {}
-    /// The linked program. A miss compiles; after a hot reload that does not compile, the last good program.
+    /// Returns the OpenGL name of the linked program for a request; compiles it on a miss. When a changed shader file
+    /// does not compile, the last good program is returned.
     /// @throws Error with the compile log and the file names when there is no good program.
     GLuint get(const ProgramRequest& request);
+    /// Returns the GLSL sources that programs are compiled from.
     ShaderSource& source() { return source_; }
+    /// Returns the log of the last failed compilation.
     const std::string& log() const { return log_; }
+    /// Returns the number of programs in the cache.
     std::size_t size() const { return programs_.size(); }
-    /// A frame ends: of what it did not use, the longest unused gives way until `most` programs are left; 0: as many as
-    /// are usually kept.
+    /// Ends a frame: deletes the least recently used programs until `most` are left. Programs that the frame used stay.
+    /// 0: the usual limit.
     void end_frame(std::size_t most = 0);
 
 private:
+    /// A program in the cache and the last frame that used it.
     struct Kept {
         Program program;
-        std::uint64_t used = 0;  ///< the last frame that did
+        std::uint64_t used = 0;  ///< last frame that used the program
     };
     ShaderSource source_;
     std::unordered_map<std::uint64_t, Kept*> by_request_;  // request and generation
@@ -45,7 +53,9 @@ private:
     std::unordered_map<std::uint64_t, Kept> programs_;     // final text
     std::uint64_t frame_ = 1;
     std::string log_;
+    /// Marks a cached program as used in this frame and returns its OpenGL name.
     GLuint use(Kept& kept) const;
+    /// Compiles and links a program from two final GLSL texts. @throws Error with the compile log and `files`
     Program build(const std::string& vertex, const std::string& fragment, std::string_view label,
                   const std::vector<std::string>& files) const;
 };

@@ -1,4 +1,5 @@
-// Traits of the driver's rasteriser that bias depends on: sub-pixel bits, and the steps of glPolygonOffset.
+// Driver properties that bias depends on: sub-pixel bits, and the equivalent depth bias of glPolygonOffset, which
+// OpenGL leaves to the driver.
 #pragma once
 
 #include <array>
@@ -7,12 +8,12 @@
 
 namespace si {
 
-inline constexpr std::size_t kMapFormats = 6;
+inline constexpr std::size_t kMapFormats = 6;  ///< number of MapFormat values
 
-/// How far the two parameters of glPolygonOffset(factor, units) move a plane's depth, as measured in maps of one
-/// format. OpenGL 4.5, 14.6.5: offset = m factor + r units, where m lies between the larger of |dz/dx| and |dz/dy| and
-/// their length, and r is "the smallest value that is guaranteed to produce a resolvable offset": steps of the format,
-/// and in float formats of the largest depth of the triangle. Unmeasured it holds the least that OpenGL allows.
+/// Depth shift that a driver makes of glPolygonOffset(factor, units) in maps of one format, as measured. OpenGL 4.5,
+/// 14.6.5: offset = m factor + r units. m lies between the larger of |dz/dx| and |dz/dy| and their length. r is "the
+/// smallest value that is guaranteed to produce a resolvable offset": a step of the format, for float formats at the
+/// largest depth of the triangle. Without a measurement the values are the least that OpenGL allows.
 struct PolygonOffset {
     bool measured = false;
     /// r = unit_depth + unit_steps x the format's step at the depth; one of the two is 0.
@@ -20,12 +21,13 @@ struct PolygonOffset {
     bool slope_is_length = false;  ///< m is the length of the depth's slope, else its larger component
     double slope_gain = 1;         ///< m over that
 
-    /// Depth of one unit at a depth where the format's step is `quantum`.
+    /// Returns the depth shift of units = 1 at a depth where the format's step is `quantum`.
     double unit(double quantum) const { return unit_depth + unit_steps * quantum; }
-    /// Depth of a factor of 1 where depth falls by `per_texel` along the axes of the map.
+    /// Returns the depth shift of factor = 1 on a plane. @param per_texel change of depth per texel along u and v
     double slope(const glm::dvec2& per_texel) const;
 };
 
+/// Properties of the driver's rasteriser that bias depends on.
 struct RasterTraits {
     int subpixel_bits = 0;                            ///< GL_SUBPIXEL_BITS
     std::array<PolygonOffset, kMapFormats> offset{};  ///< by MapFormat

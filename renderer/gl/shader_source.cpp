@@ -72,7 +72,7 @@ void ShaderSource::read_tree() {
         std::ifstream in(it->path(), std::ios::binary);
         std::ostringstream text;
         text << in.rdbuf();
-        // An editor that truncates before it writes shows an empty file for a moment.
+        // An editor that truncates before it writes leaves an empty file for a short time.
         if (!in || text.str().empty()) continue;
         times_[name] = time;
         texts_.insert_or_assign(name, text.str());
@@ -104,7 +104,7 @@ std::string ShaderSource::expand(std::string_view path, const IncludeNames& name
             continue;
         }
         std::string_view what = trimmed(trimmed(text).substr(8));
-        if (what.starts_with('<')) {  // of a header shared with C++
+        if (what.starts_with('<')) {  // a system header in a file shared with C++
             out.push_back('\n');
             continue;
         }

@@ -1,4 +1,4 @@
-// GLSL sources: embedded in the binary, or read from the tree and watched (development builds).
+// GLSL sources: embedded in the binary, or read from the source tree and watched (development builds).
 #pragma once
 
 #include <cstdint>
@@ -10,26 +10,30 @@
 
 namespace si::gl {
 
-/// Names that stand for a file in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
+/// Files by name in `#include NAME`, e.g. FILTER_FILE -> "filters/pcf.glsl".
 using IncludeNames = std::map<std::string, std::string, std::less<>>;
 
-/// Adds a text that every ShaderSource made from then on knows as `path` below shaders/, for what is not built in.
+/// Registers a GLSL text under `path` below shaders/, for techniques that are not built in. Every ShaderSource made
+/// afterwards knows it.
 void add_shader_text(std::string path, std::string text);
 
+/// GLSL files below shaders/, with include expansion and, in development builds, detection of saved files.
 class ShaderSource {
 public:
-    /// @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts alone. Development
-    /// builds watch their own tree.
+    /// Loads the GLSL files. @param tree a source tree whose shaders/ is read and watched; empty: the embedded texts
+    /// alone
     explicit ShaderSource(std::filesystem::path tree = default_tree());
-    /// The text of a file below shaders/ with its includes expanded (each file once, with #line marks).
-    /// `files` receives the paths in the order of their #line numbers.
+    /// Returns the text of a file below shaders/ with its includes expanded, each file once and with #line marks.
+    /// @param names files behind names in `#include NAME`
+    /// @param files receives the paths in the order of their #line numbers
     /// @throws Error naming file, line and the missing include.
     std::string expand(std::string_view path, const IncludeNames& names, std::vector<std::string>& files) const;
-    /// Rises whenever a watched file was saved. Constant when nothing is watched.
+    /// Returns a counter that grows whenever poll() finds a saved file. Constant when nothing is watched.
     std::uint64_t generation() const { return generation_; }
-    /// Looks at the watched files; true when the generation rose.
+    /// Reads watched GLSL files that were saved since the last call. Returns true when there were any.
     bool poll();
 
+    /// Returns the source tree that development builds watch; empty in other builds.
     static std::filesystem::path default_tree();
 
 private:
@@ -37,10 +41,11 @@ private:
     std::map<std::string, std::string, std::less<>> texts_;
     std::map<std::string, std::int64_t, std::less<>> times_;
     std::uint64_t generation_ = 1;
+    /// Reads all GLSL files of the source tree, with their times of change.
     void read_tree();
 };
 
-/// True when `text` mentions `identifier` as a whole word.
+/// Returns true when `text` contains `identifier` as a whole word.
 bool mentions(std::string_view text, std::string_view identifier);
 
 }  // namespace si::gl

@@ -40,7 +40,7 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
     format = internal_format;
     extent = more;
     track_image_memory(texture, label, more);
-    if (more.samples) return true;  // such textures have no sampler's state
+    if (more.samples) return true;  // multisampled textures have no sampler state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     glTextureParameteri(texture.id(), GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -61,7 +61,7 @@ void track_image_memory(Texture& texture, std::string_view holder, const TargetE
     for (int level = 0; level < extent.levels; ++level)
         texels +=
             of_level(level, GL_TEXTURE_WIDTH) * of_level(level, GL_TEXTURE_HEIGHT) * of_level(level, GL_TEXTURE_DEPTH);
-    texture.holds(holder, texels * std::uint64_t(std::max(extent.samples, 1)) * bits / 8);
+    texture.track_memory(holder, texels * std::uint64_t(std::max(extent.samples, 1)) * bits / 8);
 }
 
 namespace {

@@ -1,4 +1,4 @@
-// Textures one can draw into.
+// Textures as render targets, and framebuffers over them.
 #pragma once
 
 #include <bit>
@@ -9,50 +9,53 @@
 
 namespace si::gl {
 
-/// How many mip levels a texture of so many texels across has, down to a single texel.
+/// Returns the number of mip levels of a texture `texels` wide, down to one texel.
 constexpr int mip_levels(int texels) {
     return std::bit_width(unsigned(texels));
 }
 
-/// What else a target's texture may have.
+/// Mip levels and samples of a render target.
 struct TargetExtent {
     int levels = 1;   ///< mip levels
-    int samples = 0;  ///< of a multisampled texture, which has one layer and level; 0: it is none
+    int samples = 0;  ///< samples of a multisampled texture (one layer and level); 0: not multisampled
     bool operator==(const TargetExtent&) const = default;
 };
 
-/// A 2-D (array) texture with immutable storage; allocated anew only when its shape changes.
+/// A 2-D texture or texture array to draw into, with its size and the key of its contents.
 struct Target {
     Texture texture;
     int width = 0, height = 0, layers = 0;
     TargetExtent extent;
     GLenum format = 0;
-    std::uint64_t key = 0;  ///< of the contents; 0: undefined
+    std::uint64_t key = 0;  ///< cache key of the contents; 0: undefined
 
-    /// layers == 0 makes a plain 2-D texture. Returns true when it was allocated anew (contents undefined).
-    /// @throws Error when the driver is out of memory, naming the size.
+    /// Allocates the render target's texture unless it has this format and size already. Returns true when it was
+    /// allocated again: its contents are then undefined.
+    /// @param w,h texels @param layer_count 0: a plain 2-D texture
+    /// @throws OutOfMemory naming the size
     bool ensure(std::string_view label, GLenum internal_format, int w, int h, int layer_count = 0,
                 const TargetExtent& more = {});
 };
 
-/// Has a texture tell how many bytes its images take, as its format says. @param holder see TrackedMemory
+/// Counts the bytes of a texture's images in the memory report, by its format and size. @param holder see TrackedMemory
 void track_image_memory(Texture& texture, std::string_view holder, const TargetExtent& extent = {});
 
-/// A framebuffer of up to one colour and one depth attachment; layer -1 attaches whole textures.
+/// Creates a framebuffer with at most one colour and one depth attachment; null attaches none.
+/// @param colour_layer,depth_layer layer of an array texture; -1: all layers
 Framebuffer make_framebuffer(std::string_view label, const Target* colour, const Target* depth, int colour_layer = -1,
                              int depth_layer = -1);
 
-/// One of several colour attachments, in their order, and a depth.
+/// Creates a framebuffer with several colour attachments, in their order, and a depth attachment.
 Framebuffer make_framebuffer(std::string_view label, std::span<const Target> colours, const Target& depth);
 
-/// Each layer of an array texture as a colour attachment of its own.
+/// Creates a framebuffer in which each layer of an array texture is a colour attachment.
 Framebuffer make_layers_framebuffer(std::string_view label, const Target& colours);
 
-/// What images of one number a pixel are read back as: GL_RED, or GL_DEPTH_COMPONENT.
+/// Returns the pixel format for reading back an image with one channel: GL_RED, or GL_DEPTH_COMPONENT for depths.
 GLenum single_channel_format(GLenum internal_format);
 
-/// Before pixels are read back into memory: rows without gaps, and what is drawn is there. OpenGL promises the latter,
-/// but llvmpipe of Mesa 22.3 now and then hands out what a target held before, where all that is under way is a clear.
+/// Prepares OpenGL for reading pixels into memory: packs rows without gaps and waits for pending draws. OpenGL promises
+/// the wait, but llvmpipe (Mesa 22.3) sometimes returns the old contents of a target that is only being cleared.
 void prepare_read_back();
 
 }  // namespace si::gl

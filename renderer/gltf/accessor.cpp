@@ -12,8 +12,8 @@
 namespace si::gltf {
 namespace {
 
-/// What a file may decode to for each of its bytes: ample for sharing and quantisation, far below what a hostile file,
-/// which shows the same bytes again and again, could ask for.
+/// Limit of decoded bytes per byte of the file: ample for sharing and quantisation, far below a hostile file that
+/// refers to the same bytes many times.
 constexpr std::size_t kMostDecodedPerByte = 32, kAlwaysAllowedBytes = std::size_t{256} << 20;
 
 struct Source {
@@ -69,14 +69,14 @@ void convert(int component_type, const Source& source, int width, std::size_t co
     }
 }
 
-/// Indices of any type as 32-bit ones; returns the greatest. In blocks, which are in the cache when they are compared.
+/// Converts indices of any type to 32 bits and returns the largest. Works in blocks that stay in the CPU cache.
 template <class T>
 std::uint32_t widen(const Source& source, std::size_t count, std::uint32_t* out) {
     constexpr std::size_t kBlock = 4096;
     std::uint32_t greatest = 0;
     for (std::size_t first = 0; first < count; first += kBlock) {
         const std::size_t end = std::min(first + kBlock, count);
-        if (source.stride == sizeof(T)) {  // known to the compiler
+        if (source.stride == sizeof(T)) {  // constant stride, so that the compiler vectorises
             T values[kBlock];
             std::memcpy(values, source.data + first * sizeof(T), (end - first) * sizeof(T));
             std::copy_n(values, end - first, out + first);
@@ -92,7 +92,7 @@ std::uint32_t widen(const Source& source, std::size_t count, std::uint32_t* out)
     return greatest;
 }
 
-/// @param component_type one of those that widen()'s callers have checked: unsigned
+/// Converts indices to 32 bits and returns the largest. @param component_type unsigned; validated by the callers
 std::uint32_t widen(int component_type, const Source& source, std::size_t count, std::uint32_t* out) {
     switch (component_type) {
         case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
@@ -132,7 +132,7 @@ void Accessors::expect_width(int accessor, int expected, const Place& place) con
 }
 
 void Accessors::spend(int accessor, std::size_t bytes, const Place& place) {
-    // Have the buffer loaded, so that its size counts.
+    // Loads the buffer, so that its size counts.
     if (const int view = model_.accessors[static_cast<std::size_t>(accessor)].bufferView; view >= 0) {
         buffers_.view(static_cast<std::size_t>(view));
     }
@@ -262,9 +262,9 @@ std::vector<std::uint32_t> Accessors::indices(int accessor, const Place& place, 
         std::vector<std::uint32_t> values(positions.size());
         widen(a.componentType, {bytes.data(), component}, positions.size(), values.data());
         for (std::size_t i = 0; i < positions.size(); ++i) out[positions[i]] = values[i];
-        greatest = *std::max_element(out.begin(), out.end());  // some are gone
+        greatest = *std::max_element(out.begin(), out.end());  // sparse values have replaced some
     }
-    // The greatest value of the type restarts a primitive in OpenGL, which glTF forbids.
+    // The largest value of the type is primitive restart in OpenGL, which glTF forbids.
     const std::uint64_t restart = (std::uint64_t{1} << (8 * component)) - 1;
     if (greatest >= limit || greatest == restart) {
         context_.fail(

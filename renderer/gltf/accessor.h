@@ -1,4 +1,4 @@
-// Accessor data as floats and indices, whatever the file stores: any component type, normalised, interleaved, sparse.
+// Reader of glTF accessors: floats and indices from any component type, normalised, interleaved or sparse.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,31 +11,41 @@
 
 namespace si::gltf {
 
+/// Reader of the accessors of one glTF file.
 class Accessors {
 public:
     Accessors(Context& context, const tinygltf::Model& model, Buffers& buffers);
 
+    /// Returns the number of elements of a glTF accessor (an index of the file).
     std::size_t count(int accessor) const;
-    /// VEC4, VEC3, ... the number of components.
+    /// Returns the number of components of a glTF accessor's elements: 3 for VEC3.
     int width(int accessor) const;
 
-    /// `accessor` as N floats an element, normalised integers mapped to [0,1] or [-1,1] and others kept as they are.
-    /// With `pick`, only these elements, in that order; each must be below count().
-    /// @throws Error when the element type has another width.
+    /// Reads a glTF accessor as elements of N floats. Normalised integers are mapped to [0,1] or [-1,1], others keep
+    /// their value.
+    /// @param pick elements to read, in this order, each below count(); empty: all
+    /// @throws Error when the element type has another width
     template <int N>
     std::vector<glm::vec<N, float>> floats(int accessor, const Place& place, std::span<const std::uint32_t> pick = {});
 
+    /// Reads a glTF accessor of scalars. @param place position in the JSON, for errors
     std::vector<float> scalars(int accessor, const Place& place);
+    /// Reads a glTF accessor of 4 x 4 matrices. @param place position in the JSON, for errors
     std::vector<glm::mat4> matrices(int accessor, const Place& place);
-    /// Unsigned integers, each below `limit`. @throws Error naming the first that is not.
+    /// Reads a glTF accessor of unsigned integers below `limit`. @throws Error naming the first that is not.
     std::vector<std::uint32_t> indices(int accessor, const Place& place, std::size_t limit);
 
 private:
+    /// Converts elements of a glTF accessor to floats, `width` per element, into `out`.
     void read(int accessor, const Place& place, int width, std::span<const std::uint32_t> pick, float* out);
+    /// Overwrites elements in `out` by the sparse values of a glTF accessor.
     void overlay_sparse(int accessor, const Place& place, int width, float* out);
+    /// Returns the indices of the elements that a sparse glTF accessor overwrites.
     std::vector<std::uint32_t> sparse_positions(int accessor, const Place& place);
-    /// Counts decoded bytes, so that a small file that shows the same data a million times is refused.
+    /// Adds to the count of decoded bytes. @throws Error above a limit, so that a small file that refers to the same
+    /// data a million times is refused
     void spend(int accessor, std::size_t bytes, const Place& place);
+    /// Throws Error when the elements of a glTF accessor do not have `width` components.
     void expect_width(int accessor, int width, const Place& place) const;
 
     Context& context_;

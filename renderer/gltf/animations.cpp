@@ -32,7 +32,7 @@ public:
     Reader(const tinygltf::Model& model, Accessors& accessors, const std::vector<int>& scene_node)
         : model_(model), accessors_(accessors), scene_node_(scene_node) {}
 
-    /// Adds the channels of `json`; a reason when one of them is broken.
+    /// Reads the channels of an animation. Returns the reason when one of them is invalid, else an empty text.
     std::string read(const Json& json, const Place& place, Animation& out) {
         const Json *channels = array_of(json, "channels"), *samplers = array_of(json, "samplers");
         if (!channels || !samplers || channels->empty()) return "has no channels or no samplers";
@@ -49,7 +49,7 @@ private:
         if (!sampler) return "a channel has no valid sampler";
         const auto target = json.find("target");
         if (target == json.end() || !target->is_object()) return "a channel has no target";
-        if (!target->contains("node")) return "";  // left to extensions
+        if (!target->contains("node")) return "";  // targets of extensions are ignored
         const auto node = index_of(*target, "node", model_.nodes.size());
         if (!node) return "a channel's node does not exist";
         AnimationChannel channel;
@@ -57,7 +57,7 @@ private:
         const std::string broken = read_sampler(samplers[*sampler], place, channel);
         if (!broken.empty()) return broken;
         channel.node = scene_node_[*node];
-        // Nodes of other scenes, nodes placed by a matrix, and weights of a mesh without targets stay as they are.
+        // Channels for nodes of other scenes, nodes with a matrix, and weights without morph targets are ignored.
         if (channel.node < 0 || channel.width == 0) return "";
         if (channel.property != AnimatedProperty::Weights && model_.nodes[*node].matrix.size() == 16) return "";
         out.duration_s = std::max(out.duration_s, static_cast<double>(channel.times_s.back()));

@@ -23,12 +23,12 @@ Bytes Buffers::load(const Json& buffer, const Place& place) {
         const ResolvedUri resolved = resolve_uri(context_.path().parent_path(), uri);
         if (!resolved.error.empty()) {
             context_.fail(here, fmt::format("\"{}\": {}", uri.substr(0, 120), resolved.error),
-                          "put the file beside the model and name it by a relative path");
+                          "put the file next to the model and name it by a relative path");
         }
         read = read_regular_file(resolved.path, bytes_left_, [this](double) { context_.progress(0.4); });
         if (!read.error.empty()) {
             context_.fail(here, fmt::format("\"{}\" {}", uri.substr(0, 120), read.error),
-                          "put the whole file beside the model");
+                          "put the whole file next to the model");
         }
         spend(read.bytes.size);
     }

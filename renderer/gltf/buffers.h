@@ -1,4 +1,4 @@
-// The buffers of a glTF file: loaded on first use, from the GLB chunk, a data URI or a file beside the model.
+// Buffers of a glTF file: loaded on first use, from the GLB chunk, a data URI or a file in the model's folder.
 #pragma once
 
 #include <span>
@@ -10,21 +10,24 @@
 
 namespace si::gltf {
 
+/// Buffers and buffer views of one glTF file, loaded on first use and limited in total size.
 class Buffers {
 public:
     /// `root` and the bytes behind `container` must outlive this object.
     Buffers(Context& context, const Json& root, const Container& container);
-    /// byteLength bytes of buffer `i`. @throws Error when they cannot be had.
+    /// Returns the bytes of glTF buffer `i`; loads them on first use. @throws Error when they cannot be loaded.
     std::span<const std::uint8_t> buffer(std::size_t i);
-    /// The bytes of buffer view `i`, whose range check_data() has checked.
+    /// Returns the bytes of glTF buffer view `i`. Its range was validated by check_data().
     std::span<const std::uint8_t> view(std::size_t i);
-    /// Bytes that files and data URIs may still take.
+    /// Returns the bytes that files and data URIs may still take.
     std::size_t bytes_left() const { return bytes_left_; }
-    /// Bytes of all buffers used so far.
+    /// Returns the bytes of all buffers loaded so far.
     std::size_t bytes_loaded() const { return bytes_loaded_; }
+    /// Subtracts `bytes` from bytes_left().
     void spend(std::size_t bytes) { bytes_left_ -= std::min(bytes, bytes_left_); }
 
 private:
+    /// Loads the bytes of a glTF buffer from a data URI or a file. @throws Error
     Bytes load(const Json& buffer, const Place& place);
 
     Context& context_;

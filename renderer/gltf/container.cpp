@@ -65,7 +65,7 @@ Container split_container(Context& context, std::span<const std::uint8_t> file) 
         }
         at += 8 + length;
     }
-    // Some writers pad with NUL where spaces are asked for.
+    // Some exporters pad with NUL instead of spaces.
     while (!out.json.empty() && out.json.back() == '\0') out.json.remove_suffix(1);
     return out;
 }

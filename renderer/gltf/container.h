@@ -1,4 +1,4 @@
-// The outer shell of a glTF file: plain JSON, or the chunks of a GLB.
+// Container of a glTF file: plain JSON, or the chunks of a GLB.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 
 namespace si::gltf {
 
+/// JSON text and binary chunk of a glTF file; both point into the file's bytes.
 struct Container {
     std::string_view json;
     std::span<const std::uint8_t> bin;
@@ -16,7 +17,8 @@ struct Container {
     bool is_glb = false;
 };
 
-/// Tells GLB from JSON by its first bytes, not by the file's name, and checks every length (glTF 2.0, section 4).
+/// Splits the bytes of a glTF file into JSON and binary chunk. Recognises GLB by its first bytes, not by the file's
+/// name, and validates every length (glTF 2.0, section 4).
 /// @throws Error when it is neither, or a chunk passes the end of the file.
 Container split_container(Context& context, std::span<const std::uint8_t> file);
 

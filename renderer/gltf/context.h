@@ -1,4 +1,4 @@
-// What every step of loading one glTF file shares: how to refuse, warn, report progress and be cancelled.
+// Errors, warnings, progress and cancellation, shared by all steps of loading one glTF file.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,8 @@
 
 namespace si::gltf {
 
-/// A position in the JSON, "meshes[3].primitives[0].attributes"; costs nothing until text() is asked for.
+/// Position in the JSON of a glTF file, "meshes[3].primitives[0].attributes", for errors and warnings. A chain of
+/// pointers to parents: only text() allocates.
 struct Place {
     const Place* up = nullptr;
     std::string_view name;
@@ -18,29 +19,37 @@ struct Place {
 
     Place(std::string_view name_, std::int64_t index_ = -1) : name(name_), index(index_) {}
     Place(const Place& up_, std::string_view name_, std::int64_t index_ = -1) : up(&up_), name(name_), index(index_) {}
+    /// Formats a position in a glTF file: "meshes[3].primitives[0]".
     std::string text() const;
 };
 
-/// The remedy where a file breaks the format.
+/// Fix that errors name where a file violates the format.
 inline constexpr std::string_view kRepairHint = "repair the file or export it again";
 
+/// Errors, warnings and progress of loading one glTF file.
 class Context {
 public:
     Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);
 
-    /// @throws Error "FILE: place: what; remedy", one line, made printable.
+    /// Throws Error "FILE: place: what; fix", one printable line.
+    /// @param what the problem @param fix advice for the user
     [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix) const;
+    /// Throws Error "FILE: what; fix" for a problem of the whole glTF file.
     [[noreturn]] void fail(std::string_view what, std::string_view fix) const;
-    /// Keeps the first hundred warnings and counts the others.
+    /// Records a warning about a position in the glTF file; after the first hundred it only counts them.
     void warn(const Place& place, std::string_view what);
+    /// Records a warning about the whole glTF file; after the first hundred it only counts them.
     void warn(std::string_view what);
-    /// Appends the count of warnings not kept; once, at the end.
+    /// Appends the number of glTF warnings that were only counted. Call once, at the end.
     void close_warnings();
 
-    /// Never falls, whatever order the steps report in. @throws Error "cancelled" when the callback returns false.
+    /// Reports loading progress 0..1 to the caller's callback, never less than before.
+    /// @throws Error "cancelled" when the callback returns false.
     void progress(double fraction);
 
+    /// Returns the path of the glTF file.
     const std::filesystem::path& path() const { return path_; }
+    /// Returns the options of load_gltf().
     const GltfOptions& options() const { return options_; }
 
 private:

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kMostSuggestions = 100000;  // three for each of 30,000 objects
 
-/// Our part of an object's extras, or null.
+/// Returns this program's part of an object's extras, or null.
 const Json* own_extras(const Json& object) {
     const auto extras = object.find("extras");
     if (extras == object.end() || !extras->is_object()) return nullptr;

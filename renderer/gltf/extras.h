@@ -1,4 +1,4 @@
-// What this program's exporter keeps in glTF extras, where the format has no place for it.
+// Data in glTF extras that this program's exporter writes where the format has no field.
 #pragma once
 
 #include "renderer/gltf/context.h"
@@ -7,14 +7,14 @@
 
 namespace si::gltf {
 
-/// The member under which the exporter writes, so that other programs' extras mean nothing here.
+/// Member of extras under which the exporter writes; extras of other programs are ignored.
 inline constexpr const char* kExtrasKey = "shadow_inspector";
 
-/// Sentence and suggested settings of the scene that is shown. What is no setting, or no value of it, is left out with
-/// a warning.
+/// Reads description and suggested settings of a scene from its glTF extras. Unknown settings and values are skipped
+/// with a warning. @param scene_index scene of the file; -1: the default one
 void read_scene_extras(Context& context, const Json& root, int scene_index, Scene& scene);
 
-/// Whether the exporter marked a number of a camera ("znear_automatic") as a stand-in.
+/// Returns true when the exporter marked a number of a camera as automatic. @param name "znear_automatic"
 bool is_automatic_camera_field(const Json& camera, const char* name);
 
 }  // namespace si::gltf

@@ -38,12 +38,12 @@ Bytes::Bytes(std::size_t wanted) : size(wanted) {
     void* block = large ? std::aligned_alloc(kHugePage, whole) : std::malloc(std::max<std::size_t>(size, 1));
     data.reset(static_cast<std::uint8_t*>(block));
     if (!data) throw std::bad_alloc();
-    if (large) ::madvise(data.get(), whole, MADV_HUGEPAGE);  // a wish: without it all is well, but slower
+    if (large) ::madvise(data.get(), whole, MADV_HUGEPAGE);  // only a hint: small pages are slower
 }
 
 ReadResult read_regular_file(const std::filesystem::path& path, std::size_t max_bytes,
                              const std::function<void(double)>& progress) {
-    // O_NONBLOCK: opening a FIFO without a writer would wait for ever.
+    // O_NONBLOCK: opening a FIFO without a writer would wait forever.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (file.fd < 0) return failed(fmt::format("cannot be opened ({})", std::strerror(errno)));
     struct stat status {};

@@ -1,4 +1,4 @@
-// glTF 2.0 files in and out.
+// Loading and saving of glTF 2.0 files.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,19 @@
 
 namespace si {
 
+/// Options of load_gltf().
 struct GltfOptions {
-    /// Called now and then with 0..1; returning false cancels (load_gltf throws Error "cancelled").
+    /// Progress callback, called with 0..1; returning false cancels (load_gltf throws Error "cancelled").
     std::function<bool(double)> progress;
     std::size_t max_file_bytes = std::size_t{4} << 30;
-    int scene = -1;  ///< which scene of the file; -1: its default
+    int scene = -1;  ///< index of the scene in the file; -1: the file's default
 };
 
-/// Reads a .gltf or .glb file. @throws Error naming file, place in it and remedy.
+/// Loads a scene from a .gltf or .glb file. @throws Error naming file, position in it and fix.
 Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options = {});
 
-/// Writes a scene as one self-contained .gltf (JSON with embedded buffers) or .glb, by extension; atomically.
+/// Saves a scene as one self-contained file, atomically: .gltf (JSON with embedded buffers) or .glb, by extension.
+/// @throws Error naming the file
 void save_gltf(const Scene& scene, const std::filesystem::path& path);
 
 }  // namespace si

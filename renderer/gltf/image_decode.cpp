@@ -25,7 +25,7 @@ std::size_t decoding_bytes(std::span<const std::uint8_t> bytes) {
     const int size = static_cast<int>(bytes.size());
     if (stbi_info_from_memory(bytes.data(), size, &width, &height, &channels) == 0 || width <= 0 || height <= 0)
         return 0;
-    // stb holds the filtered rows and the widened pixels at once; 16-bit files take twice as much and a narrowed copy.
+    // stb keeps filtered rows and converted pixels at once; 16-bit files take twice as much and an 8-bit copy.
     const std::size_t per_pixel = stbi_is_16_bit_from_memory(bytes.data(), size) != 0 ? 20 : 12;
     return static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * per_pixel;
 }

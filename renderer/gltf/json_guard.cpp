@@ -14,7 +14,7 @@ namespace {
 constexpr int kDeepest = 64;
 constexpr std::size_t kMostValues = 8'000'000;
 
-/// "2.0" -> {2, 0}; {-1, -1} when it is no version.
+/// Parses a version: "2.0" gives {2, 0}; {-1, -1} when it is none.
 std::array<int, 2> version_numbers(const std::string& text) {
     std::array<int, 2> out{-1, -1};
     const char* end = text.data() + text.size();
@@ -33,7 +33,7 @@ bool is_read_here(const std::string& extension) {
     return std::find(std::begin(kRead), std::end(kRead), extension) != std::end(kRead);
 }
 
-/// Extensions that change only how surfaces look; the geometry without them is right.
+/// Returns true for extensions that change only the look of surfaces, so that the geometry is right without them.
 bool is_only_look(const std::string& extension) {
     static constexpr std::string_view kTexture[] = {"KHR_texture_basisu", "EXT_texture_webp", "EXT_texture_avif",
                                                     "MSFT_texture_dds", "KHR_xmp_json_ld"};

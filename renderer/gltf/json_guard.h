@@ -1,4 +1,4 @@
-// JSON text to a tree, with bounds on depth and size that hold before any memory is spent.
+// JSON parser with limits on depth and size that are checked before memory is allocated.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -10,14 +10,16 @@ namespace si::gltf {
 
 using Json = nlohmann::json;
 
-/// @throws Error on broken JSON (with line and column), nesting beyond 64 or more than 8 million values.
+/// Parses the JSON text of a glTF file.
+/// @throws Error on invalid JSON (with line and column), nesting above 64 or more than 8 million values
 Json parse_json(Context& context, std::string_view text);
 
-/// Rejects what is not glTF 2.x (asset.version, asset.minVersion) and required extensions that are not read here.
+/// Checks that a glTF document has version 2.x and requires only extensions that this loader reads.
+/// @throws Error naming version or extension
 void check_asset_and_extensions(Context& context, const Json& root);
 
-/// The text of `root` without extras, extensions, buffers, images, cameras and animations: everything that tinygltf
-/// would open, decode or recurse into. What remains is plain data that it can only copy.
+/// Serialises a glTF document for tinygltf, without extras, extensions, buffers, images, cameras and animations. These
+/// are the parts that tinygltf would open, decode or recurse into; the rest is plain data that it copies.
 std::string core_text(const Json& root);
 
 }  // namespace si::gltf

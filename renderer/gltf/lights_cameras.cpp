@@ -1,4 +1,4 @@
-// KHR_lights_punctual and cameras.
+// Lights (KHR_lights_punctual) and cameras of a glTF file.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -12,7 +12,7 @@
 namespace si::gltf {
 namespace {
 
-/// `object[key]` when it is a number within [least, most]; `otherwise` when absent; nothing when it is anything else.
+/// Returns `object[key]` when it is a number in [least, most], `otherwise` when it is absent, else nothing.
 std::optional<double> number(const Json& object, const char* key, double least, double most, double otherwise) {
     const auto it = object.find(key);
     if (it == object.end()) return otherwise;
@@ -33,8 +33,7 @@ const Json* member(const Json& object, const char* key) {
     return it == object.end() ? nullptr : &*it;
 }
 
-/// The light definition that a node refers to; null with a warning when the reference is broken, null when there is
-/// none.
+/// Returns the light definition that a node refers to; null without one, and with a warning for an invalid reference.
 const Json* referenced_light(Context& context, const Json& root, const Json& node, const Place& place) {
     const Json* extensions = member(node, "extensions");
     const Json* extension = extensions ? member(*extensions, "KHR_lights_punctual") : nullptr;

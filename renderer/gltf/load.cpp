@@ -1,4 +1,4 @@
-// load_gltf: the steps in order.
+// load_gltf() and the order of its steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void load(Context& context, Scene& scene) {
     Textures textures(context, root, model, buffers, scene);
     Materials materials(context, root, model, textures, scene);
     Primitives primitives(context, model, accessors, materials, scene);
-    const Placed placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
+    const PlacedNodes placed = place_nodes(context, root, model, accessors, primitives, context.options().scene, scene);
     add_rig(context, root, model, accessors, primitives, placed, scene);
     textures.decode();
     if (scene.objects.empty()) context.warn("the file has no triangles to show");
@@ -62,7 +62,8 @@ void load(Context& context, Scene& scene) {
 
 namespace {
 
-/// Foliage that is blended casts by its mask: a tree without the shadow of its leaves is none.
+/// Suggests that blended surfaces cast shadows by their alpha mask, where they are a large part of the scene: blended
+/// foliage would otherwise cast none.
 void suggest_casters(Scene& scene) {
     constexpr std::string_view kKey = "caster.blend";
     if (std::ranges::any_of(scene.suggested, [&](const auto& row) { return row.first == kKey; })) return;
@@ -95,7 +96,7 @@ Scene load_gltf(const std::filesystem::path& path, const GltfOptions& options) {
         context.close_warnings();
         context.progress(0.95);
         finalise(scene);
-        // What an export wrote of lights changed by hand is not undone by the lights themselves.
+        // Exported light settings that the user changed take precedence over those that the lights suggest.
         const auto of_lights = [](const auto& row) { return row.first.starts_with("light."); };
         if (std::ranges::none_of(scene.suggested, of_lights)) suggest_lights(scene);
         suggest_casters(scene);

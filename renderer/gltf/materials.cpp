@@ -43,7 +43,7 @@ const Json* extension(const Json& object, const char* name) {
     return it == extensions->end() ? nullptr : &*it;
 }
 
-/// The texture info at `owner[key]`; null when absent. check_look() has made sure that it is an object.
+/// Returns the texture info at `owner[key]`; null when absent. check_look() has validated that it is an object.
 const Json* texture_info(const Json& owner, const char* key) {
     const auto it = owner.find(key);
     return it == owner.end() ? nullptr : &*it;
@@ -53,7 +53,7 @@ const Json* texture_info(const Json& owner, const char* key) {
 
 void UvSource::apply(std::vector<glm::vec2>& uv) const {
     if (is_plain()) return;
-    // KHR_texture_transform: translation * rotation * scale, the rotation counter-clockwise as seen with v downwards.
+    // KHR_texture_transform: translation * rotation * scale; the rotation is counter-clockwise with v downwards.
     const double c = std::cos(rotation_rad), s = std::sin(rotation_rad);
     for (glm::vec2& t : uv) {
         const glm::dvec2 p = glm::dvec2(t) * scale;

@@ -1,33 +1,39 @@
-// Materials, and which texture coordinates of a mesh their textures read.
+// Materials of a glTF file, and the texture coordinates that their textures read.
 #pragma once
 
 #include "renderer/gltf/textures.h"
 
 namespace si::gltf {
 
-/// KHR_texture_transform and texCoord of one texture reference; set -1: no texture.
+/// Texture coordinates that one texture reads: the set (texCoord) and its transform (KHR_texture_transform).
 struct UvSource {
-    int set = -1;
+    int set = -1;  ///< index of TEXCOORD_n; -1: no texture
     glm::dvec2 offset{0}, scale{1};
     double rotation_rad = 0;
 
     bool operator==(const UvSource&) const = default;
+    /// Returns true when texture coordinates are not transformed.
     bool is_plain() const { return offset == glm::dvec2(0) && scale == glm::dvec2(1) && rotation_rad == 0; }
+    /// Applies KHR_texture_transform to texture coordinates in place.
     void apply(std::vector<glm::vec2>& uv) const;
 };
 
+/// Texture coordinates that the two textures of a material read.
 struct MaterialUv {
     UvSource base_colour, normal;
 };
 
+/// Materials of one glTF file; textures are requested when a material is first used.
 class Materials {
 public:
     /// Copies all materials into the scene, still without textures.
     Materials(Context& context, const Json& root, const tinygltf::Model& model, Textures& textures, Scene& scene);
-    /// Where material `i` (-1: the default one) reads its coordinates; on first use asks for its textures.
+    /// Marks a glTF material (index; -1: the default one) as used, which requests its textures the first time. Returns
+    /// the texture coordinates that it reads.
     const MaterialUv& use(int i);
 
 private:
+    /// Reads texCoord and KHR_texture_transform of a texture reference.
     UvSource uv_source(const Json& texture_info, const Place& place);
 
     Context& context_;

@@ -36,7 +36,7 @@ std::vector<int> scene_roots(Context& context, const tinygltf::Model& model, int
         }
         return roots;
     }
-    // Without scenes, every node without a parent is shown.
+    // A file without scenes shows all root nodes.
     std::vector<char> has_parent(model.nodes.size(), 0);
     for (const auto& node : model.nodes) {
         for (const int child : node.children) has_parent[static_cast<std::size_t>(child)] = 1;
@@ -108,13 +108,13 @@ glm::dmat4 local_transform(Context& context, const tinygltf::Node& node, const P
     return m;
 }
 
-Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-                   Primitives& primitives, int scene_index, Scene& scene) {
+PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+                        Primitives& primitives, int scene_index, Scene& scene) {
     struct Visit {
         int node;
         int parent;
     };
-    Placed placed;
+    PlacedNodes placed;
     placed.scene_node.assign(model.nodes.size(), -1);
     std::vector<Visit> stack;
     const auto push_reversed = [&](const std::vector<int>& nodes, int parent) {

@@ -1,31 +1,35 @@
-// The node hierarchy of one glTF scene, and the meshes, cameras, lights and instances placed in it.
+// Node hierarchy of one glTF scene, with the meshes, cameras, lights and instances that its nodes place.
 #pragma once
 
 #include "renderer/gltf/primitives.h"
 
 namespace si::gltf {
 
-/// Where things of the file came to lie in the scene.
-struct Placed {
-    std::vector<int> scene_node;                 ///< for each glTF node; -1: not in this scene
+/// Indices in the scene of nodes, cameras and lights of a glTF file.
+struct PlacedNodes {
+    std::vector<int> scene_node;                 ///< scene node of each glTF node; -1: not in this scene
     std::vector<int> camera_nodes, light_nodes;  ///< scene node of each of the scene's cameras and lights
-    std::vector<int> deformed;  ///< glTF nodes whose mesh has a skin or morph targets; they still lack their objects
+    std::vector<int> deformed;  ///< glTF nodes whose mesh has a skin or morph targets; add_rig() adds their objects
 };
 
-/// Appends nodes (parents first), rigid objects, cameras and lights of glTF scene `scene_index` (-1: the default one).
-Placed place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-                   Primitives& primitives, int scene_index, Scene& scene);
+/// Adds the nodes (parents first), rigid objects, cameras and lights of a glTF scene to `scene`.
+/// @param scene_index scene of the file; -1: the default one
+PlacedNodes place_nodes(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
+                        Primitives& primitives, int scene_index, Scene& scene);
 
-/// Local transform of a glTF node: its matrix, or translation * rotation * scale.
+/// Returns the local transform of a glTF node: its matrix, or translation * rotation * scale.
 glm::dmat4 local_transform(Context& context, const tinygltf::Node& node, const Place& place);
 
-/// KHR_lights_punctual and cameras of a node; unusable ones are left out with a warning.
+/// Adds the light of a glTF node (KHR_lights_punctual), if any, to the scene. An unusable light is skipped with a
+/// warning. @param world transform of the node
 void place_light(Context& context, const Json& root, const Json& node, const Place& place, const glm::dmat4& world,
                  Scene& scene);
+/// Adds the camera of a glTF node, if any, to the scene. An unusable camera is skipped with a warning.
+/// @param world transform of the node
 void place_camera(Context& context, const Json& root, const Json& node, const Place& place, const glm::dmat4& world,
                   Scene& scene);
 
-/// EXT_mesh_gpu_instancing of a node: one transform for each instance; nothing when the node has none.
+/// Reads the instance transforms of a glTF node (EXT_mesh_gpu_instancing); nothing when the node has no instances.
 std::optional<std::vector<glm::dmat4>> instance_transforms(Context& context, const Json& node, const Place& place,
                                                            Accessors& accessors, std::size_t accessor_count);
 

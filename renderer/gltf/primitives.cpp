@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint32_t kUnused = 0xffffffff;
 
-/// The corners of strips and fans as a triangle list (glTF 2.0, section 3.7.2.1). Triangles that a strip repeats a
-/// vertex in only join its parts and are left out.
+/// Converts strips and fans to a triangle list (glTF 2.0, section 3.7.2.1). Triangles with a repeated vertex only join
+/// parts of a strip and are dropped.
 std::vector<std::uint32_t> as_triangle_list(const std::vector<std::uint32_t>& in, int mode) {
     std::vector<std::uint32_t> out;
     if (in.size() < 3) return out;
@@ -33,7 +33,7 @@ std::vector<std::uint32_t> as_triangle_list(const std::vector<std::uint32_t>& in
     return out;
 }
 
-/// Beyond this, squared lengths overflow a float.
+/// Limit of coordinates: the squared length of larger ones overflows a float.
 constexpr float kFarthest = 1e18f;
 
 }  // namespace
@@ -58,7 +58,7 @@ const std::vector<int>& Primitives::of_mesh(int mesh) {
 int Primitives::share(const tinygltf::Primitive& primitive, const Place& place, const std::string& name) {
     std::vector<int> key{primitive.mode, primitive.indices, primitive.material};
     for (const auto& [attribute, accessor] : primitive.attributes) {
-        // Names are ordered in the map, but which are present is part of the key too.
+        // The names of the present attributes are part of the key.
         key.push_back(static_cast<int>(std::hash<std::string>{}(attribute)&0x7fffffff));
         key.push_back(accessor);
     }
@@ -125,7 +125,7 @@ std::optional<Mesh> Primitives::make(const tinygltf::Primitive& primitive, const
         context_.warn(place, "has no triangles");
         return std::nullopt;
     }
-    // Several primitives may show parts of one big vertex array: take only the vertices in use.
+    // Several primitives may use parts of one large vertex array: keep only the vertices in use.
     if (mesh.indices.size() < vertex_count) pick = compact(mesh.indices.edit(), vertex_count);
     read_attributes(primitive, place, pick, mesh);
     if (!all_within(mesh.positions.all(), kFarthest)) {

@@ -19,7 +19,7 @@ void gather(std::vector<T>& values, const std::vector<std::uint32_t>& from) {
     values = std::move(out);
 }
 
-/// Gives each triangle vertices of its own, so that flat normals can follow it; `pick` follows.
+/// Splits all vertices, so that each triangle has its own three and can have a flat normal; updates `pick` too.
 void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
     const std::vector<std::uint32_t> from = mesh.indices;
     gather(mesh.positions.edit(), from);
@@ -38,7 +38,7 @@ void unweld(Mesh& mesh, std::vector<std::uint32_t>& pick) {
 class Builder {
 public:
     Builder(Context& context, const tinygltf::Model& model, Accessors& accessors, Primitives& primitives,
-            const Placed& placed, Scene& scene)
+            const PlacedNodes& placed, Scene& scene)
         : context_(context),
           model_(model),
           accessors_(accessors),
@@ -46,7 +46,7 @@ public:
           placed_(placed),
           scene_(scene) {}
 
-    /// Meshes and objects of glTF node `node`.
+    /// Adds the deformed meshes and objects of glTF node `node`.
     void add(int node) {
         const tinygltf::Node& from = model_.nodes[static_cast<std::size_t>(node)];
         const tinygltf::Mesh& mesh = model_.meshes[static_cast<std::size_t>(from.mesh)];
@@ -86,7 +86,7 @@ private:
         std::shared_ptr<const DeformSource> source;  ///< null: nothing to draw
     };
 
-    /// A root node for a skinned object, which the transform of its own node must not move (glTF 2.0, section 3.7.3.3).
+    /// Adds a root node for a skinned object, as its own node's transform must not move it (glTF 2.0, section 3.7.3.3).
     int add_placement(int scene_node) {
         Node node;
         node.name = scene_.nodes[static_cast<std::size_t>(scene_node)].name + " (skinned)";
@@ -211,7 +211,7 @@ private:
     const tinygltf::Model& model_;
     Accessors& accessors_;
     Primitives& primitives_;
-    const Placed& placed_;
+    const PlacedNodes& placed_;
     Scene& scene_;
     std::map<int, std::shared_ptr<const Skin>> skins_;
     std::map<std::tuple<int, std::size_t, int>, Part> parts_;
@@ -239,7 +239,7 @@ NodeRestPose rest_of(const tinygltf::Model& model, const tinygltf::Node& node) {
 }  // namespace
 
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-             Primitives& primitives, const Placed& placed, Scene& scene) {
+             Primitives& primitives, const PlacedNodes& placed, Scene& scene) {
     auto rig = std::make_shared<Rig>();
     rig->animations = read_animations(context, root, model, accessors, placed.scene_node);
     if (rig->animations.empty() && placed.deformed.empty()) return;

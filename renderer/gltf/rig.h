@@ -1,4 +1,4 @@
-// What moves in a glTF file: skins, morph targets and animations, as the scene's rig.
+// Skins, morph targets and animations of a glTF file, converted to the scene's rig.
 #pragma once
 
 #include "renderer/gltf/nodes.h"
@@ -6,12 +6,13 @@
 
 namespace si::gltf {
 
-/// Adds the deformed meshes of `placed`, reads the animations and poses the scene at rest. A scene in which nothing
-/// moves gets no rig.
+/// Adds the deformed meshes of the nodes in `placed` and the animations of a glTF file to a scene, and applies the rest
+/// pose. A scene without animation gets no rig.
 void add_rig(Context& context, const Json& root, const tinygltf::Model& model, Accessors& accessors,
-             Primitives& primitives, const Placed& placed, Scene& scene);
+             Primitives& primitives, const PlacedNodes& placed, Scene& scene);
 
-/// The animations of the file; one that is broken is left out with a warning.
+/// Reads the animations of a glTF file; an invalid one is skipped with a warning.
+/// @param scene_node scene node of each glTF node; -1: not in the scene
 std::vector<Animation> read_animations(Context& context, const Json& root, const tinygltf::Model& model,
                                        Accessors& accessors, const std::vector<int>& scene_node);
 

@@ -1,4 +1,4 @@
-// The glTF 2.0 document checked as a whole before anything reads it: every index, range, type and reference.
+// Validation of a whole glTF 2.0 document before anything reads it: every index, range, type and reference.
 #pragma once
 
 #include <cstdint>
@@ -9,24 +9,30 @@
 
 namespace si::gltf {
 
-/// One JSON object read field by field; every getter throws Error naming the field when its value is of the wrong kind.
+/// Typed access to the fields of one JSON object of a glTF file. Every getter throws Error naming the field when its
+/// value has the wrong type.
 class Fields {
 public:
     Fields(const Context& context, const Json& object, const Place& place);
+    /// Returns true when the object has a field `key`.
     bool has(const char* key) const { return object_.contains(key); }
-    /// A whole number of 0..most; absent gives nothing.
+    /// Returns a JSON field as a whole number of 0..most; nothing when absent. @throws Error
     std::optional<std::uint64_t> whole(const char* key, std::uint64_t most) const;
+    /// Returns a JSON field as a whole number of 0..most. @throws Error, also when absent
     std::uint64_t whole_required(const char* key, std::uint64_t most) const;
-    /// An index below `size`.
+    /// Returns a JSON field as an index below `size`; nothing when absent. @throws Error
     std::optional<std::size_t> index(const char* key, std::size_t size) const;
+    /// Returns a JSON field as an index below `size`. @throws Error, also when absent
     std::size_t index_required(const char* key, std::size_t size) const;
+    /// Returns a JSON field as a string; nothing when absent. @throws Error
     std::optional<std::string> string(const char* key) const;
-    /// `n` finite numbers.
+    /// Returns a JSON field as an array of `n` finite numbers; nothing when absent. @throws Error
     std::optional<std::vector<double>> numbers(const char* key, std::size_t n) const;
-    /// An array of indices below `size`.
+    /// Returns a JSON field as an array of indices below `size`; empty when absent. @throws Error
     std::vector<std::size_t> indices(const char* key, std::size_t size) const;
-    /// The object under `key`, which must be there.
+    /// Returns a JSON field that is an object. @throws Error, also when absent
     const Json& object(const char* key) const;
+    /// Returns the position of this object in the glTF file.
     const Place& place() const { return place_; }
 
 private:
@@ -35,30 +41,34 @@ private:
     const Place& place_;
 };
 
-/// The index in `value`, below `size`. @throws Error naming `place`.
+/// Returns a JSON value as an index below `size`. @throws Error naming `place`.
 std::size_t checked_index(const Context& context, const Json& value, const Place& place, std::size_t size);
 
-/// How many elements each top-level array has.
+/// Number of elements of each top-level array of a glTF file.
 struct Sizes {
     std::size_t buffers = 0, views = 0, accessors = 0, meshes = 0, nodes = 0, scenes = 0, materials = 0, textures = 0,
                 samplers = 0, images = 0, cameras = 0, skins = 0, animations = 0;
 };
 
-/// Counts the arrays; @throws Error when one is no array of objects or they would need more than 512 MiB.
+/// Counts the elements of all top-level arrays of a glTF file.
+/// @throws Error when one is no array of objects, or they would need more than 512 MiB
 Sizes check_arrays(const Context& context, const Json& root);
 
-/// Ranges of buffers, views and accessors, sparse ones included, in 64 bit without wrap-around.
+/// Validates the byte ranges of all buffers, views and accessors (sparse ones too) of a glTF file. @throws Error
 void check_data(const Context& context, const Json& root, const Sizes& sizes);
 
-/// References and the node graph: a forest (one parent at most, no cycle) at most 512 levels deep.
+/// Validates the references and the node graph of a glTF file: a forest (at most one parent, no cycle), at most 512
+/// levels deep. @throws Error
 void check_graph(Context& context, const Json& root, const Sizes& sizes);
 
-/// Materials, textures and samplers; values that only harm the look are erased from `root` with a warning.
+/// Validates materials, textures and samplers of a glTF file. Wrong values that affect the look alone are erased from
+/// `root` with a warning. @throws Error for others
 void check_look(Context& context, Json& root, const Sizes& sizes);
 
-/// Bytes of one component; 0 for a type that glTF 2.0 has not.
+/// Returns the bytes of one component of a glTF componentType; 0 for an unknown type.
 std::size_t component_bytes(std::uint64_t component_type);
-/// Bytes of one element, the column padding of matrices included (glTF 2.0, section 3.6.2.4); 0 for an unknown type.
+/// Returns the bytes of one accessor element, with the column padding of matrices (glTF 2.0, section 3.6.2.4); 0 for an
+/// unknown type. @param type "VEC3"
 std::size_t element_bytes(std::string_view type, std::uint64_t component_type);
 
 }  // namespace si::gltf

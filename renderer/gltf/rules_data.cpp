@@ -1,4 +1,4 @@
-// Buffers, buffer views and accessors: sizes and ranges.
+// Validation of sizes and ranges of buffers, buffer views and accessors.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,9 +8,9 @@
 namespace si::gltf {
 namespace {
 
-constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40;  ///< sums of a few of these stay far from 2^64
+constexpr std::uint64_t kMostBytes = std::uint64_t{1} << 40;  ///< sums of a few such values do not overflow 64 bits
 constexpr std::uint64_t kMostElements = std::uint64_t{1} << 32;
-constexpr std::uint64_t kMostZeros = std::uint64_t{1} << 22;  ///< elements that no bytes of the file back
+constexpr std::uint64_t kMostZeros = std::uint64_t{1} << 22;  ///< elements of accessors without data, which are 0
 
 struct View {
     std::uint64_t bytes = 0, stride = 0;
@@ -52,7 +52,7 @@ std::vector<View> check_views(const Context& context, const Json& root, const st
     return out;
 }
 
-/// @throws Error unless `count` elements of `element` bytes, `stride` apart, lie inside the view.
+/// Throws Error unless `count` elements of `element` bytes, `stride` apart, lie inside the view.
 void check_range(const Context& context, const Place& place, const View& view, std::uint64_t offset,
                  std::uint64_t count, std::uint64_t stride, std::uint64_t element) {
     // At most 2^40 + 2^32 * 2^16 + small: no wrap-around.
@@ -80,7 +80,7 @@ void check_sparse(const Context& context, const Json& accessor, const Place& acc
     }
     const auto check = [&](const Fields& part, std::uint64_t bytes) {
         const std::size_t view = part.index_required("bufferView", views.size());
-        // tinygltf keeps these offsets in 32 bit.
+        // tinygltf stores these offsets in 32 bits.
         const std::uint64_t offset = part.whole("byteOffset", 0x7fffffff).value_or(0);
         check_range(context, part.place(), views[view], offset, changed, bytes, bytes);
     };

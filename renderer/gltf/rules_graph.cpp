@@ -1,4 +1,4 @@
-// Sizes of the arrays, references between them, and the node graph.
+// Validation of array sizes, references between arrays, and the node graph.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -70,7 +70,7 @@ void check_node_fields(const Context& context, const Json& node, const Place& pl
     }
 }
 
-/// Parent of each node, checked to be one at most.
+/// Returns the parent of each node. @throws Error when a node has two
 std::vector<std::size_t> check_parents(const Context& context, const Json& root, const Sizes& sizes) {
     std::vector<std::size_t> parent(sizes.nodes, sizes.nodes);
     for (std::size_t i = 0; i < sizes.nodes; ++i) {
@@ -89,7 +89,7 @@ std::vector<std::size_t> check_parents(const Context& context, const Json& root,
 }
 
 void check_depth(const Context& context, const std::vector<std::size_t>& parent) {
-    // Depth of each node, 0 unknown. A walk upwards that passes kDeepestNode is a cycle or too deep a chain.
+    // Depth of each node; 0: unknown. More than kDeepestNode steps upwards are a cycle or too deep a chain.
     std::vector<std::size_t> depth(parent.size(), 0), chain;
     for (std::size_t i = 0; i < parent.size(); ++i) {
         chain.clear();
@@ -153,7 +153,7 @@ void check_skins(const Context& context, const Json& root, const Sizes& sizes) {
 
 Sizes check_arrays(const Context& context, const Json& root) {
     Sizes sizes;
-    // Bytes that tinygltf and the scene spend on an empty element, measured roughly.
+    // Approximate bytes that tinygltf and the scene need for an empty element.
     struct Row {
         const char* name;
         std::size_t& size;

@@ -1,4 +1,5 @@
-// Materials, textures and samplers. A wrong reference is an error; a wrong value is dropped with a warning.
+// Validation of materials, textures and samplers. A wrong reference is an error; a wrong value is dropped with a
+// warning.
 #include <algorithm>
 #include <cmath>
 #include <functional>

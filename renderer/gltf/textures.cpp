@@ -29,7 +29,7 @@ void apply_sampler(const tinygltf::Sampler& sampler, Texture& texture) {
     texture.mipmaps = filter != TINYGLTF_TEXTURE_FILTER_NEAREST && filter != TINYGLTF_TEXTURE_FILTER_LINEAR;
 }
 
-/// Extensions of a glTF texture that carry an image in a format not read here.
+/// Returns the extension of a glTF texture whose image format is not read here; empty: none.
 std::string foreign_format(const Json& texture) {
     const auto extensions = texture.find("extensions");
     if (extensions == texture.end() || !extensions->is_object()) return "";
@@ -57,7 +57,7 @@ std::optional<int> Textures::readable_image(int texture) {
 int Textures::use(int texture, bool srgb) {
     const int sampler = model_.textures[static_cast<std::size_t>(texture)].sampler;
     const int source = model_.textures[static_cast<std::size_t>(texture)].source;
-    // A texture without a source is told apart by a negative number of its own, so that it is warned of once.
+    // A texture without a source has a unique negative key, so that it gives one warning.
     const auto key = std::tuple(source >= 0 ? source : -1 - texture, sampler, srgb);
     if (const auto it = known_.find(key); it != known_.end()) return it->second;
     int& index = known_[key];

@@ -1,5 +1,4 @@
-// Textures and their images: chosen as materials ask for them, decoded together at the end, dropped with a warning
-// when they cannot be shown.
+// Textures of a glTF file: requested by materials, decoded together at the end, dropped with a warning on errors.
 #pragma once
 
 #include <future>
@@ -12,41 +11,50 @@
 
 namespace si::gltf {
 
+/// Decoded image with 8-bit RGBA pixels, or the reason why it could not be decoded.
 struct Image {
     int width = 0, height = 0;
     std::vector<std::uint8_t> rgba;
     std::string error;  ///< empty: decoded
 };
 
-/// PNG or JPEG to RGBA8, by stb_image.
+/// Decodes a PNG or JPEG file in memory to RGBA8 (stb_image). Failures are reported in Image::error.
 Image decode_image(std::span<const std::uint8_t> bytes);
-/// Memory that decode_image() takes at its peak, by the image's header alone; 0 when that cannot be read.
+/// Estimates the peak memory of decode_image() in bytes from the image's header; 0 when the header is unreadable.
 std::size_t decoding_bytes(std::span<const std::uint8_t> bytes);
 
+/// Textures of one glTF file: collects the textures that materials use, then decodes their images in parallel.
 class Textures {
 public:
     Textures(Context& context, const Json& root, const tinygltf::Model& model, Buffers& buffers, Scene& scene);
-    /// The scene's texture for glTF texture `texture`; -1, with a warning, when none can be shown.
+    /// Requests a glTF texture. Returns its index in the scene; -1, with a warning, when it cannot be shown.
+    /// @param srgb true for colours, false for data such as normals
     int use(int texture, bool srgb);
-    /// Decodes what was asked for, on all processors; removes those that fail from the scene and its materials.
+    /// Decodes all requested textures on all processors. Textures that fail are removed from the scene and its
+    /// materials.
     void decode();
 
 private:
+    /// A requested texture whose image has to be decoded.
     struct Job {
         int image = -1;
         std::size_t scene_texture = 0;
     };
+    /// An image that another thread decodes, with its encoded bytes.
     struct Decoding {
         Bytes storage;
         std::string error;
         std::size_t cost = 0;
         std::future<Image> image;  ///< valid when `error` is empty; last, so that it ends before its bytes do
     };
+    /// Starts decoding the image of a texture on another thread.
     Decoding start(const Job& job);
-    /// The image that is readable here: the source, or nothing when only an extension has one.
+    /// Returns the image index of a glTF texture; nothing when only an extension that is not read provides one.
     std::optional<int> readable_image(int texture);
-    /// Encoded bytes of an image; a reason instead when there are none.
+    /// Finds the encoded bytes of a glTF image. Returns an error text, empty on success.
+    /// @param storage owns the bytes when they come from a file or data URI
     std::string fetch(int image, std::span<const std::uint8_t>& bytes, Bytes& storage);
+    /// Removes textures that could not be decoded from the scene and its materials. @param failed by texture
     void remove_failed(const std::vector<char>& failed);
 
     Context& context_;

@@ -1,4 +1,4 @@
-// The one place that includes and calls tinygltf.
+// Wrapper of the tinygltf library: the only file that includes and calls it.
 #pragma once
 
 #ifdef SI_TINYGLTF_HEADER_ONLY
@@ -19,8 +19,8 @@
 
 namespace si::gltf {
 
-/// Has tinygltf read the checked document, without its buffers, images and extensions (see core_text), so that it
-/// opens no file, decodes nothing and recurses nowhere. @throws Error with tinygltf's words when it refuses.
+/// Parses a validated glTF document with tinygltf, without buffers, images and extensions (see core_text()), so that
+/// tinygltf opens and decodes nothing. @throws Error with tinygltf's message
 tinygltf::Model read_model(const Context& context, const Json& root);
 
 }  // namespace si::gltf

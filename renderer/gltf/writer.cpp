@@ -1,8 +1,8 @@
-// Scenes as glTF 2.0 files. The same scene gives the same bytes.
+// Writer of scenes as glTF 2.0 files. The same scene gives the same bytes.
 //
-// tinygltf, which reads them here, keeps doubles, extras and extensions when it writes, too, but gives a perspective
-// camera without a far plane "zfar": 0, which the specification forbids, and throws at names that are not UTF-8. Its
-// text has one number a line, where this one has one element a line, for a person to read and compare.
+// tinygltf is not used for writing. It writes "zfar": 0 for a perspective camera without a far plane, which the
+// specification forbids, and throws on names that are not UTF-8. Its text has one number per line; this writer has one
+// element per line, which people can read and compare.
 #include <fmt/format.h>
 #include <stb/stb_image_write.h>
 
@@ -57,8 +57,8 @@ private:
     Json root_ = Json::object();
     Json roots_ = Json::array();
     std::map<int, Json> primitives_;          ///< by mesh, so that each mesh's data is written once
-    std::map<std::vector<int>, int> groups_;  ///< glTF meshes by the meshes that they join
-    std::vector<bool> second_uv_;             ///< by material: the normal texture has coordinates of its own
+    std::map<std::vector<int>, int> groups_;  ///< glTF mesh by the scene meshes that it combines
+    std::vector<bool> second_uv_;             ///< by material: the normal texture has its own coordinates
     std::map<std::string, bool> extensions_;
 };
 
@@ -66,8 +66,8 @@ Json matrix_json(const glm::dmat4& m) {
     return std::vector<double>(glm::value_ptr(m), glm::value_ptr(m) + 16);
 }
 
-/// Sets "matrix" unless it is the identity. A matrix that is not finite has no JSON; finalise() dropped what hangs
-/// below.
+/// Sets "matrix" unless it is the identity. A matrix that is not finite has no JSON form; finalise() dropped the
+/// objects below such a node.
 void set_matrix(Json& node, const glm::dmat4& m) {
     bool finite = true;
     for (int i = 0; i < 16; ++i) finite = finite && std::isfinite(glm::value_ptr(m)[i]);
@@ -188,7 +188,7 @@ void Writer::add_materials() {
         const Material& m = scene_.materials[i];
         Json out = Json::object();
         if (!m.name.empty()) out["name"] = m.name;
-        // Rough and not metallic: what the renderer's Blinn-Phong resembles.
+        // Rough and not metallic, which resembles the renderer's Blinn-Phong shading.
         Json& pbr = out["pbrMetallicRoughness"] = {{"metallicFactor", 0}, {"roughnessFactor", 0.8}};
         for (int c = 0; c < 4; ++c) pbr["baseColorFactor"].push_back(double(m.base_colour[c]));
         if (m.base_colour_texture >= 0) pbr["baseColorTexture"] = {{"index", m.base_colour_texture}};
@@ -207,7 +207,7 @@ void Writer::add_materials() {
     }
 }
 
-/// Adds a node that hangs below no other.
+/// Adds a root node.
 int Writer::add_root(Json node) {
     root_["nodes"].push_back(std::move(node));
     const int index = int(root_["nodes"].size()) - 1;
@@ -229,7 +229,7 @@ void Writer::add_nodes() {
         else
             nodes[scene_.nodes[i].parent]["children"].push_back(i);
     }
-    // Objects at their node's own place become the node's mesh, the others nodes of their own below it.
+    // Objects without an instance transform become the node's mesh; the others get child nodes.
     std::map<int, std::vector<int>> at_node;
     for (const Object& o : scene_.objects) {
         if (scene_.meshes[o.mesh].indices.empty()) continue;
@@ -248,8 +248,8 @@ void Writer::add_nodes() {
 
 void Writer::add_cameras() {
     for (const SceneCamera& c : scene_.cameras) {
-        // glTF has no "automatic" but for a perspective far plane, which may be left out: elsewhere planes around the
-        // whole scene stand in, and extras say so.
+        // glTF allows only a perspective far plane to be absent (automatic). Other automatic planes are written as
+        // planes around the whole scene, and marked in extras.
         const double reach =
             std::max(glm::length(glm::dvec3(c.world[3]) - scene_.bounds.centre()) + scene_.bounds.radius(), 1e-6);
         const double near = c.near > 0 ? c.near : 1e-3 * reach, far = c.far > 0 ? c.far : std::max(2 * reach, 2 * near);
@@ -296,7 +296,7 @@ void Writer::add_lights() {
     extensions_["KHR_lights_punctual"];
 }
 
-/// Whether a reader of the lights alone suggests the same settings of lights.
+/// Returns true when a reader of the file derives the same light settings from the lights alone.
 bool lights_suggest_same_settings(const Scene& scene) {
     Scene lit;
     lit.lights = scene.lights;
@@ -328,7 +328,7 @@ Json Writer::document() {
     return std::move(root_);
 }
 
-/// One line for each element of the top-level arrays: a file that a person can read and compare.
+/// Formats the document with one line per element of the top-level arrays, which people can read and compare.
 std::string text_of(const Json& document) {
     const auto dump = [](const Json& j) { return j.dump(-1, ' ', false, Json::error_handler_t::replace); };
     std::string out = "{";
@@ -350,7 +350,7 @@ std::string text_of(const Json& document) {
     return out + "\n}\n";
 }
 
-/// A GLB header or chunk header: 32-bit little-endian words.
+/// Encodes a GLB header or chunk header: 32-bit little-endian words.
 std::string words(std::initializer_list<std::uint64_t> values) {
     std::string out;
     for (std::uint64_t v : values)

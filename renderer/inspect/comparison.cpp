@@ -35,7 +35,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
         return fmt::format("{}: beyond the light's far plane, the far-plane test decides",
                            p.visibility > 0.5 ? "lit" : "unlit");
     const double gap = p.gap_m;
-    const DepthShift all = p.account.amount(p.account.clears());
+    const DepthShift all = p.account.amount(p.account.equivalent_depth());
     const std::string bias =
         std::isfinite(all.texels)
             ? fmt::format("bias and normal offset are worth {} ({})", metres_text(all.metres), texels_text(all.texels))
@@ -178,7 +178,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
             tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
-            tap.plane = p.account.plane.at(at);
+            tap.plane = p.account.plane.depth_at(at);
             tap.compared = as_compared(settings, p.account.compared_depth_at(at));
             tap.lit = passes(settings, tap.compared, tap.stored);
             tap.meets = depths.inside(tap.texel) ? met(p.account, view.curve.convention, tap.stored, tap.plane)

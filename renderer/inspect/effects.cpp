@@ -264,7 +264,7 @@ void add_static(const EffectFacts& f, int animation, Effects& out) {
     std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
-    else if (!moves(f.scene, animation))
+    else if (!is_animated(f.scene, animation))
         why = "nothing moves here: maps are kept as they are, or drawn whole";
     out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::Static});
 }

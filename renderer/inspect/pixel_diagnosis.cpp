@@ -59,7 +59,7 @@ private:
     void weigh() {
         const BiasBreakdown& a = p_.account;
         d_.least = a.amount(a.least.total());
-        d_.has = a.amount(a.clears());
+        d_.has = a.amount(a.equivalent_depth());
         d_.lifted = a.amount(a.depth_shift);
         d_.occluder = a.amount(occluder_depth());
         if (d_.window_open()) return;
@@ -318,7 +318,7 @@ private:
     }
     bool fixes(const Settings& s) const {
         const BiasBreakdown a = under(s);
-        return a.clears() >= a.least.total() && (reference_.lit || a.depth_shift < d_.occluder.depth);
+        return a.equivalent_depth() >= a.least.total() && (reference_.lit || a.depth_shift < d_.occluder.depth);
     }
 
     /// The settings of the bias, the one that acts first.
@@ -349,7 +349,7 @@ private:
         const auto enough = [&](double v) {
             value = v;
             const BiasBreakdown a = under(s);
-            return a.clears() >= a.least.total();
+            return a.equivalent_depth() >= a.least.total();
         };
         if (!enough(most)) return {};
         double lo = 0, hi = enough(0) ? 0 : most;
@@ -369,7 +369,7 @@ private:
         s.map.resolution = probe_.map_resolution;
         value_of(s, key) = value;
         const BiasBreakdown a = under(s);
-        r.worth_texels = a.amount(a.clears()).texels;
+        r.worth_texels = a.amount(a.equivalent_depth()).texels;
         return r;
     }
 

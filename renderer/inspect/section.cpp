@@ -298,7 +298,7 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
         glm::dvec2 other(p.tap);
         const auto on_surface = [&](double along) {
             other[cut.axis] = along;
-            const double nearer = plane.towards() * (p.tap.z - a.plane.at(other));
+            const double nearer = plane.towards() * (p.tap.z - a.plane.depth_at(other));
             return plane.at(along, plane.nearer_m(nearer));
         };
         const double at = p.uvd[cut.axis], step = 0.25 / resolution;

@@ -26,7 +26,7 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
     Settings shown = settings;
     shown.view.light = light;
     ReferenceOptions wanted = options;
-    wanted.nearest = true;  // by which lost casters and peter-panning are told apart
+    wanted.nearest = true;  // distinguishes lost casters from peter-panning
     FrameRequest classified = request;
     classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;

@@ -1,4 +1,4 @@
-// How wrong a light's shadows are in one frame, and why.
+// Measurement of one light's shadow errors in one frame, with their causes.
 //
 //     ReferenceCache cache;
 //     MeasuredError measured = measure_error(renderer, scene, settings, request, light, {}, cache);
@@ -10,27 +10,30 @@
 
 namespace si {
 
+/// Shadow error of one light in one frame: the reference, every pixel's classification, and metrics over them.
 struct MeasuredError {
     TracedReference traced;
     ErrorMetrics metrics;
-    std::vector<ClassifiedPixel> classified;  ///< by pixel of the truth, top row first
-    std::vector<FittedLight> lights;          ///< of the frame
+    std::vector<ClassifiedPixel> classified;  ///< by pixel of the reference, top row first
+    std::vector<FittedLight> lights;          ///< all lights of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
-    glm::ivec2 picture{0};  ///< size of the frame, of which the truth may be a part
+    glm::ivec2 picture{0};  ///< size of the frame; the reference may have fewer pixels
 };
 
-/// Traces the truth about `light` unless `cache` has it, draws the frame that is judged by it, and sums up.
-/// On the renderer's thread. @throws Cancelled; Error when there is no such light, or as Renderer::render() does
+/// Measures a light's shadow error in a frame: traces the reference unless `cache` has it, draws the frame, classifies
+/// its pixels and computes the metrics. Call on the renderer's thread.
+/// @param light index of light.*
+/// @throws Cancelled; Error when there is no such light, or as Renderer::render() does
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
                             const FrameRequest& request, int light, const ReferenceOptions& options,
                             ReferenceCache& cache, const Workers& workers = {});
 
-/// What a frame found that was drawn with `picture` and asked for Outputs::judged. It need not be summed up where it
-/// was read: sum_error_metrics() takes any thread.
+/// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::judged, without metrics:
+/// sum_error_metrics() computes those, on any thread.
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      int light);
-/// Fills MeasuredError::metrics.
+/// Computes MeasuredError::metrics from the classified pixels.
 void sum_error_metrics(MeasuredError& measured);
 
 }  // namespace si

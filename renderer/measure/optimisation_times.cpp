@@ -108,7 +108,7 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
             kept.push_back(saving);
         else
             again.push_back(saving);
-    if (!moves(scene, settings.scene.animation)) std::erase(kept, Optimisation::Static);
+    if (!is_animated(scene, settings.scene.animation)) std::erase(kept, Optimisation::Static);
     const double parts = double(again.size() + kept.size());
     const auto report_part = [&](double from, double count, double share) {
         if (report) report(parts > 0 ? (from + count * share) / parts : share);

@@ -56,7 +56,7 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
 /// where it is Saving::Resting, else the camera turns.
 class KeptFrames {
 public:
-    /// @param saving Resting only of a scene that moves()
+    /// @param saving Resting only of a scene that is_animated()
     KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving);
     /// Each moment is drawn twice, one after the other. @param forced those that force nothing are one sequence of
     /// frames, by a renderer of its own, those that do are another

@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// The texel that a wrap mode finds for an integer coordinate (OpenGL 4.5, table 8.20).
+/// Returns the texel that a wrap mode selects for an integer coordinate (OpenGL 4.5, table 8.20).
 int wrapped(double texel, int size, TextureWrap wrap) {
     if (wrap == TextureWrap::Clamp) return int(std::clamp(texel, 0.0, size - 1.0));
     const double period = wrap == TextureWrap::Mirror ? 2.0 * size : double(size);
@@ -42,7 +42,7 @@ AlphaMask::AlphaMask(const Mesh& mesh, const Material& material, double cutoff,
     : indices_(mesh.indices), texture_(std::move(texture)), base_(material.base_colour.a), cutoff_(cutoff) {
     if (texture_) uv_ = mesh.uv;
     if (texture_ && uv_.empty()) uv_.assign(mesh.positions.size(), glm::vec2(0));
-    // Eight bits, as the vertex buffer holds them.
+    // Eight bits, as in the vertex buffer.
     for (const glm::vec4& c : mesh.colours)
         vertex_alpha_.push_back(std::uint8_t(std::lround(std::clamp(c.a, 0.f, 1.f) * 255.f)));
 }

@@ -1,4 +1,4 @@
-// The alpha test of masked materials at a triangle's point, as the light's depth pass makes it at level of detail 0.
+// Alpha test of masked materials for rays, equal to that of the light's depth pass at mip level 0.
 #pragma once
 
 #include <cstdint>
@@ -11,26 +11,27 @@
 
 namespace si {
 
-/// The alpha channel of a texture; shared by the masks that sample it.
+/// Alpha channel of a texture, shared by the alpha masks that sample it.
 struct AlphaTexture {
     int width = 0, height = 0;
     TextureWrap wrap_s = TextureWrap::Repeat, wrap_t = TextureWrap::Repeat;
     bool nearest = false;  ///< the magnification filter, which is what GL uses at level 0
     std::vector<std::uint8_t> alpha;
 
+    /// Copies the alpha channel of a texture.
     explicit AlphaTexture(const Texture& texture);
-    /// Alpha in [0,1] at texture coordinates; nearest or bilinear (OpenGL 4.5, section 8.14).
+    /// Samples alpha in [0,1] at texture coordinates, nearest or bilinear (OpenGL 4.5, section 8.14).
     double at(const glm::dvec2& uv) const;
 };
 
-/// What of a mesh the test needs. Shares arrays with it, so that a trace outlives the scene it was made from.
+/// Alpha test for one mesh with a masked material. Shares the mesh's arrays, so that a trace outlives its scene.
 class AlphaMask {
 public:
-    /// @param cutoff alpha below it is a hole
+    /// Prepares the alpha test of a mesh. @param cutoff alpha below it is a hole @param texture null: alpha 1
     AlphaMask(const Mesh& mesh, const Material& material, double cutoff, std::shared_ptr<const AlphaTexture> texture);
-    /// Whether the point (1-u-v) a + u b + v c of triangle abc is solid.
+    /// Returns true when the point (1-u-v) a + u b + v c of triangle abc passes the alpha test.
     bool solid(std::uint32_t triangle, double u, double v) const;
-    /// Adds all that solid() goes by but the triangles.
+    /// Adds everything that solid() depends on, except the triangles, to a cache key.
     void add_content(Key& key) const;
 
 private:

@@ -1,4 +1,4 @@
-// Distances to the nearest of a set of pixels.
+// Euclidean distance transform.
 #pragma once
 
 #include <cstdint>
@@ -6,9 +6,9 @@
 
 namespace si {
 
-/// Euclidean distance, in pixels, from each pixel's centre to the nearest pixel that is set; infinite when none is.
-/// Felzenszwalb and Huttenlocher, Distance Transforms of Sampled Functions, Theory of Computing 8, 2012: exact, and
-/// linear in the number of pixels.
+/// Computes for each pixel the Euclidean distance in pixels to the nearest pixel that is set; infinite when none is.
+/// Exact and linear in the number of pixels: Felzenszwalb and Huttenlocher, Distance Transforms of Sampled Functions,
+/// Theory of Computing 8, 2012. @param set width x height values; not 0: set
 std::vector<float> distance_to(const std::vector<std::uint8_t>& set, int width, int height);
 
 }  // namespace si

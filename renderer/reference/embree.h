@@ -1,4 +1,4 @@
-// Owners of Embree's objects. Only sources of this folder include it.
+// Owners of Embree objects. Only sources of this folder include this header.
 #pragma once
 
 #include <embree3/rtcore.h>
@@ -8,6 +8,7 @@
 
 namespace si::embree {
 
+/// Deleter that calls an Embree release function.
 template <auto Release>
 struct Releaser {
     template <typename T>

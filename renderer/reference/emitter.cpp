@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// The finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
+/// Hashes 64 bits by the finaliser of splitmix64 (Steele, Lea, Flood, OOPSLA 2014).
 std::uint64_t scrambled(std::uint64_t z) {
     z += 0x9e3779b97f4a7c15ull;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
@@ -20,7 +20,7 @@ std::uint64_t scrambled(std::uint64_t z) {
     return z ^ (z >> 31);
 }
 
-/// [-1,1]^2 to the unit disk, areas kept.
+/// Maps [-1,1]^2 to the unit disk, preserving areas.
 glm::dvec2 on_disk(double x, double y) {
     if (x == 0 && y == 0) return {0, 0};
     const bool wide = std::abs(x) > std::abs(y);
@@ -49,7 +49,7 @@ LightSamples::LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, i
         const double half = 0.5 * std::min(emitter.size, 90.0) * kPi / 180;
         one_minus_cos_ = 2 * std::sin(half) * std::sin(half);
     } else {
-        // From within the sphere, half of all directions.
+        // Inside the sphere, half of all directions.
         const double sine = distance_ > emitter.size ? emitter.size / distance_ : 1.0;
         one_minus_cos_ = sine * sine / (1 + std::sqrt(std::max(1 - sine * sine, 0.0)));
     }
@@ -66,7 +66,7 @@ LightRay LightSamples::ray(int x, int y) const {
     const glm::dvec2 across = disk * std::sqrt(one_minus_cos_ * (2 - h));
     const glm::dvec3 direction = axes_ * glm::dvec3(across, 1 - h);
     if (emitter_.type == LightType::Directional) return {direction, std::numeric_limits<double>::infinity()};
-    // To the sphere's near side.
+    // Distance to the sphere's near side.
     const double along = distance_ * (1 - h), r2 = emitter_.size * emitter_.size;
     const double beside2 = std::max(distance_ * distance_ - along * along, 0.0);
     const double chord = std::sqrt(std::max(r2 - beside2, 0.0));

@@ -1,4 +1,4 @@
-// A light as the truth sees it: where its rays come from, and how large it is.
+// Lights of the ray-traced reference: position, direction, size, and sample points on their area.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,19 @@
 
 namespace si {
 
-/// Directional lights are disks on the sky, spot lights disks across their axis, point lights spheres.
+/// Light as a ray-traced area light: a directional light is a disk on the sky, a spot light a disk across its axis, a
+/// point light a sphere.
 struct Emitter {
     LightType type = LightType::Directional;
     glm::dvec3 position_ws{0};     ///< spot and point
     glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
-    double cos_cone = -1;          ///< of the spot's outer half angle
-    double range_m = 0;            ///< spot and point: no light from there on; 0: unlimited
+    double cos_cone = -1;          ///< cosine of a spot's outer half angle
+    double range_m = 0;            ///< spot and point: no light beyond this distance; 0: unlimited
     double size = 0;               ///< light.size: angular radius in degrees (directional) or radius in metres
     bool casts = true;
 
-    /// Unit vector from a point to the light's centre; metres to it, infinite for directional lights.
+    /// Returns the unit vector from a point to the light's centre.
+    /// @param distance_m receives the distance, infinite for directional lights
     glm::dvec3 direction_from(const glm::dvec3& point_ws, double& distance_m) const {
         distance_m = std::numeric_limits<double>::infinity();
         if (type == LightType::Directional) return to_light;
@@ -28,36 +30,38 @@ struct Emitter {
         distance_m = glm::length(d);
         return distance_m > 0 ? d / distance_m : to_light;
     }
-    /// Whether a point lies in the spot's cone; always for other lights.
+    /// Returns true when a point lies in the spot light's cone; always true for other lights.
+    /// @param to_light_from_point unit
     bool in_cone(const glm::dvec3& to_light_from_point) const {
         return type != LightType::Spot || glm::dot(to_light_from_point, to_light) > cos_cone;
     }
 };
 
+/// Returns the ray-traced area light for a light of a frame.
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);
 
-/// Where a ray to a part of the light goes: along `towards` for `length` times its length.
+/// Ray segment to a point on a light: `length` times the vector `towards`.
 struct LightRay {
     glm::dvec3 towards{0};  ///< metres, or unit length and endless for directional lights
     double length = 1;
 };
 
-/// Points of the light in n x n equal parts, one jittered in each, by a fixed seed: the same for a pixel each time.
-/// Mitchell, Consequences of Stratified Sampling in Graphics, SIGGRAPH 1996: the error falls with (n^2)^(-3/4) at an
-/// edge, where independent points give (n^2)^(-1/2). Disks by the concentric map of Shirley and Chiu, A Low Distortion
-/// Map Between Disk and Square, 1997; spheres by the solid angle that they fill.
+/// Stratified sample points on an area light for one surface point: one jittered sample in each of n x n equal parts.
+/// The seed is fixed by pixel, so that results repeat. Error at an edge falls with (n^2)^(-3/4), against (n^2)^(-1/2)
+/// of independent samples: Mitchell, Consequences of Stratified Sampling in Graphics, SIGGRAPH 1996. Disks use the
+/// concentric map of Shirley and Chiu, A Low Distortion Map Between Disk and Square, 1997; spheres their solid angle.
 class LightSamples {
 public:
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel);
-    /// The ray to part (x, y).
+    /// Returns the ray to the sample in part (x, y), each below parts_per_axis.
     LightRay ray(int x, int y) const;
 
 private:
     const Emitter& emitter_;
     glm::dvec3 point_;
     glm::dmat3 axes_;           ///< across, across, towards the light
-    double radius_ = 0;         ///< of the disk: metres, or of the unit sphere of directions
-    double one_minus_cos_ = 0;  ///< of the angle that a sphere or the sky's disk fills
+    double radius_ = 0;         ///< disk radius in metres, or on the unit sphere of directions
+    double one_minus_cos_ = 0;  ///< for the half angle of a sphere or of the disk on the sky
     double distance_ = 0;
     int parts_;
     std::uint64_t seed_;

@@ -1,4 +1,4 @@
-// What a light sees first along given rays: what a shadow map of endlessly many texels that loses no caster would hold.
+// Distances from a light to the first caster along given rays: the content of an ideal shadow map.
 #pragma once
 
 #include <span>
@@ -8,13 +8,13 @@
 
 namespace si {
 
-/// A straight way away from a light, in world space.
+/// Ray segment that starts at a light, in world space.
 struct LightRaySegment {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
-/// Metres along each way to the first of all casters, whichever side it shows; NaN where none stands on it. Accurate to
-/// single precision of the way's length and the scene's size.
+/// Traces ray segments from a light to the first caster, whichever side it shows. Returns metres along each segment;
+/// NaN without a hit. Accurate to single precision of the segment's length and the scene's size.
 std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> ways);
 
 }  // namespace si

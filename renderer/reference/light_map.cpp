@@ -13,25 +13,26 @@
 namespace si {
 namespace {
 
-constexpr int kStrip = 64;            ///< rows that are traced at once
-constexpr double kInset = 0.25;       ///< texels that a texel keeps from its chart's borders
-constexpr double kNoise = 0.005;      ///< wanted standard error of an area light, about one step of 8 bits
-constexpr double kBeside = 1e6;       ///< put on distances of texels beside their chart: any in it are nearer
-constexpr std::uint64_t kMethod = 1;  ///< counted up when the same task would give another map
+constexpr int kStrip = 64;        ///< rows traced at once
+constexpr double kInset = 0.25;   ///< least distance of a sample from its chart's borders, texels
+constexpr double kNoise = 0.005;  ///< target standard error for area lights, about one step of 8 bits
+constexpr double kOutsideChartPenalty =
+    1e6;  ///< added to distances of texels outside their chart, so that any inside are nearer
+constexpr std::uint64_t kMethod = 1;  ///< version of the algorithm: increase when the same task gives another map
 
 int samples_of(const Emitter& emitter, const Settings& settings) {
     return emitter.size > 0 ? std::max(settings.light_map.samples, 1) : 1;
 }
 
 void add_emitter(Key& key, const Emitter& e, int samples) {
-    // Cone and range bound where light falls, not what stands in its way.
+    // Cone and range limit the lit region, not the occluders.
     key.add(e.type).add(e.casts).add(samples);
     if (e.type != LightType::Directional) key.add(e.position_ws);
     if (e.type == LightType::Directional || (e.type == LightType::Spot && samples > 1)) key.add(e.to_light);
     if (samples > 1) key.add(e.size);
 }
 
-/// Shares of a triangle's corners at the point of it that is nearest to `at`.
+/// Returns the barycentric coordinates of the point of a triangle that is nearest to `at`.
 glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& at) {
     glm::dvec3 best(1, 0, 0);
     double least = std::numeric_limits<double>::infinity();
@@ -56,15 +57,16 @@ glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& 
     return best;
 }
 
-/// A triangle of a chart as texels find their place on it.
-class Placed {
+/// Triangle of a chart in the atlas, which maps texels to surface points.
+class PlacedTriangle {
 public:
-    Placed(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners, std::uint8_t borders)
+    PlacedTriangle(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners,
+                   std::uint8_t borders)
         : corners_{corners.a, corners.b, corners.c} {
         for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.place(chart, corners_[k]);
         const glm::dvec3 cross = glm::cross(corners.b - corners.a, corners.c - corners.a);
         normal_ = cross / glm::length(cross);
-        std::array<double, 3> lengths;  // of the sides opposite to corners, in the atlas
+        std::array<double, 3> lengths;  // sides opposite to the corners, in the atlas
         for (std::size_t k = 0; k < 3; ++k) lengths[k] = glm::length(at_[(k + 2) % 3] - at_[(k + 1) % 3]);
         const glm::dvec2 e1 = at_[1] - at_[0], e2 = at_[2] - at_[0];
         const double area2 = std::abs(e1.x * e2.y - e1.y * e2.x);
@@ -86,8 +88,9 @@ public:
     const glm::dvec3& normal() const { return normal_; }
     float edge_m() const { return edge_m_; }
 
-    /// The point for a texel whose middle is `at`, and how far off it is in texels: kBeside more where that lies beside
-    /// the triangle.
+    /// Returns the surface point for a texel with centre `at`.
+    /// @param distance receives its distance in texels, plus kOutsideChartPenalty where the centre lies outside the
+    /// triangle
     glm::dvec3 point(const glm::dvec2& at, double& distance) const {
         const glm::dvec3 own = nearest_shares(at_, at);
         const bool within = glm::distance(mixed(at_, own), at) < 1e-9;
@@ -101,7 +104,7 @@ public:
         }
         const glm::dvec3 of_inner = nearest_shares(inner, at);
         const glm::dvec3 share = of_inner[0] * shares[0] + of_inner[1] * shares[1] + of_inner[2] * shares[2];
-        distance = glm::distance(mixed(at_, share), at) + (within ? 0 : kBeside);
+        distance = glm::distance(mixed(at_, share), at) + (within ? 0 : kOutsideChartPenalty);
         return share[0] * corners_[0] + share[1] * corners_[1] + share[2] * corners_[2];
     }
 
@@ -109,7 +112,7 @@ private:
     std::array<glm::dvec3, 3> corners_;
     std::array<glm::dvec2, 3> at_;  ///< texels
     glm::dvec3 normal_;
-    glm::dvec3 all_in_, borders_in_;  ///< least share of each corner: in from all sides, or from those that are borders
+    glm::dvec3 all_in_, borders_in_;  ///< least barycentric coordinates: inset from all sides, and from borders only
     float edge_m_ = 0;
 
     static glm::dvec2 mixed(const std::array<glm::dvec2, 3>& t, const glm::dvec3& share) {
@@ -134,11 +137,11 @@ public:
     void bake(LightMap& out, const Workers& workers) {
         out.texels.assign(std::size_t(layout_.side) * std::size_t(layout_.side), 255);
         for (std::size_t s = 0; s < by_strip_.size(); ++s) {
-            const Workers part =
-                workers.part(double(s) / double(by_strip_.size()), double(s + 1) / double(by_strip_.size()));
+            const Workers part = workers.with_progress_range(double(s) / double(by_strip_.size()),
+                                                             double(s + 1) / double(by_strip_.size()));
             const int y0 = int(s) * kStrip, rows = std::min(kStrip, layout_.side - y0);
             place(y0, rows, by_strip_[s], workers);
-            const Reference reference = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
+            const Reference reference = trace_visibility(scene_, receivers_, query_, part.with_progress_range(0.1, 1));
             out.rays += reference.rays;
             std::uint8_t* to = out.texels.data() + std::size_t(y0) * std::size_t(layout_.side);
             for (std::size_t i = 0; i < receivers_.pixels.size(); ++i)
@@ -151,9 +154,9 @@ private:
     const LightMapLayout& layout_;
     const ReferenceScene& scene_;
     ReferenceQuery query_;
-    std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts
+    std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts by strip of rows
     Receivers receivers_;
-    std::vector<double> distances_;  ///< of the points found so far, texels
+    std::vector<double> distances_;  ///< distance of each texel's best point so far, texels
 
     void place(int y0, int rows, const std::vector<std::uint32_t>& charts, const Workers& workers) {
         const std::size_t count = std::size_t(layout_.side) * std::size_t(rows);
@@ -179,9 +182,9 @@ private:
         const glm::ivec2 end(chart.rect.x + chart.rect.z, std::min(chart.rect.y + chart.rect.w, y0 + rows));
         for (std::uint32_t i = 0; i < chart.count; ++i) {
             const std::uint32_t t = layout_.triangles[chart.first + i];
-            const Placed triangle(layout_, chart, task_.geometry->triangle(chart.object, t),
-                                  layout_.borders[first + t]);
-            // Bilinear look-ups reach texels whose middles are less than one away.
+            const PlacedTriangle triangle(layout_, chart, task_.geometry->triangle(chart.object, t),
+                                          layout_.borders[first + t]);
+            // Bilinear look-ups reach texels whose centres are less than one texel away.
             const glm::ivec2 from = glm::max(glm::ivec2(glm::floor(triangle.lo() - 1.5)), least);
             const glm::ivec2 to = glm::min(glm::ivec2(glm::ceil(triangle.hi() + 1.5)), end);
             for (int y = from.y; y < to.y; ++y)

@@ -1,6 +1,6 @@
-// What rays find of a light on all surfaces of a scene, traced once for whatever camera: its light map. Arvo, Backward
-// Ray Tracing, SIGGRAPH 1986 course notes, for textures that hold light; Abrash, Quake's Lighting Model (Graphics
-// Programming Black Book, chapter 68), 1997, for an atlas of them.
+// Light maps: one light's ray-traced visibility on all surfaces of a scene, independent of the camera. Textures that
+// store light: Arvo, Backward Ray Tracing, SIGGRAPH 1986 course notes. Atlases of them: Abrash, Quake's Lighting Model
+// (Graphics Programming Black Book, chapter 68), 1997.
 //
 //     LightMapTask task = light_map_task(scene, settings, frame, light);        // on the renderer's thread
 //     request.light_maps[light] = light_maps().get(task, workers);              // any thread
@@ -19,47 +19,49 @@
 
 namespace si {
 
-/// Everything that a bake needs; it touches neither scene nor GPU any more.
+/// Input of a light map bake, independent of scene and GPU: any thread may bake it.
 struct LightMapTask {
     std::shared_ptr<const ReferenceGeometry> geometry;
     Emitter emitter;
-    int side = 0;     ///< of the atlas, texels
-    int samples = 1;  ///< most rays a texel, over the light's area; 1: one to its middle
+    int side = 0;     ///< side of the atlas, texels
+    int samples = 1;  ///< most rays per texel, over the light's area; 1: one to its centre
     std::uint64_t key = 0;
 };
 
+/// Baked visibility of one light on all surfaces of a scene: an atlas of 8-bit texels with its layout.
 struct LightMap {
-    std::uint64_t key = 0;      ///< light_map_key() of the frames that it is for
-    std::uint64_t version = 0;  ///< another one for each content
+    std::uint64_t key = 0;      ///< light_map_key() of the frames that may use it
+    std::uint64_t version = 0;  ///< unique per content, see next_light_map_version()
     std::shared_ptr<const LightMapLayout> layout;
-    /// side x side, bottom row first: round(255 * visibility), so that a look-up is off by 1/510 at most for that. What
-    /// no look-up reaches is 255.
+    /// round(255 * visibility), side x side, bottom row first: rounding errors are at most 1/510. Texels that no
+    /// look-up reaches are 255.
     std::vector<std::uint8_t> texels;
     std::uint64_t rays = 0;
-    double bake_ms = 0;  ///< wall time, of reading it where it was kept on disk
+    double bake_ms = 0;  ///< wall time of baking, or of reading it from disk
     bool from_disk = false;
     TrackedMemory held;  ///< what its texels take
-    std::string
-        remark;  ///< why the one on disk was not taken, or this one not kept there; empty: nothing is to be said
+    std::string remark;  ///< reason why the file on disk could not be read or written; empty: none
 };
 
-/// The key of a light's map in this process: scene, casters, light, light_map.*. Not of the camera. 0 when there is no
-/// such light.
+/// Returns the cache key of a light's map within this process, from scene, casters, light and light_map.*, not the
+/// camera. 0 when there is no such light. @param light index of light.*
 std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                             int light);
 
-/// @param frame of this scene and these settings @throws Error when it asks for no light map of that light
+/// Collects the input for baking the light map of one light. Call on the renderer's thread.
+/// @param frame of this scene and these settings @throws Error when the frame needs no light map of that light
 LightMapTask light_map_task(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
 
-/// The key of what the map is made of, whatever process asks: triangles as placed, masks, light, settings.
+/// Returns the cache key of a light map's content (placed triangles, alpha masks, light, settings). It is the same in
+/// every process, for files on disk.
 std::uint64_t light_map_content_key(const LightMapTask& task);
 
-/// Another one each time, for LightMap::version.
+/// Returns a new value for LightMap::version on each call.
 std::uint64_t next_light_map_version();
 
-/// Traces every texel that a look-up may read, on the side of its surface that the light is on: what shows the other
-/// one faces away and is dark. Texels beside their chart are moved to the nearest point of it, and a quarter of a texel
-/// in from its borders, so that none lies in the plane of a wall that stands there. Equal for any number of threads.
+/// Bakes a light map: traces every texel that a look-up may read, on the lit side of its surface. Texels outside their
+/// chart are traced at its nearest point, a quarter of a texel inside the border, so that none lies in the plane of an
+/// adjoining wall. The result does not depend on the number of threads.
 /// @throws Cancelled; Error as ReferenceScene does
 LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
                         const ReferenceScene& scene, const Workers& workers);

@@ -21,15 +21,15 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "shadow-inspector light map\n";
-constexpr std::uint32_t kVersion = 1;  ///< of the file
+constexpr std::uint32_t kVersion = 1;  ///< of the file format
 constexpr std::string_view kExtension = ".lightmap";
 
-/// What stands before the texels, after kMagic; all in the machine's order of bytes, which the version tells.
+/// Header of a light map file, after kMagic. All numbers have the machine's byte order, which the version reveals.
 struct Header {
     std::uint32_t version = kVersion;
     std::int32_t side = 0;
     std::uint64_t content = 0, layout = 0, rays = 0;
-    std::uint64_t texels_key = 0;  ///< of the bytes that follow
+    std::uint64_t texels_key = 0;  ///< hash of the texels that follow
 };
 static_assert(sizeof(Header) == 40);
 
@@ -53,7 +53,7 @@ std::string_view bytes_of(const Header& header) {
     return {reinterpret_cast<const char*>(&header), sizeof header};
 }
 
-/// Nothing where there is no such file, or it cannot be used: then `remark` says why.
+/// Reads a light map file. Returns nothing without a file, or with an unusable one. @param remark receives the reason
 std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, const LightMapLayout& layout,
                                  std::string& remark) {
     std::ifstream file(path, std::ios::binary);
@@ -79,13 +79,13 @@ std::optional<LightMap> read_map(const fs::path& path, std::uint64_t content, co
     out.rays = header.rays;
     out.held = TrackedMemory("light maps", array_bytes(out.texels));
     out.from_disk = true;
-    // The oldest are removed first: by when they were used last.
+    // The time of last use: make_room() removes the oldest first.
     std::error_code ignored;
     fs::last_write_time(path, fs::file_time_type::clock::now(), ignored);
     return out;
 }
 
-/// Removes the oldest maps until all take `most` bytes at most, and what interrupted writes left.
+/// Removes the least recently used files until all take at most `most` bytes, and remains of interrupted writes.
 void make_room(const fs::path& folder, std::uint64_t most) {
     struct Entry {
         fs::file_time_type time;
@@ -115,7 +115,7 @@ void make_room(const fs::path& folder, std::uint64_t most) {
     }
 }
 
-/// Returns what hindered it; empty: nothing.
+/// Writes a light map file. Returns the error; empty: success.
 std::string write_map(const fs::path& folder, std::uint64_t most_bytes, std::uint64_t content, const LightMap& map) {
     try {
         fs::create_directories(folder);
@@ -144,7 +144,7 @@ std::shared_ptr<const LightMap> LightMapCache::find(std::uint64_t content, std::
     if (found == known_.end()) return nullptr;
     ++counts_.known;
     known_.splice(known_.begin(), known_, found);
-    // The same content under another scene number: the frame that asks goes by its own key.
+    // Equal content for another scene id: the copy gets the key that the requesting frame expects.
     if (found->map->key != key) {
         auto renamed = std::make_shared<LightMap>(*found->map);
         renamed->key = key;
@@ -204,8 +204,8 @@ std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, con
             ++counts_.read;
             return kept;
         }
-    const auto scene = ray_scenes().get(task.geometry, workers.part(0, 0.1));
-    LightMap baked = bake_light_map(task, layout, *scene, workers.part(0.1, 1));
+    const auto scene = ray_scenes().get(task.geometry, workers.with_progress_range(0, 0.1));
+    LightMap baked = bake_light_map(task, layout, *scene, workers.with_progress_range(0.1, 1));
     baked.bake_ms = since_ms();
     if (!folder.empty())
         if (const std::string hindered = write_map(folder, most_bytes, content, baked); !hindered.empty())
@@ -223,7 +223,7 @@ void LightMapCache::set_disk_folder(std::filesystem::path folder, std::uint64_t 
     most_bytes_ = most_bytes;
 }
 
-void LightMapCache::forget() {
+void LightMapCache::clear() {
     const std::lock_guard lock(mutex_);
     known_.clear();
     layout_.reset();

@@ -1,4 +1,4 @@
-// Light maps that are known, in memory and on disk, for all who draw.
+// Cache of light maps in memory and on disk, shared by the whole process.
 #pragma once
 
 #include <cstdint>
@@ -11,29 +11,32 @@
 
 namespace si {
 
-/// Light maps by what they are made of. Any thread.
+/// Cache of baked light maps by content, in memory and on disk. Usable from any thread.
 class LightMapCache {
 public:
-    /// What the folder on disk may take in all, and what is kept in memory; the longest unused goes first.
+    /// Limits in bytes of the files on disk and of the maps in memory; the least recently used are removed.
     static constexpr std::uint64_t kMostOnDisk = 512ull << 20, kMostInMemory = 256ull << 20;
 
-    /// The map of that task: known, read from disk, or else baked and kept in both. A file that is damaged, or of
-    /// another version of the program, is baked again, which the map's remark says; so it does where the disk takes
-    /// none.
-    /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and ReferenceScene do
+    /// Returns the light map of a task: from memory, from disk, or baked now and stored in both. A file that is
+    /// damaged, or written by another version of the program, is baked again. LightMap::remark reports that, and failed
+    /// writes.
+    /// @throws Cancelled, without storing anything; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
-    /// Where maps are kept on disk from now on; made when first written to. Empty: nowhere.
+    /// Sets the folder of light maps on disk, created by the first write. Empty: none are stored on disk.
+    /// @param most_bytes limit of all its files
     void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
-    /// Keeps none in memory.
-    void forget();
+    /// Removes all light maps from memory; files stay.
+    void clear();
 
-    /// What get() did so far.
+    /// Numbers of light maps that get() baked, read from disk, and found in memory.
     struct Counts {
         std::size_t baked = 0, read = 0, known = 0;
     };
+    /// Returns how often get() baked, read and found a light map so far.
     Counts counts() const;
 
 private:
+    /// A light map in memory and its content key.
     struct Known {
         std::uint64_t content = 0;
         std::shared_ptr<const LightMap> map;
@@ -44,15 +47,18 @@ private:
     std::uint64_t most_bytes_ = kMostOnDisk;
     Counts counts_;
 
+    /// Finds a light map in memory by its content, and gives it the `key` of this process. Null: not there.
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
+    /// Returns the layout for a task; computes it unless the last one fits.
     std::shared_ptr<const LightMapLayout> layout_of(const LightMapTask& task, const Workers& workers);
+    /// Stores a light map in memory and removes the least recently used ones above the limit.
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);
 
-    std::shared_ptr<const LightMapLayout> layout_;  ///< the last one: lights of a scene share it
+    std::shared_ptr<const LightMapLayout> layout_;  ///< of the last task: all lights of a scene share it
     std::uint64_t layout_geometry_ = 0;             ///< its ReferenceGeometry::key
 };
 
-/// The process's own.
+/// Returns the light map cache of the process.
 LightMapCache& light_maps();
 
 }  // namespace si

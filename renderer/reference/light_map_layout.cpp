@@ -18,18 +18,18 @@ namespace {
 
 constexpr int kMostSide = 16384;
 constexpr std::uint32_t kNone = LightMapLayout::kNoChart;
-constexpr std::size_t kTriedDirections = 24;  ///< in which a chart may be turned
-constexpr int kDensitySteps = 24;             ///< of the search, each of which halves what is open
+constexpr std::size_t kTriedDirections = 24;  ///< rotations of a chart that are tried
+constexpr int kDensitySteps = 24;             ///< bisection steps of the density
 
-/// Triangles beyond the edges 01, 12 and 20 of each; kNone: nothing, or more than one.
+/// Neighbours of each triangle across its edges 01, 12 and 20; kNone: none, or more than one.
 using Neighbours = std::vector<std::array<std::uint32_t, 3>>;
 
-/// Vertices are one where their positions are, whatever normals or texture coordinates they have.
+/// Finds the neighbours of all triangles. Vertices with equal positions count as one, whatever their other attributes.
 Neighbours neighbours_of(const ReferenceMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.positions.size()), welded(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto rank = [&](std::uint32_t i) {
-        const glm::vec3 p = mesh.positions[i] + 0.f;  // takes the sign off a zero
+        const glm::vec3 p = mesh.positions[i] + 0.f;  // -0 becomes 0
         return std::array{p.x, p.y, p.z};
     };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return rank(a) < rank(b); });
@@ -66,7 +66,7 @@ std::array<glm::dvec3, 3> corners(const TriangleWs& t) {
     return {t.a, t.b, t.c};
 }
 
-/// Unit, by winding; 0 for a triangle without area.
+/// Returns the unit normal by winding; 0 for a triangle without area.
 glm::dvec3 normal_of(const TriangleWs& t) {
     const glm::dvec3 cross = glm::cross(t.b - t.a, t.c - t.a);
     const double length = glm::length(cross);
@@ -101,7 +101,7 @@ private:
     const ReferenceGeometry& geometry_;
     const Workers& workers_;
     LightMapLayout out_;
-    std::vector<bool> flat_only_;  ///< by triangle: it was in a chart that lay upon itself
+    std::vector<bool> flat_only_;  ///< by triangle: its chart overlapped itself
     std::map<const ReferenceMesh*, Neighbours> neighbours_;
 
     void stop_if_asked() const {
@@ -133,7 +133,7 @@ private:
         const Neighbours& beside = neighbours(object);
         const std::uint32_t first = out_.objects[object].first;
         const auto number = std::uint32_t(out_.charts.size());
-        // What single precision leaves of a plane's normal in triangles of any shape.
+        // Tolerance for normals of one plane, given positions in single precision.
         constexpr double kFlat = 1e-10;
         const bool flat_only = flat_only_[first + seed];
         const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMostTiltDegrees * kDegree);
@@ -156,8 +156,8 @@ private:
         out_.charts.push_back(chart);
     }
 
-    /// Turns the chart so that it fills its rectangle as well as along any of some of its edges, the longer side
-    /// across.
+    /// Rotates a chart to the edge direction with the smallest bounding rectangle, of those tried; the longer side is
+    /// horizontal.
     void turn(LightMapChart& chart, const glm::dvec3& normal) const {
         std::vector<glm::dvec3> points;
         points.reserve(3 * std::size_t(chart.count));
@@ -215,7 +215,7 @@ private:
         return glm::ivec2(glm::min(texels, glm::dvec2(2.0 * kMostSide))) + 2 * LightMapLayout::kGutter;
     }
 
-    /// Places all charts, or returns false. @param order by falling height
+    /// Packs all charts; returns false when they do not fit. @param order charts by decreasing height
     bool place_all(const std::vector<std::uint32_t>& order, int side, double texels_per_metre) {
         int x = 0, y = 0, shelf = 0;
         for (const std::uint32_t c : order) {
@@ -250,7 +250,7 @@ private:
             out_.texels_per_metre = 1;
             return;
         }
-        // No density fits at which the longest chart alone, or all charts' areas, take more than there is.
+        // Upper bound of the density, by the longest chart and by the area of all charts.
         const double side = out_.side;
         double hi = std::min(side / longest_m, side / std::sqrt(std::max(area_m2, 1e-300)));
         double lo = hi * 0x1p-20;
@@ -277,7 +277,7 @@ private:
                         out_.side, out_.chart_of.size(), out_.charts.size(), fix));
     }
 
-    /// Marks charts in which two triangles far from each other have one texel. Returns whether there are any.
+    /// Marks charts that overlap themselves: two triangles far from each other share a texel. Returns true if any does.
     bool take_apart_folded() {
         bool any = false;
         std::vector<double> heights;

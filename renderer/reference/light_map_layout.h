@@ -1,5 +1,4 @@
-// Where each surface of a scene lies in its light map: charts of neighbouring triangles, laid flat and packed into a
-// square.
+// Layout of a light map's atlas: charts of neighbouring triangles, projected flat and packed into a square.
 //
 //     const LightMapLayout layout = light_map_layout(geometry, 1024, workers);
 //     layout.chart_of[layout.objects[object].first + triangle];     // a row of layout.charts
@@ -14,48 +13,50 @@
 
 namespace si {
 
-/// Neighbouring triangles of one object, projected along a common normal. A point p of them lies at
-/// (dot(u, p - centre), dot(v, p - centre)) * texels_per_metre + at, in texels of the atlas, counted from its corner.
+/// Neighbouring triangles of one object, projected along a common normal into a rectangle of the light map. A point p
+/// on them has the atlas position (dot(u, p - centre), dot(v, p - centre)) * texels_per_metre + at, in texels.
 struct LightMapChart {
     glm::dvec3 u{1, 0, 0}, v{0, 1, 0};  ///< unit, across the normal
-    glm::dvec2 lo{0}, extent_m{0};      ///< of the projection
+    glm::dvec2 lo{0}, extent_m{0};      ///< corner and size of the projection, metres
     glm::dvec2 at{0};                   ///< texels
-    glm::ivec4 rect{0};                 ///< first texel, and how many across and up, gutters included
+    glm::ivec4 rect{0};                 ///< first texel, width and height, gutters included
     std::uint32_t object = 0;
-    std::uint32_t first = 0, count = 0;  ///< its part of LightMapLayout::triangles
-    bool flat = true;                    ///< all of it lies in one plane
+    std::uint32_t first = 0, count = 0;  ///< range in LightMapLayout::triangles
+    bool flat = true;                    ///< all triangles lie in one plane
 };
 
+/// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.
 struct LightMapLayout {
     static constexpr std::uint32_t kNoChart = 0xffffffff;
-    static constexpr int kGutter = 1;               ///< texels around each chart, which bilinear look-ups may reach
-    static constexpr double kMostTiltDegrees = 30;  ///< of a triangle against the chart that it is in
+    static constexpr int kGutter = 1;               ///< texels around each chart that bilinear look-ups may reach
+    static constexpr double kMostTiltDegrees = 30;  ///< angle between a triangle and its chart
+    /// Range of one object's triangles among those of all objects.
     struct ObjectPart {
-        std::uint32_t first = 0, count = 0;  ///< of its triangles among all
+        std::uint32_t first = 0, count = 0;
     };
 
     int side = 0;  ///< texels
     double texels_per_metre = 0;
-    glm::dvec3 centre{0};                 ///< of the scene, metres
+    glm::dvec3 centre{0};                 ///< centre of the scene, metres
     std::vector<ObjectPart> objects;      ///< by their number
     std::vector<std::uint32_t> chart_of;  ///< by triangle; kNoChart: it has no area
-    /// By triangle, a bit an edge (corner k to k + 1): another chart, or nothing, lies beyond it.
+    /// Border edges by triangle: bit k is set when no triangle of the same chart adjoins edge k to k + 1.
     std::vector<std::uint8_t> borders;
     std::vector<LightMapChart> charts;
-    std::vector<std::uint32_t> triangles;  ///< chart by chart, as their object numbers them
+    std::vector<std::uint32_t> triangles;  ///< chart by chart, index within their object
 
-    /// Where a point of a chart lies, in texels.
+    /// Returns the position of a point of a chart in the light map, in texels.
     glm::dvec2 place(const LightMapChart& chart, const glm::dvec3& position_ws) const {
         const glm::dvec3 p = position_ws - centre;
         return glm::dvec2(glm::dot(chart.u, p), glm::dot(chart.v, p)) * texels_per_metre + chart.at;
     }
-    /// The share of texels within charts, gutters included.
+    /// Returns the share of the light map's texels that charts use, gutters included.
     double used() const;
 };
 
-/// Grows charts from triangle to neighbour, within LightMapLayout::kMostTiltDegrees of the first one's normal, and
-/// packs them on shelves by their height, at the greatest density at which all fit. A chart that would lie upon itself
-/// is taken apart into those that are flat.
+/// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within
+/// LightMapLayout::kMostTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
+/// density at which all fit. A chart whose projection overlaps itself is split into flat ones.
 /// @param side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled
 LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers = {});

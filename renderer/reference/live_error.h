@@ -1,12 +1,13 @@
-// What a frame finds wrong with its shadows: computed on the GPU where the truth is at hand.
+// Shadow error of a frame, computed on the GPU while it is drawn.
 #pragma once
 
 #include "renderer/reference/metrics.h"
 
 namespace si {
 
+/// Shadow error of a frame by the GPU's own sums, available when the frame has a reference.
 struct LiveError {
-    /// As error_metrics() has them, but for boundary_px_*, which are NaN.
+    /// Equal to error_metrics(), except boundary_px_*, which are NaN.
     ErrorMetrics metrics;
 };
 

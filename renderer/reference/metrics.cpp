@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// Pixels on either side of a step between lit and dark on one surface.
+/// Returns the pixels on either side of a change between lit and dark on one surface.
 template <typename Dark>
 std::vector<std::uint8_t> contour(const Reference& reference, const std::vector<std::uint8_t>& joins, Dark&& dark) {
     const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
@@ -31,6 +31,7 @@ std::vector<std::uint8_t> contour(const Reference& reference, const std::vector<
     return out;
 }
 
+/// Computes the distances between two sets of contour pixels: ErrorMetrics::boundary_px_*.
 /// @param step pixels of the picture per pixel of a and b
 void contour_distances(ErrorMetrics& m, const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b,
                        int width, int height, int step) {
@@ -65,7 +66,7 @@ constexpr std::uint32_t causes(std::initializer_list<Artefact> list) {
     return bits;
 }
 constexpr std::uint32_t kAnyCause = (1u << kArtefacts) - 1;
-// No bias and no offset puts these right.
+// Causes that no change of bias or offset makes right.
 constexpr std::uint32_t kAtEdges =
     causes({Artefact::EdgeAliasing, Artefact::Undersampled, Artefact::Penumbra, Artefact::Filter, Artefact::NoMap});
 
@@ -76,26 +77,26 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "mae",
      .label = "Mean error",
      .unit = kOfVisibility,
-     .help = "Mean of |V - truth| over the counted pixels.",
+     .help = "Mean of |V - R| over the counted pixels.",
      .formula = "sum |V - R| / n",
      .member = &M::mae},
     {.key = "rmse",
      .label = "RMS error",
      .unit = kOfVisibility,
-     .help = "Root of the mean of (V - truth)^2: large errors weigh more.",
+     .help = "Root of the mean of (V - R)^2: large errors count more.",
      .formula = "sqrt(sum (V - R)^2 / n)",
      .member = &M::rmse},
     {.key = "signed_mean",
      .label = "Mean signed error (+ too light)",
      .unit = kOfVisibility,
-     .help = "Mean of V - truth: negative is too dark.",
+     .help = "Mean of V - R: negative is too dark.",
      .formula = "sum (V - R) / n",
      .member = &M::signed_mean,
      .better = Better::NearZero},
     {.key = "false_shadow",
      .label = "False shadow",
      .unit = kShareOfPixels,
-     .help = "Lit in truth, dark in the picture: the sum of its causes.",
+     .help = "Lit in the reference, dark in the picture: the sum of its causes.",
      .formula = "#{R >= 1/2 and V < 1/2, wrong} / n",
      .member = &M::false_shadow,
      .counts = Counts::Dark,
@@ -103,7 +104,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "false_light",
      .label = "False light",
      .unit = kShareOfPixels,
-     .help = "In shadow in truth, bright in the picture: the sum of its causes.",
+     .help = "In shadow in the reference, bright in the picture: the sum of its causes.",
      .formula = "#{R < 1/2 and V >= 1/2, wrong} / n",
      .member = &M::false_light,
      .counts = Counts::Bright,
@@ -121,7 +122,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "any_acne",
      .label = "Any acne",
      .unit = kShareOfPixels,
-     .help = "Wholly lit in truth, at all darker, and more bias lights it: also what a wide kernel hides.",
+     .help = "Fully lit in the reference, darker in the picture, and more bias lights it: includes acne that a wide "
+             "kernel hides.",
      .formula = "#{R = 1, V < 1 - 0.001, and more bias lights it: to one half or more where it is wrong, wholly where "
                 "it is not} / n",
      .member = &M::any_acne},
@@ -227,7 +229,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "artefacts.peter_panning_raster",
      .label = "Peter-panning by polygon offset",
      .unit = "px",
-     .help = "False light that is right without polygon offset, by what the driver makes of it.",
+     .help = "False light that is right without polygon offset, as the driver applies it.",
      .formula = "#{`peter_panning_raster`}",
      .causes = causes({Artefact::PeterPanningRaster})},
     {.key = "artefacts.contact",
@@ -239,7 +241,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "artefacts.edge_aliasing",
      .label = "Edge aliasing",
      .unit = "px",
-     .help = "Wrong by where the map's texels lie; smaller ones help.",
+     .help = "Wrong by the position of the map's texels; smaller ones help.",
      .formula = "#{`edge_aliasing`}",
      .causes = causes({Artefact::EdgeAliasing})},
     {.key = "artefacts.undersampled",
@@ -263,8 +265,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "within_noise",
      .label = "Within the noise",
      .unit = kShareOfPixels,
-     .help = "On the other side of one half than a truth that is too noisy to call them wrong. A smaller truth.noise "
-             "decides them.",
+     .help =
+         "On the other side of one half than the reference, but within its noise. A smaller truth.noise decides them.",
      .formula = "#{V and R on different sides of one half, but not wrong} / n",
      .member = &M::within_noise,
      .better = Better::Neither,
@@ -304,8 +306,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "outside_map",
      .label = "Outside the map",
      .unit = kShareOfPixels,
-     .help = "No texel of the map holds them, right or wrong.",
-     .formula = "#{the look-up lies beside the map, beyond its far plane or behind the light} / n; "
+     .help = "The map does not cover them, right or wrong.",
+     .formula = "#{the look-up lies outside the map, beyond its far plane or behind the light} / n; "
                 "`artefacts.outside_map` counts only the wrong ones, and taps beyond the map's sides",
      .member = &M::outside_map,
      .better = Better::Neither},
@@ -381,7 +383,7 @@ std::uint32_t compared_bits(float v, const TruePixel& reference, bool outside) {
 TruePixel true_pixel(const Reference& reference, std::size_t i) {
     TruePixel p{.visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
     if (reference.is_area()) p.noise = reference.standard_error.data[i];
-    // One look at a light tells nothing of how others would turn out: its error is at most that of a tossed coin.
+    // One sample gives no estimate of the error, which is at most 0.5: that of a fair coin.
     if (std::isnan(p.noise)) p.noise = 0.5;
     return p;
 }
@@ -390,7 +392,7 @@ std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
             shared::ARTEFACT_BITS + shared::ALSO_SHIFT + index_of(Artefact::NoMap) <= 24,
-        "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
+        "a classified pixel has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
     std::vector<ClassifiedPixel> out(classified.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto code = std::uint32_t(classified.data[2 * i]);
@@ -433,8 +435,8 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
                            const std::vector<std::uint8_t>& joins) {
     if (classified.size() != reference.state.size())
-        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", classified.size(),
-                                reference.width, reference.height));
+        throw Error(fmt::format("{} classified pixels cannot be compared with a reference of {} x {}",
+                                classified.size(), reference.width, reference.height));
     using J = ClassifiedPixel;
     PixelSums sums;
     for (std::size_t i = 0; i < reference.state.size(); ++i) {

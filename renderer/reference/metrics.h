@@ -1,4 +1,4 @@
-// How far a picture of visibility is from the truth, in numbers. Pure CPU; what the GPU sums up is held against it.
+// Error metrics of visibility against the ray-traced reference. CPU code, with which tests compare the GPU's sums.
 #pragma once
 
 #include <array>
@@ -13,16 +13,17 @@
 
 namespace si {
 
-/// What the frame found for each pixel of the truth, as shaders/passes/compare.frag.glsl and causes.frag.glsl write it.
+/// Classification of one pixel against the reference, as shaders/passes/compare.frag.glsl and causes.frag.glsl write
+/// it.
 struct ClassifiedPixel {
+    /// Flags of a classified pixel.
     enum Bits : std::uint32_t {
         kFalseShadow = shared::FALSE_SHADOW,
         kFalseLight = shared::FALSE_LIGHT,
-        kOutside = shared::OUTSIDE,  ///< the map does not hold the surface
+        kOutside = shared::OUTSIDE,  ///< the map does not cover the surface
         kAnyAcne = shared::ANY_ACNE,
-        kWithinNoise = shared::WITHIN_NOISE,  ///< on the other side of one half than the truth, but no further than its
-                                              ///< noise explains
-        kFaint = shared::FAINT,               ///< wholly lit in truth, and less than that, but not wrong
+        kWithinNoise = shared::WITHIN_NOISE,  ///< on the other side of 0.5 than the reference, but within its noise
+        kFaint = shared::FAINT,  ///< fully lit in the reference and slightly darker in the picture, not wrong
         kCounts = shared::COUNTS,
         kSeam = shared::SEAM,  ///< Cause::seam
     };
@@ -31,89 +32,94 @@ struct ClassifiedPixel {
     std::uint32_t bits = 0;
     float visibility = 1;
     std::uint32_t also() const { return bits >> kAlsoShift; }  ///< Cause::also
+    /// Returns true when flag `b` is set.
     bool has(Bits b) const { return (bits & b) != 0; }
 };
 
-/// The bits of a pixel that counts, but kAnyAcne and kSeam. @param visibility not NaN
+/// Computes the flags of a counted pixel, except kAnyAcne and kSeam.
+/// @param visibility in the picture, not NaN @param outside the map does not cover the surface
 std::uint32_t compared_bits(float visibility, const TruePixel& reference, bool outside);
 
-/// A pixel of the truth as causes take it.
+/// Returns pixel `i` of a reference, for classification. @param i index, top row first
 TruePixel true_pixel(const Reference& reference, std::size_t i);
 
-/// From what is read back of FrameResult::judged, at the truth's pixels. @param judged two channels, of the truth's
-/// size
+/// Decodes classified pixels from the image FrameResult::judged.
+/// @param judged two channels, sampled at the reference's pixels
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
-/// Whether each pixel and its right (bit 0) or lower (bit 1) neighbour show one surface, so that a contour between them
-/// is a shadow's.
+/// Returns for each pixel whether its right (bit 0) and lower (bit 1) neighbour show the same surface: a contour
+/// between them is then a shadow edge.
 std::vector<std::uint8_t> same_surface_bits(const Receivers& receivers);
 
-/// Visibility V against the truth R over the pixels that count (PixelState::Counted), n in number. Shadow is below one
-/// half. Fractions are of n, and 0 when n is 0. What each number is, metrics() says: it has a row for each of these.
-/// False shadow and false light are the sums of their parts.
+/// Error metrics of visibility V against the reference R over the n counted pixels (PixelState::Counted). metrics() has
+/// a row that describes each number. Shadow is below 0.5. Fractions are of n, and 0 when n is 0. False shadow and false
+/// light are the sums of their parts.
 struct ErrorMetrics {
     std::size_t counted = 0;
     double false_shadow = 0, false_light = 0, acne = 0, leak = 0, bias_false_light = 0, lost_false_light = 0,
            offset_false_shadow = 0, contact_false_shadow = 0, boundary_false_shadow = 0, boundary_false_light = 0,
            outside_false_shadow = 0, outside_false_light = 0, any_acne = 0, within_noise = 0, mae = 0, rmse = 0,
            signed_mean = 0, iou = 1, boundary_px_mean = 0, boundary_px_p95 = 0, boundary_px_max = 0, outside_map = 0;
-    std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState: what was counted, and what not and why
-    std::size_t ground_pixels = 0;                    ///< of the counted: on the ground under a model
+    std::array<std::size_t, kPixelStates> pixels{};   ///< per PixelState
+    std::size_t ground_pixels = 0;                    ///< counted pixels on the ground disc under a model
     std::array<std::size_t, kArtefacts> artefacts{};  ///< wrong pixels per cause; None: all others
 };
 
-/// What is better of two values of a metric.
+/// Direction in which a metric improves.
 enum class Better {
     Less,
-    NearZero,  ///< of signed ones
+    NearZero,  ///< for signed metrics
     More,      ///< at most 1
     Neither,   ///< a fact, no quality
 };
 
-/// How far a value is from the best, where less is better; NaN with Better::Neither.
+/// Returns the distance of a metric's value from the best one, so that less is better; NaN for Better::Neither.
 double distance_from_best(Better better, double value);
 
-/// A number that says how wrong a picture's shadows are. A row is all that JSON, tables, plots, searches and the page
-/// of metrics know of it.
+/// Row of the table of error metrics: JSON, tables, plots, searches and the documentation are generated from it.
 struct Metric {
     std::string_view key;  ///< field of `error` in JSON, its objects' fields after a dot
     std::string_view label;
     std::string_view unit;     ///< kShareOfPixels, kOfVisibility, "px" or none
     std::string_view help;     ///< a sentence
-    std::string_view formula;  ///< V: visibility by the map, R: by the truth, n: pixels that count
+    std::string_view formula;  ///< V: visibility by the map, R: by the reference, n: counted pixels
     std::string_view paper = {};
     double ErrorMetrics::*member = nullptr;  ///< none: counts wrong pixels by `causes`
     Better better = Better::Less;
-    std::string_view part_of = {};  ///< key of the sum that it is a part of
-    std::string_view part = {};     ///< what it is called below that sum
-    /// Which wrong pixels by `causes` it is the share of.
+    std::string_view part_of = {};  ///< key of the metric of which this is a summand
+    std::string_view part = {};     ///< label below that metric
+    /// Wrong pixels, selected by `causes`, that a metric counts: false shadow, false light, or both.
     enum class Counts { Otherwise, Dark, Bright, Wrong };
     Counts counts = Counts::Otherwise;
-    std::uint32_t causes = 0;  ///< of those: bits 1 << Artefact; with Artefact::None wrong ones without a cause, too
-    bool rare = false;         ///< for people only where it is not 0
-    bool contours = false;     ///< between contours, which a frame's own sums cannot tell: NaN in LiveError
+    std::uint32_t causes = 0;  ///< bits 1 << Artefact; Artefact::None: wrong pixels without a cause
+    bool rare = false;         ///< shown to people only when not 0
+    bool contours = false;     ///< distance between contours, which the GPU's sums cannot provide: NaN in LiveError
 
+    /// Returns the value of this error metric in a measurement.
     double value(const ErrorMetrics& m) const;
 };
 inline constexpr std::string_view kShareOfPixels = "share of pixels", kOfVisibility = "of visibility";
 
-/// All metrics; the first is what searches and plots begin with.
+/// Returns the table of error metrics; the first is the default of searches and plots.
 std::span<const Metric> metrics();
+/// Returns the error metric with this key, or null.
 const Metric* find_metric(std::string_view key);
 
-/// What is counted and summed over the pixels that count; the frame has it of tiles
+/// Sums over the counted pixels of a picture, from which error metrics follow. The GPU computes them per tile
 /// (shaders/passes/error_tiles.frag.glsl).
 struct PixelSums {
     std::array<double, kArtefacts> dark{}, bright{};  ///< false shadow and false light by cause; None: without one
     double outside = 0, any_acne = 0, within_noise = 0;
-    double absolute = 0, squares = 0, sum = 0;  ///< of |V - R|, its square, V - R
-    double both = 0, either = 0;                ///< in shadow by V and R, by one of them
+    double absolute = 0, squares = 0, sum = 0;  ///< sums of |V - R|, its square, V - R
+    double both = 0, either = 0;                ///< pixels in shadow by V and R, and by at least one of them
 };
 
-/// All but boundary_px_*, which are NaN.
+/// Computes error metrics from sums over pixels, except boundary_px_*, which are NaN.
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
-/// @param judged one per pixel of the truth @param joins same_surface_bits(), or empty: all are joined
+/// Computes error metrics from classified pixels and their reference.
+/// @param judged one per pixel of the reference
+/// @param joins same_surface_bits(), or empty: all neighbours show the same surface
 /// @throws Error when sizes differ
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,
                            const std::vector<std::uint8_t>& joins = {});

@@ -1,4 +1,5 @@
-// One hierarchy of rays for all who trace the same casters: frames' truth, probed pixels, searches, sweeps.
+// Shared bounding volume hierarchies for ray tracing: references, probed pixels, searches and sweeps over the same
+// casters use one.
 #pragma once
 
 #include <cstdint>
@@ -10,34 +11,35 @@
 
 namespace si {
 
-/// Hierarchies by ReferenceGeometry::key. Those that somebody holds are found; of others the last one is kept. Any
-/// thread.
+/// Cache of ray-tracing hierarchies by ReferenceGeometry::key. Finds those that are still referenced elsewhere, and
+/// keeps the last one alive. Usable from any thread.
 class RaySceneCache {
 public:
-    /// The hierarchy of that geometry, built unless it is there. Who asks for one that another thread is building waits
-    /// for that. @throws Cancelled; Error as ReferenceScene does
+    /// Returns the ray-tracing hierarchy of a geometry; builds it on a miss. Waits when another thread is building the
+    /// same one. @throws Cancelled; Error as ReferenceScene does
     std::shared_ptr<const ReferenceScene> get(const std::shared_ptr<const ReferenceGeometry>& geometry,
                                               const Workers& workers = {});
-    /// Null when nobody has built it, or nobody holds it any more.
+    /// Returns the cached hierarchy with this ReferenceGeometry::key, or null. Never builds one.
     std::shared_ptr<const ReferenceScene> find(std::uint64_t key) const;
-    /// The geometry of a hierarchy that is there, else a copy of the scene's triangles.
+    /// Returns the geometry of a cached hierarchy for the scene, or else a new one from the scene's triangles.
     std::shared_ptr<const ReferenceGeometry> geometry(const Scene& scene, const Settings& settings) const;
-    /// How many there are in memory.
+    /// Returns the number of ray-tracing hierarchies in memory.
     std::size_t size() const;
-    /// Keeps none but those that somebody holds.
-    void forget();
+    /// Drops the ray-tracing hierarchy that only this cache keeps alive.
+    void clear();
 
 private:
-    struct Place {
+    /// Entry of the cache: a hierarchy, and the lock held while it is built.
+    struct Entry {
         std::timed_mutex building;
         std::weak_ptr<const ReferenceScene> scene;  ///< under RaySceneCache::mutex_
     };
     mutable std::mutex mutex_;
-    std::map<std::uint64_t, std::shared_ptr<Place>> places_;
+    std::map<std::uint64_t, std::shared_ptr<Entry>> entries_;
     std::shared_ptr<const ReferenceScene> last_;
 };
 
-/// The process's own.
+/// Returns the cache of ray-tracing hierarchies of the process.
 RaySceneCache& ray_scenes();
 
 }  // namespace si

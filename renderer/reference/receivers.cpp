@@ -8,9 +8,9 @@
 namespace si {
 namespace {
 
-/// The point of triangle t nearest to barycentric (1-u-v, u, v) along straight lines towards its inside.
+/// Clamps barycentric coordinates (1-u-v, u, v) to triangle `t` and returns the point.
 glm::dvec3 inside(const TriangleWs& t, double u, double v) {
-    if (!std::isfinite(u + v)) u = v = 1.0 / 3;  // seen edge-on
+    if (!std::isfinite(u + v)) u = v = 1.0 / 3;  // edge-on
     double w = std::max(1 - u - v, 0.0);
     u = std::max(u, 0.0);
     v = std::max(v, 0.0);
@@ -18,7 +18,7 @@ glm::dvec3 inside(const TriangleWs& t, double u, double v) {
     return (w * t.a + u * t.b + v * t.c) / sum;
 }
 
-/// A triangle with what all of its pixels share.
+/// Triangle with the values that all its pixels share.
 struct Prepared {
     std::uint32_t object = Receiver::kNothing, primitive = 0;
     TriangleWs corners;
@@ -29,7 +29,7 @@ struct Prepared {
         if (new_object >= geometry.objects.size() || geometry.objects[new_object].mesh->indices.empty())
             throw Error(fmt::format("a pixel shows object {}, but the traced scene has {}", new_object,
                                     geometry.objects.size()));
-        // Drivers may count on through the instances of a draw.
+        // Drivers may continue to count primitives over the instances of a draw.
         const auto count = std::uint32_t(geometry.objects[new_object].mesh->triangles());
         const std::uint32_t new_primitive = drawn_primitive % count;
         if (new_object == object && new_primitive == primitive) return;
@@ -59,7 +59,8 @@ struct Prepared {
     }
 };
 
-/// Neighbours lie on one surface when each is nearer to the other's plane than half as steep as from it.
+/// Returns true when two neighbouring pixels show one surface: each point is close to the other's plane, compared with
+/// the distance of the points.
 bool joined(const Receiver& a, const Receiver& b) {
     if (!a.hit() || !b.hit()) return false;
     const glm::dvec3 d = b.position_ws - a.position_ws;
@@ -67,7 +68,7 @@ bool joined(const Receiver& a, const Receiver& b) {
     return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
 }
 
-constexpr std::size_t kRowsPlaced = 16;  ///< rows that one thread places
+constexpr std::size_t kRowsPlaced = 16;  ///< rows per block of work
 
 void join_row_below(Receivers& to, std::size_t y) {
     const auto width = std::size_t(to.width);
@@ -77,7 +78,7 @@ void join_row_below(Receivers& to, std::size_t y) {
     }
 }
 
-/// @param below whether the row below is there already
+/// Sets same_surface_right and same_surface_below for a row of receivers. @param below the row below is complete
 void join_row(Receivers& to, std::size_t y, bool below) {
     const auto width = std::size_t(to.width);
     for (std::size_t x = 0; x + 1 < width; ++x) {
@@ -97,7 +98,7 @@ Receiver meet(const Prepared& triangle, const Camera& camera, std::size_t x, std
 
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     const glm::dvec3 point = frame.to_unit(r.position_ws), a = glm::abs(point);
-    // Corners, origin and the intersection's own arithmetic err by steps of the largest coordinate involved.
+    // Rounding errors of corners, origin and intersection are proportional to the largest coordinate involved.
     const double largest = std::max({a.x, a.y, a.z, double(r.edge_m) * frame.scale});
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
 }
@@ -111,7 +112,7 @@ Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera&
     const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
     const auto width = std::size_t(ids.width), height = std::size_t(ids.height);
     const std::size_t strips = (height + kRowsPlaced - 1) / kRowsPlaced;
-    parallel_for_blocks(strips, workers.part(0, 0.95), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.with_progress_range(0, 0.95), [&](std::size_t strip) {
         const std::size_t first = strip * kRowsPlaced, end = std::min(first + kRowsPlaced, height);
         Prepared triangle;
         for (std::size_t y = first; y < end; ++y)
@@ -130,7 +131,7 @@ Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera&
             }
         for (std::size_t y = first; y < end; ++y) join_row(out, y, y + 1 < end);  // while it is in the cache
     });
-    parallel_for_blocks(strips, workers.part(0.95, 1), [&](std::size_t strip) {
+    parallel_for_blocks(strips, workers.with_progress_range(0.95, 1), [&](std::size_t strip) {
         if (const std::size_t below = (strip + 1) * kRowsPlaced; below < height) join_row_below(out, below - 1);
     });
     out.held = TrackedMemory("receivers", array_bytes(out.pixels) + array_bytes(out.starts));

@@ -1,4 +1,4 @@
-// The surface point behind each pixel, in double.
+// Surface point of each pixel (the shadow receiver), in double precision.
 #pragma once
 
 #include <cstdint>
@@ -12,52 +12,59 @@
 
 namespace si {
 
+/// Surface point that a pixel shows, with its triangle.
 struct Receiver {
     static constexpr std::uint32_t kNothing = 0xffffffff;
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0};  ///< of the triangle, unit, on the side that the camera sees
     float edge_m = 0;         ///< the triangle's longest edge
     std::uint32_t object = kNothing, primitive = 0;
-    /// Whether the right and the lower neighbour show the same surface: neither lies off the other's plane.
+    /// The right and the lower neighbour pixel show the same surface: neither point lies off the other's plane.
     bool same_surface_right = false, same_surface_below = false;
+    /// Returns true when the pixel shows a surface.
     bool hit() const { return object != kNothing; }
 };
 
-/// The receiver's point in the unit frame, lifted off its surface by what single precision may err.
+/// Returns the origin for rays from a receiver, in the unit frame. The point is shifted off its surface by the largest
+/// rounding error of single precision.
 glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& receiver);
 
-/// What most rays need of a receiver, half as large as it.
+/// Start of the rays from one receiver: a compact copy, half as large, of what most rays need.
 struct RayStart {
     glm::vec3 origin{0};  ///< ray_origin()
     glm::vec3 normal{0};
     std::uint32_t object = Receiver::kNothing;
 };
 
-/// One per pixel, top row first.
+/// Surface points of all pixels of a picture, top row first.
 struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
-    BigArray<RayStart> starts = {};  ///< of the pixels, or empty: traces then take longer
+    BigArray<RayStart> starts = {};  ///< one per pixel, or empty: traces then take longer
     TrackedMemory held = {};         ///< what they take
+    /// Returns the surface point of pixel (x, y), counted from the top left.
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-/// Which pixels of the camera's picture are placed: every `step`-th across and down, from `first` on.
+/// Pixels of the camera's picture that are sampled: every `step`-th across and down, starting at `first`.
 struct PixelRaster {
     int width = 0, height = 0;  ///< of the camera's picture
     int step = 1;
-    glm::ivec2 first{0};  ///< pixel of the picture that is placed first
+    glm::ivec2 first{0};  ///< top left sampled pixel
+    /// Returns the number of sampled pixels across.
     int columns() const { return (width + step - 1) / step; }
+    /// Returns the number of sampled pixels down.
     int rows() const { return (height + step - 1) / step; }
 };
 
-/// Meets each pixel's ray with the plane of the triangle that the GPU drew there, in double, and keeps the point inside
-/// the triangle (rasterisers snap corners, so the ray may pass by a hair).
+/// Reconstructs the surface point of each pixel in double precision: intersects the pixel's ray with the plane of the
+/// triangle that the GPU drew there, and clamps the point to the triangle. The ray may miss it slightly, as rasterisers
+/// snap corners.
 /// @param ids Outputs::surface_ids of a frame of the same scene and camera, those of the raster
 /// @throws Cancelled; Error when an id names no triangle of the geometry
 Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                                 const PixelRaster& raster, const Workers& workers);
-/// Every pixel.
+/// Reconstructs the surface point of every pixel of the picture.
 inline Receivers reconstruct_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                                        const Workers& workers) {
     return reconstruct_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);

@@ -14,19 +14,19 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 16;  ///< pixels a side: neighbours' rays meet the same nodes
-/// Most tiles beside each other that one thread takes: their pixels share cache lines, for which threads would wait.
+constexpr int kTile = 16;  ///< pixels a side: rays of neighbours visit the same nodes
+/// Limit of adjacent tiles per block of work. Adjacent tiles share cache lines, so that one thread takes several.
 constexpr std::size_t kTilesInTurn = 8;
-constexpr std::size_t kTurns = 4;  ///< that each thread gets at least
-constexpr int kSquare = 4;         ///< pixels a side whose rays are traced at once, in one packet
+constexpr std::size_t kBlocksPerThread = 4;  ///< least blocks per thread
+constexpr int kSquare = 4;                   ///< pixels a side of one ray packet
 constexpr int kFirstParts = 8;
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/// Rays of one batch, those that need double apart.
+/// Batch of shadow rays; those that need double precision are separate.
 struct Batch {
     std::vector<RTCRay> plain, grazing;
     std::vector<ExactRay> exact;
-    std::vector<std::uint32_t> grazing_of;  ///< what the caller numbers the rays by; plain ones carry it as their id
+    std::vector<std::uint32_t> grazing_of;  ///< caller's number of each grazing ray; others carry it as their id
 
     void clear() {
         plain.clear();
@@ -57,23 +57,23 @@ struct Batch {
     std::size_t size() const { return plain.size() + grazing.size(); }
 };
 
-/// A share of the light, and the standard error of the estimate; NaN: unknown.
+/// Estimated visible share of the light, and its standard error; NaN: unknown.
 struct Estimate {
     double visibility = 1, error = 0;
 };
 
-/// How samples of the light vary, by neighbours that should see about the same.
+/// Variance of light samples, estimated from groups of neighbouring samples.
 struct Variance {
-    double sum = 0;         ///< of the lit ones' number
-    std::size_t known = 0;  ///< samples that it was told from
+    double sum = 0;         ///< of the number of lit samples
+    std::size_t known = 0;  ///< number of samples in the estimate
 
-    /// @param lit of the `above` samples of a group that are above the horizon
+    /// Adds a group of samples. @param above samples above the horizon @param lit samples of those that are lit
     void add(int lit, int above) {
-        if (above < 2) return;  // one sample tells nothing of how others would vary
+        if (above < 2) return;  // one sample has no variance
         sum += double(lit) * (above - lit) / (above - 1);
         known += std::size_t(above);
     }
-    /// Of the share that `samples` in all estimate.
+    /// Returns the standard error of a share that is estimated by `samples` samples.
     double standard_error(std::size_t samples) const {
         return known == 0 ? kNaN : std::sqrt(sum / (double(known) * double(samples)));
     }
@@ -121,8 +121,8 @@ public:
         });
     }
 
-    /// Few samples everywhere, then four times as many where the light is seen in part, or may be as a neighbour's is,
-    /// and again where the error is too large.
+    /// Traces an area light adaptively: few samples everywhere, then four times as many in and next to penumbrae, and
+    /// again where the error is too large.
     void trace_area(const Workers& workers) {
         const int most = std::max(1, int(std::sqrt(double(std::max(query_.options.samples, 1)))));
         error_.assign(out_.state.size(), 0);
@@ -133,7 +133,7 @@ public:
             // Most of the work is in the first two levels.
             const double lo = level == 0 ? 0 : level == 1 ? 0.4 : 1 - std::exp2(-level - 1.0) * 2;
             const double hi = parts == most ? 1 : level == 0 ? 0.4 : 1 - std::exp2(-level - 2.0) * 2;
-            sample(parts, wanted, workers.part(std::min(lo, hi), hi));
+            sample(parts, wanted, workers.with_progress_range(std::min(lo, hi), hi));
             if (parts == most) break;
             wanted = level == 0 ? near_partial() : wanted;
             for (std::size_t i = 0; i < wanted.size(); ++i)
@@ -148,11 +148,11 @@ private:
     const ReferenceQuery& query_;
     Reference& out_;
     std::span<const ObjectTraits> culls_;
-    std::optional<std::uint32_t> ground_;  ///< the object under a model
+    std::optional<std::uint32_t> ground_;  ///< index of the ground disc
     std::mutex lock_;
     std::vector<float>& error_ = out_.standard_error.data;
-    std::vector<std::uint16_t> parts_;  ///< across the light, of each pixel's estimate
-    glm::vec3 to_light_{0};             ///< of a directional light
+    std::vector<std::uint16_t> parts_;  ///< samples across the light, by pixel
+    glm::vec3 to_light_{0};             ///< direction to a directional light
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(receivers_.width) + std::size_t(x); }
     bool partial(std::size_t i) const { return out_.visibility.data[i] > 0 && out_.visibility.data[i] < 1; }
@@ -181,7 +181,7 @@ private:
     void for_tiles(const Workers& workers, Work&& work) {
         const std::size_t across = std::size_t((receivers_.width + kTile - 1) / kTile);
         const std::size_t down = std::size_t((receivers_.height + kTile - 1) / kTile);
-        const std::size_t shared_out = across * down / (kTurns * std::size_t(workers.count()));
+        const std::size_t shared_out = across * down / (kBlocksPerThread * std::size_t(workers.count()));
         const std::size_t in_turn = std::clamp<std::size_t>(shared_out, 1, kTilesInTurn);
         const std::size_t runs = (across + in_turn - 1) / in_turn;
         parallel_for_blocks(runs * down, workers, [&](std::size_t run) {
@@ -194,7 +194,7 @@ private:
         });
     }
 
-    /// The same as classify() for a directional light that casts, without a look at receivers that need no double.
+    /// Equals classify() for a directional light that casts, but reads only RayStart where single precision is enough.
     PixelState classify_quickly(std::size_t i, Batch& batch) {
         const RayStart& start = receivers_.starts[i];
         if (start.object == Receiver::kNothing) return out_.state[i] = PixelState::Background;
@@ -228,7 +228,7 @@ private:
         return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
-    /// The surfaces nearest the light, on the same ray as the shadow's.
+    /// Finds Truth::nearest_m and blocker_m of a pixel on its shadow ray.
     void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
@@ -253,7 +253,7 @@ private:
     double metres_to_near_plane(const glm::dvec3& point, const glm::dvec3& direction) const {
         if (query_.views.empty()) return std::numeric_limits<double>::infinity();
         const LightView& view = query_.views[query_.chooser.choose(query_.views, point).view];
-        // No caster stands before a warped view: no setting moves where it begins.
+        // No caster lies in front of a warped view's near plane, which no setting moves.
         if (view.clamps_near || view.warped()) return std::numeric_limits<double>::infinity();
         const double z = glm::dot(view.eye - point, view.axes[2]), rises = glm::dot(direction, view.axes[2]);
         return rises > 0 ? (z - view.curve.near) / rises : std::numeric_limits<double>::infinity();
@@ -278,7 +278,7 @@ private:
         });
     }
 
-    /// The share of the light seen, of the part above the surface's horizon.
+    /// Estimates the visible share of the light's part above the surface's horizon.
     Estimate sampled(std::size_t i, int parts, Batch& batch) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
@@ -300,7 +300,7 @@ private:
         batch.trace(scene_, culls_, [](std::uint32_t k, bool occluded) { seen[k] = occluded ? kDark : kLit; });
         const std::size_t lit = std::size_t(std::count(seen.begin(), seen.end(), kLit));
         const std::size_t above = lit + std::size_t(std::count(seen.begin(), seen.end(), kDark));
-        const double exact = query_.emitter.size > 0 ? kNaN : 0;  // a light without size is no estimate
+        const double exact = query_.emitter.size > 0 ? kNaN : 0;  // exact for a light without size
         if (above == 0) return {out_.hard().data[i], exact};
         Variance variance;
         for (int y = 0; y + 1 < parts; y += 2)
@@ -314,7 +314,7 @@ private:
         return {double(lit) / double(above), error};
     }
 
-    /// Pixels that see a part of the light, and their neighbours.
+    /// Returns the pixels in penumbra and their neighbours.
     std::vector<std::uint8_t> near_partial() const {
         std::vector<std::uint8_t> out(out_.state.size(), 0);
         for (int y = 0; y < receivers_.height; ++y)
@@ -376,10 +376,10 @@ Reference trace_visibility(const ReferenceScene& scene, const Receivers& receive
     const bool area = query.options.area && query.emitter.casts;
     if (area) out.standard_error = image(out.width, out.height, 0);
     Tracer tracer(scene, receivers, query, out);
-    tracer.trace_hard(workers.part(0, area ? 0.05 : 1));
+    tracer.trace_hard(workers.with_progress_range(0, area ? 0.05 : 1));
     if (area) {
         out.point_visibility = out.visibility;
-        tracer.trace_area(workers.part(0.05, 1));
+        tracer.trace_area(workers.with_progress_range(0.05, 1));
     }
     std::uint64_t bytes = array_bytes(out.state);
     for (const FloatImage* i :

@@ -1,10 +1,12 @@
-// The ray-traced truth about one light's shadows: what each pixel's surface sees of the light.
+// Ray-traced reference of one light's shadows: the visible share of the light at each pixel's surface.
 //
-//     auto geometry = std::make_shared<ReferenceGeometry>(scene, settings);           // a copy; any thread from here
-//     on ReferenceScene casters(geometry);                                               // the hierarchy Receivers
-//     receivers = reconstruct_receivers(*geometry, frame.camera, renderer.read_surface_ids(frame.surface_ids), {});
-//     Truth truth = trace_visibility(casters, receivers, reference_query(scene, settings, frame.lights, 0), {});
-//     truth.visibility.at(x, y);                                                  // 1 lit ... 0 in shadow
+//     auto geometry = std::make_shared<ReferenceGeometry>(scene, settings);  // a copy; any thread from here on
+//     ReferenceScene casters(geometry);                                      // the hierarchy
+//     SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
+//     Receivers receivers = reconstruct_receivers(*geometry, frame.camera, ids, {});
+//     ReferenceQuery query = reference_query(scene, settings, frame.lights, 0);
+//     Truth truth = trace_visibility(casters, receivers, query, {});
+//     truth.visibility.at(x, y);  // 1 lit ... 0 in shadow
 #pragma once
 
 #include <array>
@@ -19,92 +21,97 @@
 
 namespace si {
 
-/// Whether a pixel counts in comparisons, and if not, why.
+/// State of a pixel in comparisons with the reference: counted, or the reason why not.
 enum class PixelState : std::uint8_t {
     Counted,       ///< faces the light and lies in its cone and range
     Background,    ///< shows no surface
-    FacesAway,     ///< not faces_light(N_g.L): no light whatever stands between
-    OutsideCone,   ///< of a spot light
+    FacesAway,     ///< faces_light(N_g.L) is false: dark without any occluder
+    OutsideCone,   ///< outside a spot light's cone
     NotReceiving,  ///< object.PATH.receive is off
-    BeyondRange,   ///< of a spot or point light, in its cone
+    BeyondRange,   ///< beyond the range of a spot or point light, in its cone
 };
 inline constexpr std::size_t kPixelStates = 6;
-/// Whether the truth of the surface is traced, counted or not.
+/// Returns true when rays are traced for pixels of this state, counted or not.
 constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
 }
 
+/// Options of tracing a reference.
 struct ReferenceOptions {
-    bool area = false;           ///< the light has its size; else it is a point or a direction
-    bool as_rasterised = false;  ///< faces that culling leaves out of the shadow map cast nothing here either
-    int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
+    bool area = false;           ///< area light of the light's size; else a point or a direction
+    bool as_rasterised = false;  ///< faces that culling removes from the shadow map cast no shadow here either
+    int samples = 1024;          ///< area: most rays per pixel; starts with 64, then four times as many while noisy
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
-    bool nearest = true;         ///< find Truth::nearest_m and blocker_m
-    int step = 1;                ///< every that many pixels of the picture, across and down, are one of the truth's
+    bool nearest = true;         ///< compute Truth::nearest_m and blocker_m
+    int step = 1;                ///< pixels of the picture per pixel of the reference, across and down
     bool operator==(const ReferenceOptions&) const = default;
 };
 
-/// As truth.* of the settings say.
+/// Returns the reference options that the settings truth.* select.
 ReferenceOptions reference_options(const Settings& settings);
 
+/// Light, objects and options that a reference is traced for.
 struct ReferenceQuery {
     Emitter emitter;
     std::vector<ObjectTraits> traits;  ///< by object
-    std::vector<LightView> views;      ///< whose near planes bound what a map stores; may be empty
-    ViewChooser chooser;               ///< of them
+    std::vector<LightView> views;      ///< views of the light's map, whose near planes limit nearest_m; may be empty
+    ViewChooser chooser;               ///< selects the view of a point
     ReferenceOptions options;
 };
 
-/// The query for a light of a frame. @throws Error when there is no such light
+/// Makes the query for the reference of one light of a frame. @throws Error when there is no such light
 ReferenceQuery reference_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
                                int light, const ReferenceOptions& options = {});
 
-/// How many points of the light the estimates of counted pixels rest on, above the surface's horizon or below.
+/// Numbers of light samples per counted pixel, above the surface's horizon or below.
 struct SamplesUsed {
-    int least = 0, most = 0;  ///< of a pixel; 0: no light of size was sampled
+    int least = 0, most = 0;  ///< per pixel; 0: no area light was sampled
     double mean = 0;
 };
 
+/// Ray-traced reference of one light: per pixel its visibility, noise, and distances to occluders.
 struct Reference {
     int width = 0, height = 0;
     int step = 1;                   ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
     std::vector<PixelState> state;  ///< top row first, as all images here
-    /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
-    /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
+    /// Visibility, 1 lit to 0 in shadow. Pixels that do not count: 1 (Background, NotReceiving), 0 (FacesAway), or the
+    /// traced value (OutsideCone, BeyondRange), as in the shadow-mapped visibility.
     FloatImage visibility;
-    FloatImage point_visibility;  ///< area: the same for a light without size; see hard()
-    /// Area: estimated standard error of `visibility`, 0 where it is no estimate. NaN where it is unknown: no two
-    /// samples that are neighbours on the light. Else empty.
+    FloatImage point_visibility;  ///< area: visibility of a light without size; see hard()
+    /// Area: estimated standard error of `visibility`; 0 where that is exact, NaN where unknown (no two neighbouring
+    /// samples on the light). Otherwise empty.
     FloatImage standard_error;
-    /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
-    /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
-    /// Empty without ReferenceOptions::nearest.
+    /// Distance in metres along the pixel's light ray from its surface to the occluder nearest the light, which a
+    /// shadow map stores: with the culling of casters, beyond the map's near plane. NaN without an occluder. Empty
+    /// without ReferenceOptions::nearest.
     FloatImage nearest_m;
-    /// The same over all casters from both sides, whatever is culled and wherever the near plane stands: what a map
-    /// would store that loses no caster. NaN where the surface is lit. Empty without ReferenceOptions::nearest.
+    /// Distance as nearest_m, but over all casters from both sides, without culling and near plane: the content of a
+    /// map that loses no caster. NaN where the surface is lit. Empty without ReferenceOptions::nearest.
     FloatImage blocker_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
-    std::size_t on_ground = 0;                       ///< counted pixels of the ground under a model
-    std::uint64_t rays = 0;                          ///< to the light
-    /// Area: root mean square of the counted pixels' standard errors that are known; NaN when none is.
+    std::size_t on_ground = 0;                       ///< counted pixels of the ground disc under a model
+    std::uint64_t rays = 0;                          ///< number of rays to the light
+    /// Area: root mean square of the known standard errors of counted pixels; NaN when none is known.
     double noise = 0;
     std::size_t noise_unknown = 0;  ///< area: counted pixels whose standard error is unknown
     SamplesUsed samples;
-    std::size_t partial = 0;  ///< area: counted pixels that see a part of the light
+    std::size_t partial = 0;  ///< area: counted pixels in penumbra
 
-    TrackedMemory held = {};  ///< what it takes
+    TrackedMemory held = {};  ///< bytes of all images
 
-    /// Visibility of a light without size: 0 or 1.
+    /// Returns the visibility of a light without size: 0 or 1.
     const FloatImage& hard() const { return point_visibility.data.empty() ? visibility : point_visibility; }
+    /// Returns the number of counted pixels.
     std::size_t counted() const { return pixels[std::size_t(PixelState::Counted)]; }
-    /// Whether the light had its size.
+    /// Returns true when the reference was traced for an area light.
     bool is_area() const { return !standard_error.data.empty(); }
 };
 
-/// How sure the truth is, in words: "noise 0.0031, 64 to 1024 samples a pixel (112 on average)". Empty without a size.
+/// Formats noise and sample counts of a reference: "noise 0.0031, 64 to 1024 samples a pixel (112 on average)". Empty
+/// for a light without size.
 std::string noise_text(const Reference& reference);
 
-/// Traces every pixel. Equal for any number of threads. @throws Cancelled
+/// Traces the reference for every receiver. The result does not depend on the number of threads. @throws Cancelled
 Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
                            const Workers& workers);
 

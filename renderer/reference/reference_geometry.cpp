@@ -19,7 +19,7 @@ bool blend_casts(const Settings& settings) {
     return settings.caster.blend == BlendCasters::Mask;
 }
 
-/// Takes each mesh and texture once.
+/// Converter of scene meshes and textures for ray tracing; each is converted once.
 class Copier {
 public:
     Copier(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
@@ -32,7 +32,7 @@ public:
         auto to = std::make_shared<ReferenceMesh>();
         to->positions = from.positions;
         to->indices = from.indices;
-        // The cutoffs of the light's depth pass: blended surfaces have one only there.
+        // Cutoffs of the light's depth pass; blended surfaces have a cutoff only there.
         if (material.alpha == AlphaMode::Mask)
             to->mask = mask(from, material, material.alpha_cutoff);
         else if (material.alpha == AlphaMode::Blend && blend_casts(settings_))

@@ -1,5 +1,5 @@
-// What of a scene the ray-traced truth needs: the triangles as drawn, shared with the scene until that moves or is
-// replaced, so that a trace may go on.
+// Geometry for ray tracing: the triangles of a scene as drawn. Arrays are shared with the scene, so that a trace may
+// continue while the scene changes.
 #pragma once
 
 #include <cstdint>
@@ -14,13 +14,16 @@
 
 namespace si {
 
+/// Mesh for ray tracing: triangles and, for masked materials, an alpha test.
 struct ReferenceMesh {
-    SharedArray<glm::vec3> positions;  ///< the scene's own: deformed, without degenerate triangles
+    SharedArray<glm::vec3> positions;  ///< shared with the scene: deformed, without degenerate triangles
     SharedArray<std::uint32_t> indices;
     std::unique_ptr<const AlphaMask> mask;  ///< null: solid
+    /// Returns the number of triangles.
     std::size_t triangles() const { return indices.size() / 3; }
 };
 
+/// Placed mesh for ray tracing.
 struct ReferenceObject {
     std::shared_ptr<const ReferenceMesh> mesh;
     glm::dmat4 world{1.0};
@@ -28,42 +31,46 @@ struct ReferenceObject {
     bool ground = false;  ///< Object::ground
 };
 
-/// A corner's place in double: the object's transform is never rounded.
+/// Corners of a triangle in world space, in double precision: the object's transform is not rounded.
 struct TriangleWs {
     glm::dvec3 a{0}, b{0}, c{0};
 };
 
-/// A frame in which the scene is centred and about one long, scaled by a power of two: single-precision rays lose
-/// nothing in it at any scale and distance from the origin.
+/// Unit frame: coordinates in which the scene is centred and about one unit long, scaled by a power of two.
+/// Single-precision rays keep their accuracy there at any scale and distance from the origin.
 struct UnitFrame {
     glm::dvec3 centre{0};
     double scale = 1;  ///< unit lengths per metre
+    /// Converts a world-space position to the unit frame.
     glm::dvec3 to_unit(const glm::dvec3& position_ws) const { return (position_ws - centre) * scale; }
 };
 
-/// All objects of a scene by their number (Scene::objects).
+/// Triangles of all objects of a scene for ray tracing, by index in Scene::objects.
 struct ReferenceGeometry {
     std::vector<ReferenceObject> objects;
     Bounds bounds;
     std::uint64_t key = 0;
 
     ReferenceGeometry(const Scene& scene, const Settings& settings);
-    /// Of what casts, instances counted.
+    /// Returns the number of triangles of all objects that cast shadows, instances counted.
     std::size_t caster_triangles() const;
+    /// Returns the world-space corners of a triangle. @param primitive index within the object
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
+    /// Returns the unit frame of the scene's bounds.
     UnitFrame unit_frame() const;
-    /// Adds all that rays can find of it, the same in any process.
+    /// Adds the content of the geometry to a cache key that is the same in every process.
     void add_content(Key& key) const;
 };
 
-/// What ReferenceGeometry depends on: scene, the objects that cast, and what blended ones do.
+/// Returns the cache key of a scene's ReferenceGeometry: scene, casting objects, and the treatment of blended ones.
 Key reference_geometry_key(const Scene& scene, const Settings& settings);
 
-/// What settings say of each object besides, by its number.
+/// Settings of one object that a reference depends on besides its geometry.
 struct ObjectTraits {
     bool receives = true;
-    Cull cull = Cull::None;  ///< of its faces in the shadow map, the object's own choice before the scene's
+    Cull cull = Cull::None;  ///< face culling in the shadow map; the object's own setting overrides the scene's
 };
+/// Returns the shadow settings of each object, by index in Scene::objects.
 std::vector<ObjectTraits> object_traits(const Scene& scene, const Settings& settings);
 
 }  // namespace si

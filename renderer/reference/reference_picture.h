@@ -1,4 +1,4 @@
-// A traced truth as frames take it: per pixel.
+// Traced reference as a per-pixel input of frames.
 //
 //     ReferenceTask task = reference_task(renderer, scene, settings, request, light, reference_options(settings));
 //     request.truth = reference_picture(task, cache.trace(task));                // any thread
@@ -12,15 +12,16 @@
 
 namespace si {
 
+/// Traced reference that a frame compares its shadows with.
 struct ReferencePicture {
-    std::uint64_t key = 0;      ///< reference_key() of the frames that it is for
-    std::uint64_t version = 0;  ///< another one for each content
-    int step = 1;               ///< pixels of the frame per pixel of the truth
+    std::uint64_t key = 0;      ///< reference_key() of the frames that may use it
+    std::uint64_t version = 0;  ///< unique per content
+    int step = 1;               ///< pixels of the frame per pixel of the reference
     TracedReference traced;
-    std::optional<ReferenceOptions> options;  ///< asked for in place of what truth.* of the settings say
+    std::optional<ReferenceOptions> options;  ///< override truth.* of the settings
 };
 
-/// @param options if given, frames take the truth of these in place of reference_options() of their settings
+/// Wraps a traced reference as input of frames. @param options override reference_options() of the frames' settings
 std::shared_ptr<const ReferencePicture> reference_picture(const ReferenceTask& task, const TracedReference& traced,
                                                           const std::optional<ReferenceOptions>& options = {});
 

@@ -16,19 +16,20 @@ struct Query {
     Query(const RayHierarchy& s, const HitRules& r) : scene(&s), rules(r) { rtcInitIntersectContext(&context); }
 };
 
-/// One candidate of a filter call.
+/// Candidate hit of an Embree filter call.
 struct Candidate {
     const Caster* caster = nullptr;
     bool instanced = false;
     unsigned primitive = 0, ray = 0;
-    glm::vec3 normal{0}, direction{0};  ///< of the triangle by winding, and of the ray, in the same frame
+    glm::vec3 normal{0}, direction{0};  ///< triangle normal by winding, and ray direction, in one space
     float t = 0;
 };
 
 bool culled(const Candidate& c, const HitRules& rules) {
     const Cull cull = rules.culls[c.caster->object].cull;
     if (cull == Cull::None) return false;
-    // Rays run to the light, so a front face looks along them. In an instance's own frame winding is as in the mesh.
+    // Rays run towards the light, so a front face points along them. In an instance's space winding is that of the
+    // mesh.
     float facing = glm::dot(c.normal, c.direction);
     if (c.caster->mirrored) facing = -facing;
     return cull == Cull::Back ? facing < 0 : facing > 0;
@@ -42,7 +43,7 @@ bool hits_exactly(const Candidate& c, const ExactRay& ray, const RayHierarchy& s
     const glm::dvec3 p = glm::cross(ray.direction, e2);
     const double det = glm::dot(e1, p);
     const double size = std::max(glm::dot(e1, e1), glm::dot(e2, e2));
-    // Parallel up to rounding: the ray runs within the triangle's plane or beside it.
+    // Parallel up to rounding: the ray lies in the triangle's plane or next to it.
     if (std::abs(det) <= 1e-14 * size) return false;
     const glm::dvec3 s = ray.origin - a, q = glm::cross(s, e1);
     const double u = glm::dot(s, p) / det, v = glm::dot(ray.direction, q) / det, along = glm::dot(e2, q) / det;
@@ -78,7 +79,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
 void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);
-    // Neighbours in the picture, or samples of one light: packets are quicker than streams.
+    // Rays are coherent (neighbouring pixels, or samples of one light): packets are faster than streams.
     query.context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
     if (!rules.culls.empty() || !rules.exact.empty()) query.context.filter = filter;
     rtcOccluded1M(scene.scene.get(), &query.context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));

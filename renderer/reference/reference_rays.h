@@ -1,4 +1,4 @@
-// Rays through a ReferenceScene. For the sources of this folder; others use trace_visibility() and its kin.
+// Rays through a ReferenceScene. Internal to this folder; others call trace_visibility() or first_caster_distances().
 #pragma once
 
 #include <algorithm>
@@ -10,10 +10,10 @@
 
 namespace si {
 
-/// One casting object in the hierarchy; its geometry (or instance) has the caster's index as its id.
+/// Casting object in the ray-tracing hierarchy; its index is the id of its Embree geometry or instance.
 struct Caster {
     std::uint32_t object = 0;
-    bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
+    bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
 };
 
 /// Casters of a scene in Embree's hierarchy, within a frame of unit size.
@@ -28,23 +28,23 @@ struct RayHierarchy : UnitFrame {
     std::size_t triangles = 0, instances = 0;
 };
 
-/// A ray from a receiver that single precision cannot judge, as it leaves along the surface: hits are tested again in
-/// double, without the receiver's own triangle.
+/// Ray at a grazing angle to its receiver, for which single precision is not enough: hits are tested again in double,
+/// without the receiver's own triangle.
 struct ExactRay {
     glm::dvec3 origin{0}, direction{0};  ///< unit frame, unit length
     double length = 0;
     std::uint32_t object = 0, primitive = 0;
 };
-/// Cosine between surface and ray below which a ray needs to be exact.
+/// Cosine between surface normal and ray below which a ray is traced as an ExactRay.
 inline constexpr double kGrazingCosine = 1e-3;
 
-/// Which hits count.
+/// Rules by which hits of a shadow ray count: face culling by object, and double-precision tests of grazing rays.
 struct HitRules {
     std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
     std::span<const ExactRay> exact;      ///< by the ray's id; empty: none
 };
 
-/// From `origin` along `direction` for `length` times its length.
+/// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
 inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, float length, unsigned id) {
     RTCRay ray;
     ray.org_x = origin.x;
@@ -65,6 +65,7 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
 /// Marks occluded rays by a negative tfar.
 void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
 
+/// One intersection of a ray with a caster.
 struct Hit {
     float t = 0;          ///< in lengths of the ray's direction
     bool culled = false;  ///< by HitRules::culls

@@ -16,8 +16,9 @@ void check(const embree::Device& device, const std::stop_token& stop) {
     const RTCError error = rtcGetDeviceError(device.get());
     if (stop.stop_requested()) throw Cancelled();
     if (error == RTC_ERROR_NONE) return;
-    if (error == RTC_ERROR_OUT_OF_MEMORY) throw Error("out of memory for the ray-traced truth; use a smaller scene");
-    throw Error(fmt::format("the ray-traced truth cannot be prepared: Embree reports error {}", int(error)));
+    if (error == RTC_ERROR_OUT_OF_MEMORY)
+        throw Error("out of memory for the ray-traced reference; use a smaller scene");
+    throw Error(fmt::format("the ray-traced reference cannot be prepared: Embree reports error {}", int(error)));
 }
 
 void solid_points(const RTCFilterFunctionNArguments* args) {
@@ -30,7 +31,7 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
     }
 }
 
-/// Whether single precision transforms of rays into the object's frame lose little.
+/// Returns true when transforming rays into the object's space in single precision loses little accuracy.
 bool well_conditioned(const glm::dmat3& m) {
     const glm::dmat3 inverse = glm::inverse(m);
     double forth = 0, back = 0;
@@ -97,10 +98,11 @@ private:
         return geometry;
     }
 
-    /// Those of the mesh, which outlives the hierarchy, unless some triangle has to be another here.
+    /// Sets the index buffer: the mesh's own, which outlives the hierarchy, or a copy where triangles have to be
+    /// replaced.
     void set_indices(const embree::Geometry& geometry, const ReferenceMesh& mesh, const glm::vec3* corners) {
         constexpr std::size_t kStride = 3 * sizeof(std::uint32_t);
-        // A needle that rounding made straight can be hit where nothing is; a point cannot.
+        // A triangle that rounding collapsed to a line can give false hits; one collapsed to a point cannot.
         const auto is_needle = [&](std::size_t i) {
             const glm::dvec3 a(corners[mesh.indices[i]]), b(corners[mesh.indices[i + 1]]),
                 c(corners[mesh.indices[i + 2]]);
@@ -152,7 +154,7 @@ ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry
     static_cast<UnitFrame&>(i) = geometry_->unit_frame();
     i.radius = std::max(geometry_->bounds.radius() * i.scale, 1.0);
     i.device.reset(rtcNewDevice(nullptr));
-    if (!i.device) throw Error("the ray-traced truth cannot be prepared: Embree finds no device");
+    if (!i.device) throw Error("the ray-traced reference cannot be prepared: Embree finds no device");
     const auto taken = [](void* held, ssize_t bytes, bool) {
         static_cast<TrackedMemory*>(held)->add(bytes);
         return true;

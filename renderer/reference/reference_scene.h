@@ -1,4 +1,4 @@
-// The casters of a scene in a bounding volume hierarchy (Embree), to ask what lies between a surface and a light.
+// Bounding volume hierarchy (Embree) over the casters of a scene, for shadow rays.
 #pragma once
 
 #include <memory>
@@ -19,24 +19,26 @@ enum class Instancing {
     Always,  ///< wherever a mesh is used twice
 };
 
-/// Traces in a frame of its own: centred on the scene's bounds and scaled by a power of two to about unit size, both in
-/// double, so that single-precision rays lose nothing at any scale and distance from the origin.
+/// Ray-tracing hierarchy over the casters of a scene. It uses the scene's UnitFrame, so that single-precision rays keep
+/// their accuracy at any scale and distance from the origin.
 class ReferenceScene {
 public:
     static constexpr std::size_t kMostFlattened = 4'000'000;
 
-    /// @throws Error when memory runs out; Cancelled
+    /// Builds the hierarchy. @throws Error when memory runs out; Cancelled
     explicit ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers = {},
                             Instancing instancing = Instancing::Automatic);
     ~ReferenceScene();
     ReferenceScene(const ReferenceScene&) = delete;
     ReferenceScene& operator=(const ReferenceScene&) = delete;
 
+    /// Returns the geometry that the hierarchy was built from.
     const ReferenceGeometry& geometry() const { return *geometry_; }
+    /// Returns shared ownership of the geometry that the hierarchy was built from.
     std::shared_ptr<const ReferenceGeometry> shared_geometry() const { return geometry_; }
-    /// What the hierarchy holds, instances counted.
+    /// Returns the number of triangles in the ray-tracing hierarchy, instances counted.
     std::size_t triangle_count() const;
-    /// How many objects share a mesh in it.
+    /// Returns the number of objects that are instances in the ray-tracing hierarchy.
     std::size_t instance_count() const;
 
     const RayHierarchy& impl() const { return *impl_; }

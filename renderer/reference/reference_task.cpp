@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// A view's axes and near plane and nothing else: the map's size and resolution are no part of the truth.
+/// Adds a view's axes and near plane to a key. Size and resolution of the map do not affect the reference.
 void add_view(Key& key, const LightView& view) {
     key.add(view.axes[0]).add(view.axes[2]).add(view.curve.perspective).add(view.clamps_near).add(view.warped());
     if (view.warped()) return;
@@ -106,14 +106,15 @@ ReferenceTask reference_task(const Scene& scene, const Settings& settings, const
 TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& workers) {
     TracedReference out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
-        scene_ = ray_scenes().find(task.geometry->key);  // lets go of the old one's memory first
+        scene_ = ray_scenes().find(task.geometry->key);  // frees the old hierarchy first
         if (!scene_)
-            scene_ = timed(out.build_ms, [&] { return ray_scenes().get(task.geometry, workers.part(0, 0.1)); });
+            scene_ = timed(out.build_ms,
+                           [&] { return ray_scenes().get(task.geometry, workers.with_progress_range(0, 0.1)); });
     }
     if (!receivers_ || receivers_key_ != task.receivers_key) {
         receivers_ = timed(out.place_ms, [&] {
-            return std::make_shared<Receivers>(
-                reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, workers.part(0.1, 0.2)));
+            return std::make_shared<Receivers>(reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster,
+                                                                     workers.with_progress_range(0.1, 0.2)));
         });
         receivers_key_ = task.receivers_key;
     }
@@ -123,11 +124,11 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
         Known known{.key = task.key, .reference = {}, .runs = {}};
         known.reference = timed(out.trace_ms, [&] {
             return std::make_shared<Reference>(
-                trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
+                trace_visibility(*scene_, *receivers_, task.query, workers.with_progress_range(0.2, 0.9)));
         });
         known.runs = timed(out.runs_ms, [&] {
-            return std::make_shared<ShadowRuns>(
-                shadow_runs(*known.reference, *receivers_, task.camera, task.raster, task.query, workers.part(0.9, 1)));
+            return std::make_shared<ShadowRuns>(shadow_runs(*known.reference, *receivers_, task.camera, task.raster,
+                                                            task.query, workers.with_progress_range(0.9, 1)));
         });
         references_.push_front(std::move(known));
         if (references_.size() > kKept) references_.pop_back();

@@ -1,4 +1,5 @@
-// From a frame to its truth: what must be taken on the renderer's thread, and what any thread then computes and keeps.
+// Tasks that trace a frame's reference: inputs are collected on the renderer's thread, then traced and cached on any
+// thread.
 //
 //     ReferenceCache cache;                                                              // lives as long as the
 //     session ReferenceTask task = reference_task(renderer, scene, settings, request, light, {.area = true});
@@ -14,24 +15,25 @@
 
 namespace si {
 
-/// Everything that a trace needs; it touches neither scene nor GPU any more.
+/// Input for tracing a reference, independent of scene and GPU: any thread may trace it.
 struct ReferenceTask {
     std::shared_ptr<const ReferenceGeometry> geometry;
     Camera camera;
     PixelRaster raster;
-    SurfaceIds ids;  ///< of the raster's pixels
+    SurfaceIds ids;  ///< triangle of each sampled pixel
     ReferenceQuery query;
-    std::vector<FittedLight> lights;  ///< of the frame
+    std::vector<FittedLight> lights;  ///< all lights of the frame
     int map_resolution = 0;
     std::uint64_t receivers_key = 0;
-    std::uint64_t key = 0;  ///< of the truth: scene, objects, camera, size, light, options; not the map's resolution
+    std::uint64_t key = 0;  ///< reference_key(): scene, objects, camera, size, light, options; not the map's resolution
 };
 
-/// The key of the truth about one light in one picture. 0 when there is no such light.
+/// Returns the cache key of the reference of one light in one picture. 0 when there is no such light.
+/// @param width,height of the picture, pixels @param light index of light.*
 std::uint64_t reference_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
                             const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options);
 
-/// Every `step`-th pixel across and down, from the top left.
+/// Subsamples an image: every `step`-th pixel across and down, from the top left.
 FloatImage every_nth(const FloatImage& image, int step);
 
 /// Returns what a trace needs of a drawn frame. Shares the scene's triangles unless ray_scenes() have them already.
@@ -41,6 +43,7 @@ FloatImage every_nth(const FloatImage& image, int step);
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
                              const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
 
+/// Traced reference with everything it was computed from, and the times that took.
 struct TracedReference {
     std::shared_ptr<const ReferenceScene> scene;
     std::shared_ptr<const Receivers> receivers;
@@ -49,20 +52,23 @@ struct TracedReference {
     double build_ms = 0, place_ms = 0, trace_ms = 0, runs_ms = 0;  ///< wall time; 0 where the cache had it
 };
 
-/// The last receivers and truths, and the last hierarchy of ray_scenes(). Used by one thread at a time.
+/// Cache of the last receivers, references and ray-tracing hierarchy. Used by one thread at a time.
 class ReferenceCache {
 public:
-    /// @throws Cancelled, Error; what was complete by then is kept
+    /// Traces the reference of a task, or returns it from the cache.
+    /// @throws Cancelled, Error; parts that were complete by then stay in the cache
     TracedReference trace(const ReferenceTask& task, const Workers& workers = {});
+    /// Empties the cache.
     void clear() { *this = {}; }
-    /// Of what was traced last; null: nothing.
+    /// Returns the receivers of the last trace; null: none.
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:
-    static constexpr std::size_t kKept = 4;  ///< truths: hard and area of two lights
+    static constexpr std::size_t kKept = 4;  ///< references: hard and area of two lights
     std::shared_ptr<const ReferenceScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;
+    /// A cached reference and its key.
     struct Known {
         std::uint64_t key = 0;
         std::shared_ptr<const Reference> reference;

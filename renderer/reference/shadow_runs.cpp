@@ -38,7 +38,7 @@ public:
         const LightView& view = query_.views[query_.chooser.choose(query_.views, r.position_ws).view];
         for (int a = 0; a < 2; ++a) {
             const glm::dvec3 axis = view.axes[a];
-            // Within the receiver's plane; along the light's ray the map's other coordinate stays.
+            // Direction within the receiver's plane that changes only one coordinate of the map.
             const glm::dvec3 along = axis - to_light * (glm::dot(r.normal_ws, axis) / facing);
             const glm::dvec2 step = screen_step(r.position_ws, along);
             if (!std::isfinite(step.x) || !std::isfinite(step.y) || (step.x == 0 && step.y == 0)) continue;
@@ -58,7 +58,8 @@ private:
     const Camera& camera_;
     const PixelRaster& raster_;
     const ReferenceQuery& query_;
-    std::vector<std::uint8_t> clearance_;  ///< pixels, at least, to a change of the truth or an end of the surface
+    std::vector<std::uint8_t>
+        clearance_;  ///< lower bound in pixels of the distance to a change or to the end of the surface
 
     std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(reference_.width) + std::size_t(x); }
     bool counts(std::size_t i) const { return reference_.state[i] == PixelState::Counted; }
@@ -66,8 +67,8 @@ private:
     bool same_surface_right(std::size_t i) const { return receivers_.pixels[i].same_surface_right; }
     bool same_surface_below(std::size_t i) const { return receivers_.pixels[i].same_surface_below; }
 
-    /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing,
-    /// 1966).
+    /// Computes chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture
+    /// processing, 1966).
     void find_clearance() {
         const int w = reference_.width, h = reference_.height;
         clearance_.assign(reference_.state.size(), std::uint8_t(kRunReach + 1));
@@ -102,7 +103,7 @@ private:
             }
     }
 
-    /// A move of the truth's pixels, the longer component 1, that leads along a direction in the world.
+    /// Returns the step in pixels, its longer component 1, that follows a world-space direction from a point.
     glm::dvec2 screen_step(const glm::dvec3& point, const glm::dvec3& along) const {
         const double away = glm::dot(camera_.eye - point, camera_.axes[2]);
         const double pixel_m =
@@ -125,14 +126,14 @@ private:
     }
 
     struct Side {
-        float change_m = kNoEnd;    ///< along the axis to the change of the truth
-        float next_run_m = kNoEnd;  ///< from there to the next
+        float change_m = kNoEnd;    ///< distance along the axis to the change, metres
+        float next_run_m = kNoEnd;  ///< distance from there to the next change, metres
     };
 
     Side walk(int x, int y, const glm::dvec2& step, const LightView& view, const glm::dvec3& axis) const {
         const std::size_t start = index(x, y);
         const Receiver& from = receivers_.pixels[start];
-        // Across the light, at the distance of the pixel: under a perspective light by where the map has the points.
+        // Distance across the light at the depth of the pixel: for a perspective light by map coordinates.
         const auto across = [&](const glm::dvec3& point) {
             const glm::dvec3 p = point - view.eye;
             return view.curve.perspective ? glm::dot(p, axis) / -glm::dot(p, view.axes[2]) : glm::dot(p, axis);
@@ -142,7 +143,7 @@ private:
         const auto metres = [&](std::size_t i) {
             return std::abs(across(receivers_.pixels[i].position_ws) - here_at) * scale;
         };
-        // The same surface again behind something that stands before it.
+        // The same surface continues behind an occluder.
         const auto same_plane = [&](std::size_t i) {
             const Receiver& r = receivers_.pixels[i];
             const glm::dvec3 d = r.position_ws - from.position_ws;

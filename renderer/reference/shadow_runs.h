@@ -1,4 +1,5 @@
-// How far the truth about shadows stays as it is around each pixel, measured across the light.
+// Widths of shadows and lit gaps around each pixel, measured across the light direction: they tell which map resolution
+// a pixel would need.
 //
 //     ShadowRuns runs = shadow_runs(truth, receivers, camera, raster, query, {});
 //     runs.run_m.at(x, y) < texel_m;   // the lit or dark strip that the pixel lies in is narrower than a texel
@@ -10,22 +11,24 @@
 
 namespace si {
 
-/// In metres across the light, of the hard truth, along the two axes of the light's map (right and up). Infinite where
-/// nothing is found within kRunReach pixels of the truth, or before the surface ends in the picture.
+/// Run lengths of the hard reference (lit or in shadow) around each pixel, in metres across the light, along the two
+/// axes of the light's map. Infinite where no change is found within kRunReach pixels, or before the surface ends.
 struct ShadowRuns {
-    /// The least texel that is too wide here: wider than the run of equal truth that the pixel lies in, or reaching
-    /// from it across a neighbouring run that is narrower than itself (a thin bar's shadow beside a lit pixel).
+    /// Smallest texel that is too wide for the pixel: wider than the pixel's own run, or spanning from it across a
+    /// narrower neighbouring run (a thin bar's shadow next to a lit pixel).
     FloatImage run_m;
-    FloatImage edge_m;  ///< to the nearest change of the truth along either axis
+    FloatImage edge_m;  ///< distance to the nearest change of the reference along either axis
 };
 
-/// Pixels of the truth on either side. A texel that is wider in the picture than this has no narrower run.
+/// Search distance for shadow runs, in pixels of the reference on either side. Texels wider than this in the picture
+/// find no narrower run.
 inline constexpr int kRunReach = 64;
 
-/// Found on the surface that the camera sees, from pixel to pixel, also behind what stands before it, so that no ray is
-/// traced and a part of a picture that reaches kRunReach beyond a pixel gives the very numbers of the whole.
-/// @param raster of the picture that the truth's pixels are of
-/// @param query that the truth answers; without views everything is infinite
+/// Measures shadow runs from pixel to pixel on the surface that the camera sees, also where something occludes part of
+/// it. Traces no rays. A part of a picture gives the same numbers as the whole where it extends kRunReach beyond a
+/// pixel.
+/// @param raster pixels of the picture that the reference samples
+/// @param query query that the reference answers; without views everything is infinite
 /// @throws Cancelled
 ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
                        const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);

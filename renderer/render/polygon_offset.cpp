@@ -14,10 +14,10 @@
 namespace si {
 namespace {
 
-/// Everything that the measurement sets, put back at the end.
-class KeptState {
+/// OpenGL state that the measurement changes, restored at the end.
+class SavedGlState {
 public:
-    KeptState() {
+    SavedGlState() {
         for (std::size_t i = 0; i < std::size(kSwitches); ++i) on_[i] = glIsEnabled(kSwitches[i]);
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
         glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
@@ -35,7 +35,7 @@ public:
         if (clamps_) glGetFloatv(GL_POLYGON_OFFSET_CLAMP_EXT, &clamp_);
         glGetIntegerv(GL_PACK_ALIGNMENT, &pack_);
     }
-    ~KeptState() {
+    ~SavedGlState() {
         for (std::size_t i = 0; i < std::size(kSwitches); ++i)
             on_[i] ? glEnable(kSwitches[i]) : glDisable(kSwitches[i]);
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
@@ -54,8 +54,8 @@ public:
             glPolygonOffset(factor_, units_);
         glPixelStorei(GL_PACK_ALIGNMENT, pack_);
     }
-    KeptState(const KeptState&) = delete;
-    KeptState& operator=(const KeptState&) = delete;
+    SavedGlState(const SavedGlState&) = delete;
+    SavedGlState& operator=(const SavedGlState&) = delete;
 
 private:
     static constexpr GLenum kSwitches[] = {GL_DEPTH_TEST,   GL_CULL_FACE,         GL_BLEND,
@@ -70,7 +70,7 @@ private:
     GLfloat factor_ = 0, units_ = 0, clamp_ = 0;
 };
 
-/// A plane of `depth` in its middle that falls by `per_pixel` along x and y.
+/// Plane with `depth` at its centre and slope `per_pixel` along x and y.
 struct TiltedPlane {
     double depth = 0.4;
     glm::dvec2 per_pixel{0};
@@ -79,9 +79,9 @@ struct TiltedPlane {
 
 constexpr int kPlanePixels = 8;  ///< pixels that a plane covers, each way
 
-/// How far each probe's offset moves the stored depth in the middle of its plane.
+/// Measures the shift of the stored depth at the centre of each plane, by its polygon offset.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
-    const KeptState kept;
+    const SavedGlState kept;
     const bool colour = is_colour(format);
     const int width = int(probes.size()) * kPlanePixels,
               height = 2 * kPlanePixels;  // below without, above with the offset
@@ -137,7 +137,7 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     return out;
 }
 
-constexpr double kEqual = 0.01;  ///< relative; the kinds of r and m that there are lie far more apart
+constexpr double kEqual = 0.01;  ///< relative tolerance; possible kinds of r and m differ far more
 
 }  // namespace
 

@@ -7,9 +7,9 @@
 
 namespace si {
 
-/// Draws planes into a small map of the format (a MapFormat) with and without an offset and reads the differences back:
-/// flat ones at several depths for r, tilted ones in several directions for m. Of what differs by depth or direction
-/// the least counts, and of each reading one step less. Leaves the OpenGL state as it was. Needs a current context.
+/// Measures the driver's polygon offset in maps of one format. Draws planes with and without an offset into a small map
+/// and reads back the differences: flat planes at several depths for r, tilted ones in several directions for m. The
+/// smallest result counts, less one step of the format. Needs a current context; restores the OpenGL state.
 PolygonOffset measure_polygon_offset(MapFormat format);
 
 }  // namespace si

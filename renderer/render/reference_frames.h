@@ -8,21 +8,22 @@
 
 namespace si {
 
-/// Draws which triangle each pixel shows, and shares the scene's triangles unless ray_scenes() have them already.
+/// Collects the input for tracing a reference: draws the triangle ids of all pixels, and takes the scene's geometry
+/// from ray_scenes() or the scene. Call on the renderer's thread.
 /// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
 ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, int light, const ReferenceOptions& options = {});
 
-/// Traces what lights need whose source is ray traced or a light map, unless `request`, `cache` or light_maps() has it.
-/// Returns whether any does.
-/// @param request keeps what was traced for the next frame @throws Cancelled, Error
+/// Traces the shadows of all lights whose source (light.source) is ray tracing or a light map, unless `request`,
+/// `cache` or light_maps() has them. Returns true when there is such a light.
+/// @param request receives the results, for the next frame @throws Cancelled, Error
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                    ReferenceCache& cache, const Workers& workers = {});
 
-/// Draws a frame that has all rays it asks for, those of trace_sources() too: traced unless `request` or `cache` has
-/// them.
-/// @param request keeps the truth for the next frame
-/// @param options in place of reference_options() of the settings
+/// Draws a frame with its reference, and with the ray-traced lights of trace_sources(): traces them unless `request` or
+/// `cache` has them.
+/// @param request receives the reference, for the next frame
+/// @param options override reference_options() of the settings
 /// @throws Cancelled, Error
 FrameResult render_with_reference(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   FrameRequest& request, ReferenceCache& cache, const Workers& workers = {},

@@ -188,7 +188,7 @@ const DriverInfo& Renderer::driver() const {
 }
 
 std::vector<std::string> Renderer::take_gl_messages() {
-    return impl_->messages.take();
+    return impl_->messages.take_messages();
 }
 void Renderer::give_back_memory() {
     if (impl_->driver.renderer.starts_with("llvmpipe")) gl::release_finished_images();

@@ -26,7 +26,7 @@ void store(const glm::dquat& q, std::vector<float>& out) {
     out = {static_cast<float>(q.x), static_cast<float>(q.y), static_cast<float>(q.z), static_cast<float>(q.w)};
 }
 
-/// The key values of a channel without the tangents of Cubic.
+/// Returns the values of one key of a channel, without the tangents of Cubic.
 const float* value_of_key(const AnimationChannel& c, std::size_t key) {
     return c.values.data() + (c.interpolation == Interpolation::Cubic ? 3 * key + 1 : key) * c.width;
 }
@@ -66,13 +66,13 @@ glm::dmat4 matrix_of(const NodeRestPose& n) {
     return glm::scale(glm::translate(glm::dmat4(1.0), n.translation) * glm::mat4_cast(n.rotation), n.scale);
 }
 
-/// Node locals and worlds of this pose; returns the weights of each node.
+/// Sets the local and world transforms of all nodes for a pose. Returns the rest pose with this pose's morph weights.
 std::vector<NodeRestPose> move_nodes(Scene& scene, const Rig& rig, int animation, double time_s) {
     std::vector<NodeRestPose> now = rig.rest;
     if (animation >= 0) {
         for (const AnimationChannel& channel : rig.animations[static_cast<std::size_t>(animation)].channels) {
             NodeRestPose& node = now[static_cast<std::size_t>(channel.node)];
-            const std::vector<float> value = sample(channel, time_s);
+            const std::vector<float> value = sample_channel(channel, time_s);
             switch (channel.property) {
                 case AnimatedProperty::Translation:
                     node.translation = vec3_of(value);
@@ -198,7 +198,7 @@ void deform(Scene& scene, Mesh& mesh, const std::vector<NodeRestPose>& now) {
 
 }  // namespace
 
-std::vector<float> sample(const AnimationChannel& c, double time_s) {
+std::vector<float> sample_channel(const AnimationChannel& c, double time_s) {
     const auto hold = [&](std::size_t key) {
         return std::vector<float>(value_of_key(c, key), value_of_key(c, key) + c.width);
     };
@@ -227,7 +227,7 @@ void apply_pose(Scene& scene, int animation, double time_s) {
         if (mesh.deformer) deform(scene, mesh, now);
     }
     const auto follow = [&](auto& things, const std::vector<int>& nodes) {
-        // finalise() drops things whose place is not finite; the numbers would no longer fit.
+        // finalise() drops cameras and lights with a transform that is not finite; indices would no longer match.
         if (things.size() != nodes.size()) return;
         for (std::size_t i = 0; i < things.size(); ++i)
             things[i].world = things[i].home = scene.nodes[static_cast<std::size_t>(nodes[i])].world;
@@ -238,11 +238,11 @@ void apply_pose(Scene& scene, int animation, double time_s) {
 
 namespace {
 
-constexpr std::size_t kAnimationSteps = 256;             // over an animation, at least
-constexpr std::size_t kLeastSteps = 4, kMostSteps = 32;  // from one key to the next
-constexpr double kMostPoseWork = 5e7;                    // nodes and deformed vertices, posed
+constexpr std::size_t kAnimationSteps = 256;             // least number over a whole animation
+constexpr std::size_t kLeastSteps = 4, kMostSteps = 32;  // limits between two keys
+constexpr double kMostPoseWork = 5e7;                    // nodes and deformed vertices times poses
 
-/// Ascending, of all channels, each once; of too many for `most` evenly some.
+/// Returns the key times of all channels in ascending order without duplicates, thinned evenly to at most `most`.
 std::vector<double> key_times(const Animation& animation, std::size_t most) {
     std::vector<double> times;
     for (const AnimationChannel& c : animation.channels)
@@ -256,10 +256,10 @@ std::vector<double> key_times(const Animation& animation, std::size_t most) {
     return some;
 }
 
-/// Where objects are in each pose.
-class Travel {
+/// Bounds of all objects of a scene in poses of one animation.
+class PoseBounds {
 public:
-    Travel(const Scene& scene, int animation) : posed_(scene), animation_(animation) {
+    PoseBounds(const Scene& scene, int animation) : posed_(scene), animation_(animation) {
         for (const Mesh& mesh : posed_.meshes) {
             std::vector<std::uint32_t>& used = used_.emplace_back();
             if (!mesh.deformer) continue;
@@ -270,7 +270,7 @@ public:
         objects_ = all_objects(posed_);
     }
 
-    /// How much one pose is to be worked out.
+    /// Returns the cost of one pose: nodes plus deformed vertices.
     double work() const {
         double vertices = 0;
         for (std::size_t i = 0; i < posed_.meshes.size(); ++i)
@@ -278,7 +278,7 @@ public:
         return vertices + static_cast<double>(posed_.nodes.size() + posed_.objects.size());
     }
 
-    /// Boxes before any placement, of all_objects(); empty where a pose leaves nothing to draw.
+    /// Returns the boxes of all_objects() at a time, before Scene::placement; empty where the pose has nothing to draw.
     std::vector<Bounds> at(double time_s) {
         apply_pose(posed_, animation_, time_s);
         std::vector<Bounds> deformed(posed_.meshes.size());
@@ -299,11 +299,11 @@ public:
 private:
     Scene posed_;
     int animation_;
-    std::vector<std::vector<std::uint32_t>> used_;  // by mesh: which vertices of a deformed one its triangles have
+    std::vector<std::vector<std::uint32_t>> used_;  // by deformed mesh: vertices that its triangles use
     std::vector<const Object*> objects_;
 };
 
-/// Adds three boxes at equal steps and twice what a parabola through a side bends beyond them.
+/// Grows a box by three boxes at equal time steps, and by twice the overshoot of a parabola through their sides.
 void add_bent(Bounds& to, const Bounds& before, const Bounds& at, const Bounds& after) {
     if (before.empty() || at.empty() || after.empty()) return;
     const glm::dvec3 below = glm::max(0.25 * (before.lo + after.lo - 2.0 * at.lo), glm::dvec3(0)),
@@ -315,7 +315,7 @@ bool same(const Bounds& a, const Bounds& b) {
     return a.lo == b.lo && a.hi == b.hi;
 }
 
-/// As all_objects().
+/// Returns the same objects as all_objects(), for writing.
 std::vector<Object*> every_object(Scene& scene) {
     std::vector<Object*> all(scene.objects.size() + scene.hidden.size());
     for (HiddenObject& h : scene.hidden) all[h.place] = &h.object;
@@ -333,13 +333,13 @@ void measure_animation_bounds(Scene& scene, int animation) {
     scene.animation_bounds = {};
     scene.animation_bounds_of = -1;
     if (!scene.rig || animation < 0 || static_cast<std::size_t>(animation) >= scene.rig->animations.size()) return;
-    Travel animation_bounds(scene, animation);
-    const double poses = kMostPoseWork / std::max(animation_bounds.work(), 1.0);
+    PoseBounds pose_bounds(scene, animation);
+    const double poses = kMostPoseWork / std::max(pose_bounds.work(), 1.0);
     const auto most = static_cast<std::size_t>(std::clamp(poses / kLeastSteps, 2.0, 1e6));
     const std::vector<double> keys = key_times(scene.rig->animations[static_cast<std::size_t>(animation)], most);
     if (keys.empty()) return;
     scene.animation_bounds_of = animation;
-    const std::vector<Bounds> first = animation_bounds.at(keys[0]);
+    const std::vector<Bounds> first = pose_bounds.at(keys[0]);
     std::vector<Bounds> all = first;
     std::vector<bool> moved(all.size());
     const std::size_t wanted = kAnimationSteps / std::max<std::size_t>(keys.size() - 1, 1);
@@ -347,10 +347,10 @@ void measure_animation_bounds(Scene& scene, int animation) {
     for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
         std::vector<Bounds> before, at;
         for (std::size_t step = 0; step <= steps; ++step) {
-            // A channel that steps is, at the next key, somewhere else at once: up to there it counts as it was.
+            // A stepped channel jumps at the next key: sample the last value before the jump.
             const double share = static_cast<double>(step) / static_cast<double>(steps);
             const double time = keys[k] + share * (keys[k + 1] - keys[k]);
-            std::vector<Bounds> now = animation_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
+            std::vector<Bounds> now = pose_bounds.at(step < steps ? time : std::nextafter(keys[k + 1], keys[k]));
             for (std::size_t i = 0; i < all.size(); ++i) {
                 moved[i] = moved[i] || !same(now[i], first[i]);
                 all[i].add(now[i]);
@@ -360,7 +360,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
             at = std::move(now);
         }
     }
-    const std::vector<Bounds> last = animation_bounds.at(keys.back());
+    const std::vector<Bounds> last = pose_bounds.at(keys.back());
     const std::vector<Object*> objects = every_object(scene);
     for (std::size_t i = 0; i < objects.size(); ++i) {
         Object& o = *objects[i];
@@ -372,7 +372,7 @@ void measure_animation_bounds(Scene& scene, int animation) {
     }
 }
 
-bool moves(const Scene& scene, int animation) {
+bool is_animated(const Scene& scene, int animation) {
     return scene.rig && animation >= 0 && std::size_t(animation) < scene.rig->animations.size() &&
            scene.rig->animations[std::size_t(animation)].duration_s > 0;
 }

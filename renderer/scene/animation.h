@@ -1,5 +1,5 @@
-// Moving scenes: node animation, morph targets and skins. A scene is posed on the CPU, once, so that every pass and the
-// ray-traced truth see the same triangles.
+// Animated scenes: node animation, morph targets and skins. A scene is posed once, on the CPU, so that every pass and
+// the ray-traced reference see the same triangles.
 #pragma once
 
 #include <array>
@@ -13,26 +13,29 @@
 
 namespace si {
 
+/// Interpolation between keyframes (glTF 2.0).
 enum class Interpolation { Step, Linear, Cubic };
+/// Property of a node that an animation channel changes; Weights are those of morph targets.
 enum class AnimatedProperty { Translation, Rotation, Scale, Weights };
 
 /// Keyframes of one property of one node (glTF 2.0, section 3.11).
 struct AnimationChannel {
-    int node = 0;  ///< of the scene
+    int node = 0;  ///< index into Scene::nodes
     AnimatedProperty property = AnimatedProperty::Translation;
     Interpolation interpolation = Interpolation::Linear;
-    std::size_t width = 3;       ///< numbers a key: 3, 4 (x y z w), or the count of morph targets
+    std::size_t width = 3;       ///< numbers per key: 3, 4 (x y z w), or the count of morph targets
     std::vector<float> times_s;  ///< ascending
-    std::vector<float> values;   ///< width numbers a key; Cubic: in-tangent, value, out-tangent
+    std::vector<float> values;   ///< width numbers per key; Cubic: in-tangent, value, out-tangent
 };
 
+/// One named animation of a scene: keyframe channels that play together.
 struct Animation {
     std::string name;
     double duration_s = 0;
     std::vector<AnimationChannel> channels;
 };
 
-/// What a node is when nothing animates it.
+/// Transform and morph weights of a node without animation.
 struct NodeRestPose {
     bool has_trs = true;  ///< false: Node::local is a matrix that no channel may change
     glm::dvec3 translation{0}, scale{1};
@@ -40,62 +43,69 @@ struct NodeRestPose {
     std::vector<float> weights;  ///< of the morph targets of its mesh
 };
 
-/// Everything that moves in a scene. Nodes, cameras and lights are numbered as in the scene.
+/// Animations of a scene and the rest pose of its nodes. Nodes, cameras and lights have the scene's indices.
 struct Rig {
     std::vector<Animation> animations;
-    std::vector<NodeRestPose> rest;  ///< for each node
-    std::vector<int> camera_nodes, light_nodes;
+    std::vector<NodeRestPose> rest;              ///< rest pose of each node
+    std::vector<int> camera_nodes, light_nodes;  ///< node that carries each camera and light
 };
 
+/// Joints of a skinned mesh and their inverse bind matrices (glTF 2.0).
 struct Skin {
     std::vector<int> joints;  ///< nodes of the scene
     std::vector<glm::dmat4> inverse_bind;
 };
 
-/// A mesh as it was before any morph or skin; vertices as in the Mesh that it deforms. Shared by its copies.
+/// Undeformed vertices of a mesh, its morph targets and its skin weights; vertices have the order of the deformed Mesh.
+/// Copies of a scene share it.
 struct DeformSource {
+    /// Vertex offsets of one morph target.
     struct Target {
-        std::vector<glm::vec3> positions, normals, tangents;  ///< offsets; empty or one a vertex
+        std::vector<glm::vec3> positions, normals, tangents;  ///< empty, or one offset per vertex
     };
+    /// Four joints that move a vertex, and their weights.
     struct Influence {
         std::array<std::uint16_t, 4> joints{};
         glm::vec4 weights{0};
     };
-    std::vector<glm::vec3> positions, normals;  ///< normals empty: flat ones are made anew for each pose
+    std::vector<glm::vec3> positions, normals;  ///< normals empty: flat normals are computed for each pose
     std::vector<glm::vec4> tangents;
     SharedArray<std::uint32_t> indices;
     std::vector<Target> targets;
-    std::vector<Influence> influences;  ///< influence_sets a vertex, together; weights sum to 1
+    std::vector<Influence> influences;  ///< influence_sets per vertex, contiguous; weights sum to 1
     std::size_t influence_sets = 0;
 };
 
-/// How one Mesh of a scene follows its nodes.
+/// Deformation of one Mesh of a scene: its undeformed source, its skin, and the nodes that drive them.
 struct Deformer {
     std::shared_ptr<const DeformSource> source;
     std::shared_ptr<const Skin> skin;  ///< null: only morphed
-    int node = 0;                      ///< whose weights count
-    int placement = -1;  ///< with a skin: the root node, moved along with the first joint, that the object stands on
+    int node = 0;                      ///< node whose morph weights apply
+    int placement = -1;                ///< with a skin: root node that places the object; it moves with the first joint
 };
 
-/// Poses the scene by animation `animation` (-1: at rest) at `time_s`, held before the first and after the last key:
-/// node transforms, deformed vertices, bounds, cameras, lights and what they suggest; the scene gets a new id, and is
-/// placed nowhere (Scene::placement).
-/// Does nothing to a scene without a rig. @throws Error when there is no such animation.
+/// Poses a scene at a time of one of its animations: node transforms, deformed vertices, bounds, cameras, lights and
+/// the settings that those suggest. Resets Scene::placement and gives the scene a new id. Does nothing without a rig.
+/// @param animation index; -1: the rest pose @param time_s seconds; clamped to the first and last key
+/// @throws Error when there is no such animation
 void pose(Scene& scene, int animation, double time_s);
 
-/// The same without bounds and id, for a loader that ends with finalise().
+/// Poses nodes and vertices of a scene as pose() does, but leaves bounds and id alone: for loaders, which call
+/// finalise() next. @throws Error when there is no such animation
 void apply_pose(Scene& scene, int animation, double time_s);
 
-/// Finds for each object that animation `animation` moves or deforms the box that holds it at all times
-/// (Object::travel), and the scene's (Scene::travel), by which fits go that shall not follow the pose. Posed at all
-/// keys and at steps between them, with room for how far it bends outwards from step to step. Once for a scene and an
-/// animation: what is known is kept. A copy is posed; this scene's pose stays. -1 forgets what was found.
+/// Computes the bounds of a scene over a whole animation, for light fits that must not change with the pose. Sets
+/// Object::animation_bounds of every object that moves or deforms, and Scene::animation_bounds. Poses a copy of the
+/// scene at all keys and at steps between them, and pads by the curvature of the motion. Does nothing when they are
+/// known already.
+/// @param animation index; -1 clears the bounds
 void measure_animation_bounds(Scene& scene, int animation);
 
-/// Whether time moves anything: an animation is chosen (scene.animation) and lasts.
-bool moves(const Scene& scene, int animation);
+/// Returns true when the scene has animation `animation` and it lasts longer than 0 s.
+bool is_animated(const Scene& scene, int animation);
 
-/// The value of a channel at `time_s`; rotations normalised, x y z w.
-std::vector<float> sample(const AnimationChannel& channel, double time_s);
+/// Interpolates an animation channel at a time in seconds. Returns its `width` numbers; rotations are normalised
+/// quaternions, x y z w.
+std::vector<float> sample_channel(const AnimationChannel& channel, double time_s);
 
 }  // namespace si

@@ -8,11 +8,11 @@
 namespace si {
 namespace {
 
-constexpr std::size_t kLeastTriangles = 256;    ///< of a mesh that is worth dividing
-constexpr std::size_t kTrianglesACluster = 32;  ///< about
+constexpr std::size_t kLeastTriangles = 256;    ///< smaller meshes are one cluster
+constexpr std::size_t kTrianglesACluster = 32;  ///< approximate
 constexpr double kMostCells = 2048;
 
-/// Cells along each axis, about as long as they are wide, and so many in all.
+/// Returns the numbers of grid cells along each axis: nearly cubic cells, about `cells` in all.
 glm::ivec3 divided(const glm::dvec3& size, double cells) {
     const auto along = [&](double side) { return glm::max(glm::ceil(size / side), glm::dvec3(1)); };
     double side = std::max({size.x, size.y, size.z});
@@ -21,7 +21,7 @@ glm::ivec3 divided(const glm::dvec3& size, double cells) {
     return glm::ivec3(along(side));
 }
 
-/// Sine of an angle that sides have to be clear of, for what a driver's floats make of normals and places.
+/// Sine of the safety margin of facing tests, for float rounding of normals and positions in the driver.
 constexpr double kClear = 1e-2;
 
 glm::dvec3 unit_normal(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -36,17 +36,17 @@ VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from) {
     if (cluster.axis == glm::dvec3(0)) return VisibleSide::Either;
     const glm::dvec3 there = glm::dvec3(from) - from.w * cluster.box.centre();
     const double distance = glm::length(there), radius = from.w * cluster.box.radius();
-    const double off = cluster.spread + kClear;  // of a normal, about the axis
+    const double off = cluster.spread + kClear;  // largest angle between a normal and the axis
     constexpr double kRightAngle = 0.5 * std::numbers::pi;
-    // By how much of a right angle the way there is clear of the axis's plane, for all of the normals and places.
+    // Least elevation of the viewer above the plane across the axis, for all normals and positions.
     const double least = distance > radius ? off + std::asin(radius / distance) : kRightAngle;
     if (least < kRightAngle) {
         const double cosine = glm::dot(cluster.axis, there) / distance;
         if (cosine > std::sin(least)) return VisibleSide::Front;
         if (cosine < -std::sin(least)) return VisibleSide::Back;
     }
-    // Near what is flat its box says little, but how far above all corners one is does: for n at most `off` from the
-    // axis, n.v is cos(off) axis.v - sin(off) |v| at least.
+    // Close to a flat cluster its box decides little, but the height above all corners does: for a normal n at most
+    // `off` from the axis, n.v is at least cos(off) axis.v - sin(off) |v|.
     if (!(off < kRightAngle)) return VisibleSide::Either;
     const double along = glm::dot(cluster.axis, glm::dvec3(from)), aside = std::tan(off) * (distance + radius);
     if (along - from.w * cluster.highest > aside) return VisibleSide::Front;

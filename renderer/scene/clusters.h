@@ -1,4 +1,4 @@
-// Large meshes in pieces of what lies together: what a camera sees of one is less than its box.
+// Clusters of neighbouring triangles of large meshes, for tighter visibility tests than the mesh's box allows.
 #pragma once
 
 #include <vector>
@@ -7,27 +7,28 @@
 
 namespace si {
 
-/// Triangles that lie together, in their mesh's space.
+/// Box and normal cone of a group of neighbouring triangles, in the space of their mesh.
 struct Cluster {
     Bounds box;
-    glm::dvec3 axis{0};              ///< unit, about which the triangles' normals lie; 0: they look anywhere
-    double spread = 0;               ///< radians that a normal is off it at most
-    double lowest = 0, highest = 0;  ///< of corners along the axis
+    glm::dvec3 axis{0};              ///< unit axis of the normal cone; 0: normals in all directions
+    double spread = 0;               ///< half angle of the normal cone, radians
+    double lowest = 0, highest = 0;  ///< extent of the triangles' corners along the axis
 };
 
-/// Which side of its triangles all of a cluster shows.
+/// Side of its triangles that a whole cluster turns to a viewer; Either: it cannot be told.
 enum class VisibleSide { Either, Front, Back };
 
-/// @param from in the mesh's space: a point with w of 1, or a direction towards it with w of 0, of any length
+/// Returns the side that all triangles of a cluster turn to a viewer or light, by the normal cone.
+/// @param from in the mesh's space: its position with w of 1, or the direction towards it with w of 0, of any length
 VisibleSide visible_side(const Cluster& cluster, const glm::dvec4& from);
 
-/// Clusters that hold every triangle of a mesh between them: one of small meshes, at most some thousand of large ones.
-/// Takes time in proportion to the triangles.
+/// Splits a mesh into clusters of neighbouring triangles: one for small meshes, at most some thousand for large ones.
+/// Takes linear time.
 std::vector<Cluster> build_clusters(const Mesh& mesh);
 
-/// Indices of large meshes are drawn in runs of so many.
+/// Number of indices in one run: large meshes are drawn and culled in runs of this length.
 inline constexpr std::size_t kRunIndices = 3 * 1024;
-/// Boxes of the runs of a mesh's indices, in its own space; none of a mesh that is too small to be drawn in runs.
+/// Returns the box of each run of kRunIndices indices, in the mesh's space. Empty for a mesh of fewer than two runs.
 std::vector<Bounds> index_run_boxes(const Mesh& mesh);
 
 }  // namespace si

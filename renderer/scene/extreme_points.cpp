@@ -9,9 +9,9 @@
 namespace si {
 namespace {
 
-constexpr std::size_t kAxes = 32;  ///< each of two directions
+constexpr std::size_t kAxes = 32;  ///< each gives two directions
 
-/// The coordinate axes, whose ends are the bounds, and others between them.
+/// Returns the coordinate axes, which find the bounds, and further axes between them.
 std::array<glm::dvec3, kAxes> spread_axes() {
     std::array<glm::dvec3, kAxes> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
     constexpr std::size_t kOthers = kAxes - 3;
@@ -23,7 +23,7 @@ std::array<glm::dvec3, kAxes> spread_axes() {
     return axes;
 }
 
-/// Those that triangles use.
+/// Returns the positions of the vertices that triangles use.
 std::vector<glm::dvec3> used_positions(const Mesh& mesh) {
     std::vector<bool> used(mesh.positions.size());
     for (const std::uint32_t i : mesh.indices) used[i] = true;
@@ -35,7 +35,7 @@ std::vector<glm::dvec3> used_positions(const Mesh& mesh) {
 
 struct Part {
     const Mesh* mesh = nullptr;
-    glm::dmat4 world{1.0};  ///< before the placement
+    glm::dmat4 world{1.0};  ///< before Scene::placement
 };
 
 class Outermost {
@@ -46,7 +46,7 @@ public:
         far_.fill(-std::numeric_limits<double>::infinity());
     }
 
-    /// How far a part's box reaches along an axis, one way or the other: at least as far as its vertices.
+    /// Returns the extent of a part's box along an axis in both directions: an upper bound for its vertices.
     std::array<double, 2> reach(const Part& part, std::size_t axis) const {
         const Bounds& b = part.mesh->bounds;
         const glm::dvec3 along = glm::transpose(glm::dmat3(part.world)) * axes_[axis], half = 0.5 * (b.hi - b.lo);
@@ -82,7 +82,7 @@ public:
     }
 
 private:
-    std::array<glm::dvec3, kAxes> axes_;  ///< of what is a metre wide, high and deep
+    std::array<glm::dvec3, kAxes> axes_;  ///< for the scene scaled to a cube
     std::array<double, 2 * kAxes> far_{};
     std::array<glm::dvec3, 2 * kAxes> points_{};
 };
@@ -103,7 +103,7 @@ std::vector<glm::dvec3> extreme_points(const Scene& scene) {
     }
     if (parts.empty()) return {};
     Outermost found(bounds);
-    // Those whose boxes reach farthest come first: most others then need no look at their vertices.
+    // Parts with the farthest boxes come first: most others are then rejected by their boxes.
     for (std::size_t axis = 0; axis < kAxes; ++axis)
         for (const std::size_t way : {0, 1}) {
             const Part& farthest =

@@ -1,4 +1,4 @@
-// What of a scene's surfaces lies outermost, for framing it.
+// Outermost vertices of a scene, for framing it by the automatic camera.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,12 +8,13 @@
 
 namespace si {
 
-/// Vertices of what Scene::standing is about, before Scene::placement (metres): the outermost ones along 64 directions,
-/// spread over all as if what stands were as wide as high and deep. Their hull lacks peaks between those: usually some
-/// hundredths of its size. None where there is no finite vertex, or the placement cannot be undone.
+/// Returns the outermost vertices of a scene without its floor along 64 directions, in metres before Scene::placement.
+/// The directions are uniform on the scene scaled to a cube. The hull of the points misses peaks between directions,
+/// usually some hundredths of the scene's size. Empty without a finite vertex or with a singular placement.
 std::vector<glm::dvec3> extreme_points(const Scene& scene);
 
-/// Has the automatic camera frame from now on what stands there as the scene is: sets Scene::framed and its bounds.
+/// Stores the scene's present outermost points in Scene::framed and Scene::framed_bounds. The automatic camera frames
+/// these from then on, so that it does not follow an animation.
 void store_framing_points(Scene& scene);
 
 }  // namespace si

@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-/// Vertices that a driver is taken to remember; one that it has forgotten it shades anew, so that a copy costs nothing.
+/// Assumed size of the driver's vertex cache. A vertex outside it is shaded again, so that a copy costs nothing.
 constexpr std::uint32_t kRemembered = 64;
 
 glm::vec3 normal_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -21,16 +21,16 @@ FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<cons
     FlatNormalMesh out;
     out.indices.reserve(indices.size());
     out.normals.assign(positions.size(), glm::vec3(0));
-    std::vector<bool> taken(positions.size());            // carries a normal; by vertex, copies included
-    std::vector<std::uint32_t> shaded(positions.size());  // how many vertices were when this one was; 0: never
-    std::vector<std::uint32_t> latest(positions.size());  // the copy of a vertex that was used last, or itself
+    std::vector<bool> taken(positions.size());            // by vertex, copies included: carries a normal
+    std::vector<std::uint32_t> shaded(positions.size());  // shading order number; 0: not shaded yet
+    std::vector<std::uint32_t> latest(positions.size());  // latest copy of a vertex, or itself
     std::iota(latest.begin(), latest.end(), 0u);
     std::uint32_t count = kRemembered;
     const auto remembered = [&](std::uint32_t v) { return shaded[v] != 0 && count - shaded[v] < kRemembered; };
     for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
         const std::array<std::uint32_t, 3> corners{indices[i], indices[i + 1], indices[i + 2]};
         const glm::vec3 n = normal_of(positions[corners[0]], positions[corners[1]], positions[corners[2]]);
-        // The best corner to carry it: one that has it, one that is free, one that would be shaded anew anyway.
+        // Preferred corner: one with this normal, else a free one, else one that would be shaded again anyway.
         std::size_t best = 0;
         int best_rank = -1;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -1,5 +1,5 @@
-// A normal for each triangle, carried by vertices: flat shading takes an attribute from one corner of a triangle, so
-// each triangle needs a corner that no triangle with another normal takes it from.
+// Face normals as flat vertex attributes. OpenGL takes a flat attribute from one corner of a triangle, so each triangle
+// needs a corner that provides no other normal.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,17 @@
 
 namespace si {
 
-/// A mesh whose triangles' last corners (OpenGL's provoking vertices unless told otherwise) carry their normals.
+/// Indices and vertex copies of a mesh whose triangles' last corners carry the face normals. The last corner is
+/// OpenGL's default provoking vertex.
 struct FlatNormalMesh {
-    std::vector<std::uint32_t> indices;  ///< the mesh's triangles in order, their corners turned about but not mirrored
-    std::vector<std::uint32_t> copies;   ///< the vertices that follow the mesh's own repeat these
-    /// By vertex, copies included: unit, by winding, in the mesh's space; 0 where no triangle asks or it has no area.
+    std::vector<std::uint32_t> indices;  ///< the mesh's triangles in order, corners rotated but not mirrored
+    std::vector<std::uint32_t> copies;   ///< vertices to append to the mesh's own, as copies of these
+    /// Face normal by vertex, copies included: unit, by winding, in the mesh's space. 0 where no triangle reads it or
+    /// the triangle has no area.
     std::vector<glm::vec3> normals;
 };
 
+/// Assigns the face normal of each triangle to its last corner, copying vertices where triangles conflict.
 /// @param indices a triangle list
 FlatNormalMesh face_normals(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 

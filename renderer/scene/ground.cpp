@@ -9,19 +9,19 @@
 namespace si {
 namespace {
 
-constexpr double kLevel = 0.85;       // cosine to the vertical from which on a surface is level
-constexpr double kGentle = 0.5;       // the same of a landscape
-constexpr double kBottom = 0.15;      // of the scene's height: level surfaces up to there are a ground
-constexpr double kMostOfIt = 0.5;     // of the scene's width and depth, that a ground has to cover
-constexpr double kFlat = 0.25;        // height over width up to which what is gentle all over is a landscape
-constexpr double kRoofedShare = 0.9;  // of a level surface under other things: that is indoors
-constexpr double kShadowLengths = 2;  // how far the disc reaches, in radii and heights of the scene
-constexpr double kBelow = 5e-4;       // of the scene's radius: what lies flat on the ground stays in front of it
+constexpr double kLevel = 0.85;       // least cosine to the vertical of a level surface
+constexpr double kGentle = 0.5;       // least cosine to the vertical of a landscape's surface
+constexpr double kBottom = 0.15;      // share of the scene's height up to which a level surface is a floor
+constexpr double kFloorShare = 0.5;   // least share of the scene's width and depth that a floor covers
+constexpr double kFlat = 0.25;        // largest height over width of a landscape
+constexpr double kRoofedShare = 0.9;  // share of a level surface below other objects from which it is indoors
+constexpr double kShadowLengths = 2;  // radius of the disc, in radii and heights of the scene
+constexpr double kBelow = 5e-4;       // depth of the disc below the scene, in radii: flat objects stay above it
 constexpr int kSides = 96;
 
-constexpr int kCells = 32;  // a side, by which what is covered is counted
+constexpr int kCells = 32;  // a side of the grid on which coverage is counted
 
-/// Which of the cells of a scene's outline, as seen from above, triangles cover.
+/// Grid cells of a scene, seen from above, that triangles cover.
 class Cover {
 public:
     explicit Cover(const Bounds& bounds)
@@ -37,7 +37,7 @@ public:
                 if (holds(p, {x + 0.5, y + 0.5})) cells_.set(std::size_t(y * kCells + x));
     }
     double share() const { return double(cells_.count()) / (kCells * kCells); }
-    /// Of these cells, those that the other covers, too.
+    /// Returns the share of these cells that `other` covers too.
     double share_under(const Cover& other) const {
         return double((cells_ & other.cells_).count()) / double(std::max<std::size_t>(cells_.count(), 1));
     }
@@ -72,7 +72,7 @@ Mesh make_disc(double radius) {
     return mesh;
 }
 
-/// One that no node has.
+/// Returns a name that no node has.
 std::string free_name(const Scene& scene) {
     std::string name = "Ground";
     while (std::ranges::any_of(scene.nodes, [&](const Node& n) { return n.path == name; })) name += " below";
@@ -105,8 +105,8 @@ bool has_level_surface(const Scene& scene) {
             if (up > kLevel * whole && std::max({a.y, b.y, c.y}) <= bottom) level.add(a, b, c);
         }
     }
-    return (level.share() >= kMostOfIt && level.share_under(above) < kRoofedShare) ||
-           (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kMostOfIt);
+    return (level.share() >= kFloorShare && level.share_under(above) < kRoofedShare) ||
+           (size.y <= kFlat * std::max(size.x, size.z) && gentle.share() >= kFloorShare);
 }
 
 void add_ground(Scene& scene) {
@@ -125,7 +125,7 @@ void add_ground(Scene& scene) {
     scene.materials.push_back(std::move(material));
     Node node;
     node.name = node.path = free_name(scene);
-    // Nodes are where they are before the scene is placed.
+    // Node transforms are relative to Scene::placement.
     node.local[3] = glm::inverse(scene.placement) *
                     glm::dvec4(centre.x, scene.bounds.lo.y - kBelow * scene.bounds.radius(), centre.z, 1);
     for (int axis = 0; axis < 3; ++axis) node.local[axis] /= glm::length(scene.placement[0]);

@@ -1,21 +1,20 @@
-// The ground that a loaded model is stood on where its file has none: it shows the shadow.
+// Ground disc under a loaded model whose file has no floor, so that its shadow is visible.
 #pragma once
 
 #include "renderer/scene/scene.h"
 
 namespace si {
 
-/// Whether the scene brings what shadows fall on: level surfaces at its bottom that do not lie under a
-/// roof, or a landscape, over most of its width.
+/// Returns true when the scene has its own floor for shadows: a landscape, or level surfaces at the bottom without a
+/// roof, over most of its width.
 bool has_level_surface(const Scene& scene);
 
-/// Puts a disc under the scene as it stands, wide enough for shadows of lights from half way up: an object that
-/// receives, never casts and is no part of Scene::bounds, the last of its kind in each of the scene's lists. Nothing
-/// happens where there is one, where there is a level surface (Scene::has_floor, found out once), or where there is
-/// nothing to stand on it.
+/// Adds a ground disc under the scene in its present pose, wide enough for shadows of a light 45 degrees up. It
+/// receives shadows, casts none, is no part of Scene::bounds, and is the last entry of each list of the scene. Does
+/// nothing when the scene has a ground or a floor (Scene::has_floor, tested once) or is empty.
 void add_ground(Scene& scene);
 
-/// Takes it away again.
+/// Removes the ground disc that add_ground() added, if any.
 void remove_ground(Scene& scene);
 
 }  // namespace si

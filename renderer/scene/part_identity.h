@@ -1,4 +1,4 @@
-// Whether what was found of a mesh or a texture, or handed to the driver, still holds after its scene has changed.
+// Identity of meshes and textures across versions of a scene: tells which results and uploads are still valid.
 #pragma once
 
 #include <tuple>
@@ -7,13 +7,14 @@
 
 namespace si {
 
-/// The material of a mesh, or the default one.
+/// Returns the material of a mesh, or the default material.
 inline const Material& material_of(const Scene& scene, const Mesh& mesh) {
     static const Material kDefault;
     return mesh.material >= 0 ? scene.materials[std::size_t(mesh.material)] : kDefault;
 }
 
-/// A rigid mesh as it was. Its arrays are held, so that no others take their place in memory.
+/// Identity of a rigid mesh and its material at one time, to tell later whether it changed. Shares the mesh's arrays,
+/// so that their addresses are not reused.
 class MeshIdentity {
 public:
     MeshIdentity() = default;
@@ -25,13 +26,14 @@ public:
         rigid_ = true;
     }
 
-    /// Whether it is this one: the same arrays in memory and an equal material. A deformed one never is.
+    /// Returns true when `mesh` shares all arrays with the remembered mesh and has an equal material. Never for a
+    /// deformed mesh.
     bool is(const Scene& scene, const Mesh& mesh) const {
-        return rigid_ && !mesh.deformer && mesh_.positions.shares(mesh.positions) &&
-               mesh_.normals.shares(mesh.normals) && mesh_.uv.shares(mesh.uv) &&
-               mesh_.uv_normal.shares(mesh.uv_normal) && mesh_.tangents.shares(mesh.tangents) &&
-               mesh_.colours.shares(mesh.colours) && mesh_.indices.shares(mesh.indices) &&
-               material_ == material_of(scene, mesh);
+        return rigid_ && !mesh.deformer && mesh_.positions.shares_storage_with(mesh.positions) &&
+               mesh_.normals.shares_storage_with(mesh.normals) && mesh_.uv.shares_storage_with(mesh.uv) &&
+               mesh_.uv_normal.shares_storage_with(mesh.uv_normal) &&
+               mesh_.tangents.shares_storage_with(mesh.tangents) && mesh_.colours.shares_storage_with(mesh.colours) &&
+               mesh_.indices.shares_storage_with(mesh.indices) && material_ == material_of(scene, mesh);
     }
 
 private:
@@ -40,7 +42,8 @@ private:
     bool rigid_ = false;
 };
 
-/// A texture as it was. Its pixels are held likewise.
+/// Identity of a texture at one time, to tell later whether it changed. Shares the texture's pixels, so that their
+/// address is not reused.
 class TextureIdentity {
     static auto how(const Texture& t) {
         return std::tuple(t.width, t.height, t.srgb, t.wrap_s, t.wrap_t, t.nearest_mag, t.nearest_min, t.mipmaps);
@@ -50,9 +53,9 @@ public:
     TextureIdentity() = default;
     explicit TextureIdentity(const Texture& texture) : texture_(texture), known_(true) {}
 
-    /// Whether it is this one: the same pixels in memory, looked up in the same way.
+    /// Returns true when `texture` shares its pixels with the remembered texture and is sampled in the same way.
     bool is(const Texture& texture) const {
-        return known_ && texture_.rgba.shares(texture.rgba) && how(texture_) == how(texture);
+        return known_ && texture_.rgba.shares_storage_with(texture.rgba) && how(texture_) == how(texture);
     }
 
 private:

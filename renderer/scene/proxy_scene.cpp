@@ -16,7 +16,7 @@ bool is_power_of_two(int n) {
     return n > 0 && (n & (n - 1)) == 0;
 }
 
-/// Samplers of some drivers are made for sides that are powers of two.
+/// Returns a small texture side that is a power of two when `side` is: drivers compile other samplers for these.
 int few_texels(int side) {
     return std::min(side, is_power_of_two(side) ? kTexels : kTexels - 1);
 }
@@ -45,9 +45,9 @@ void keep_some(SharedArray<T>& of, const SharedArray<T>& from, const std::vector
     for (const std::uint32_t i : kept) of.push_back(from[i]);
 }
 
-/// The triangles that hold the vertices farthest out along each axis.
+/// Returns a mesh of the triangles with the outermost vertices along each axis.
 Mesh outermost_triangles(const Mesh& from) {
-    std::array<std::size_t, 6> outermost{};  // places in the indices
+    std::array<std::size_t, 6> outermost{};  // positions in the index list
     for (std::size_t i = 0; i < from.indices.size(); ++i)
         for (int axis = 0; axis < 3; ++axis) {
             const auto at = [&](std::size_t k) { return from.positions[from.indices[k]][axis]; };
@@ -81,7 +81,7 @@ void add_texture(Key& key, const Scene& scene, int index) {
     key.add(t.wrap_s).add(t.wrap_t).add(t.nearest_mag).add(t.nearest_min);
 }
 
-/// Equal for objects that programs draw alike.
+/// Returns a key that is equal for objects drawn by the same programs.
 std::uint64_t kind_of(const Scene& scene, const Settings& settings, const Object& object) {
     const Mesh& mesh = scene.meshes[std::size_t(object.mesh)];
     Key key;
@@ -99,7 +99,7 @@ std::uint64_t kind_of(const Scene& scene, const Settings& settings, const Object
     return key.value();
 }
 
-/// The objects that reach farthest out along each axis.
+/// Returns the indices of the outermost objects along each axis.
 std::set<std::size_t> outermost_objects(const Scene& scene) {
     std::array<std::size_t, 6> outermost{};
     Bounds reached;

@@ -1,4 +1,4 @@
-// A small scene that is drawn by the programs of a large one, for whoever only wants those programs made.
+// Proxy scene: a small scene that needs the same shader programs as a large one, for shader warm-up.
 #pragma once
 
 #include "renderer/scene/scene.h"
@@ -6,9 +6,10 @@
 
 namespace si {
 
-/// Of each kind of object (what its material, vertices and settings.objects call for) one, and those that reach
-/// farthest out; of their meshes the triangles that do; of textures a few texels. Cameras and lights are the scene's,
-/// bounds about those. A scene that is small keeps all its triangles.
+/// Returns a small proxy scene that needs the same shader programs as `scene`, for shader warm-up. It keeps one object
+/// of each kind (by material, vertex attributes and object settings) and the outermost objects, few of their triangles,
+/// and a few texels of each texture. Cameras and lights are the scene's, and the bounds nearly so. A small scene keeps
+/// all its triangles.
 Scene stand_in(const Scene& scene, const Settings& settings);
 
 }  // namespace si

@@ -17,9 +17,9 @@
 namespace si {
 namespace {
 
-/// Coordinates beyond this are refused: their squares no longer fit into single precision, which shaders use.
+/// Limit of coordinates: squares of larger ones overflow single precision, which shaders use.
 constexpr double kFarthest_m = 1e18;
-/// Paths of deeper nodes are cut, so that a chain of n nodes costs O(n) memory, not O(n^2).
+/// Limit of a node's path, so that a chain of n nodes takes O(n) memory, not O(n^2).
 constexpr std::size_t kLongestPath = 400;
 
 std::uint64_t next_scene_id() {
@@ -128,7 +128,7 @@ glm::dvec3 face_cross(const Mesh& m, std::size_t first) {
                       glm::dvec3(m.positions[m.indices[first + 2]]) - a);
 }
 
-/// Gives each triangle vertices of its own with the face's normal.
+/// Splits all vertices, so that each triangle has its own three with the face normal.
 void make_flat(Mesh& mesh) {
     unweld(mesh.positions, mesh.indices);
     unweld(mesh.uv, mesh.indices);
@@ -145,14 +145,14 @@ void make_flat(Mesh& mesh) {
     mesh.normals = std::move(normals);
 }
 
-/// Whether the triangle that starts at this index has an area.
+/// Returns true when the triangle has an area. @param first position of its first index
 bool has_area(const Mesh& mesh, std::size_t first) {
     const glm::dvec3 cross = face_cross(mesh, first);
     const double area2 = glm::dot(cross, cross);
     return area2 > 0 && std::isfinite(area2);
 }
 
-/// Sixteen triangles side by side, so that the compiler works on several at once.
+/// Sixteen triangles as structure of arrays, so that the compiler vectorises.
 struct TriangleBlock {
     static constexpr std::size_t kCount = 16;
     float x[3][3][kCount];  ///< corner, axis, triangle
@@ -165,9 +165,8 @@ struct TriangleBlock {
             }
     }
 
-    /// Whether all have an area for sure, by single precision: where rounding might matter, or a square leave the range
-    /// of floats, it is not sure. Edges are exact but for a part of 2^-24, so their cross product is but for a few such
-    /// parts of |e| |f|.
+    /// Returns true when all sixteen triangles certainly have an area; false where single precision cannot decide.
+    /// Edges e, f have a relative error of 2^-24, so their cross product has one of a few times that of |e| |f|.
     bool all_have_area() const {
         constexpr float kSine2 = 1e-10f, kLeast = 1e-30f, kMost = std::numeric_limits<float>::max();
         int unsure = 0;
@@ -183,7 +182,7 @@ struct TriangleBlock {
     }
 };
 
-/// The box around the vertices of many blocks.
+/// Bounding box over the vertices of many triangle blocks.
 struct BlockBounds {
     float lo[3][TriangleBlock::kCount], hi[3][TriangleBlock::kCount];
 
@@ -211,8 +210,8 @@ struct BlockBounds {
     }
 };
 
-/// Drops triangles without area and sets the bounds to what is left. Returns how many were dropped. Indices are checked
-/// on the way, while they are in the cache. @throws Error when one is out of range
+/// Drops triangles without area, and sets the mesh's bounds to the others. Returns the number dropped. Validates the
+/// indices in the same loop, while they are in the CPU cache. @throws Error when one is out of range
 std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
     const std::uint32_t* indices = mesh.indices.data();
     const std::size_t count = mesh.indices.size();
@@ -259,9 +258,9 @@ std::size_t drop_degenerate(Mesh& mesh, std::string_view label) {
     return (count - kept) / 3;
 }
 
-/// Gives normals unit length; false when one that a triangle uses has no direction.
+/// Normalises the normals of a mesh. Returns false when a triangle uses a normal without direction.
 bool repair_normals(Mesh& mesh) {
-    const auto is_unit = [](const glm::vec3& n) { return std::abs(glm::dot(n, n) - 1) <= 1e-3f; };  // NaN is none
+    const auto is_unit = [](const glm::vec3& n) { return std::abs(glm::dot(n, n) - 1) <= 1e-3f; };  // false for NaN
     std::size_t odd = 0;
     for (const glm::vec3& n : mesh.normals) odd += !is_unit(n);
     if (odd == 0) return true;
@@ -284,7 +283,7 @@ void drop_if_not_finite(SharedArray<T>& values, const std::string& label, std::s
     scene.warnings.push_back(fmt::format("{}: its {} hold values that are not finite; they are ignored", label, what));
 }
 
-/// Returns false when nothing of the mesh can be drawn.
+/// Validates and completes one mesh. Returns false when nothing of it can be drawn.
 bool finalise_mesh(Scene& scene, std::size_t index) {
     Mesh& mesh = scene.meshes[index];
     const std::string label = mesh_label(mesh, index);
@@ -327,7 +326,7 @@ void finalise_meshes(Scene& scene) {
     for (Object& o : scene.objects) o.mesh = moved[o.mesh];
 }
 
-/// Flat, at the scene's bottom and nearly as wide as all of it.
+/// Returns true for the box of a floor: flat, at the scene's bottom and nearly as wide as the scene.
 bool is_floor(const Bounds& object, const Bounds& scene) {
     constexpr double kThickness = 0.02, kHighest = 0.15, kWidth = 0.8;  // of the scene's height, height and width
     const glm::dvec3 size = scene.hi - scene.lo, own = object.hi - object.lo;
@@ -335,11 +334,11 @@ bool is_floor(const Bounds& object, const Bounds& scene) {
            own.z >= kWidth * size.z;
 }
 
-/// Sets Scene::standing, once Scene::bounds is known.
+/// Sets Scene::bounds_without_floor; Scene::bounds must be set.
 void set_bounds_without_floor(Scene& scene) {
-    scene.standing = {};
+    scene.bounds_without_floor = {};
     for (const Object* o : objects_without_floor(scene))
-        scene.standing.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
+        scene.bounds_without_floor.add(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world));
 }
 
 void place_objects(Scene& scene) {
@@ -411,13 +410,13 @@ namespace {
 constexpr std::string_view kHolder = "scenes";
 
 void track_arrays(Mesh& m) {
-    m.positions.tell(kHolder);
-    m.normals.tell(kHolder);
-    m.uv.tell(kHolder);
-    m.uv_normal.tell(kHolder);
-    m.tangents.tell(kHolder);
-    m.colours.tell(kHolder);
-    m.indices.tell(kHolder);
+    m.positions.track_memory(kHolder);
+    m.normals.track_memory(kHolder);
+    m.uv.track_memory(kHolder);
+    m.uv_normal.track_memory(kHolder);
+    m.tangents.track_memory(kHolder);
+    m.colours.track_memory(kHolder);
+    m.indices.track_memory(kHolder);
 }
 
 }  // namespace
@@ -431,7 +430,7 @@ void finalise(Scene& scene) {
     drop_unplaced(scene.lights, "light", scene);
     for (SceneCamera& camera : scene.cameras) camera.home = camera.world;
     for (SceneLight& light : scene.lights) light.home = light.world;
-    for (Texture& texture : scene.textures) texture.rgba.tell(kHolder);
+    for (Texture& texture : scene.textures) texture.rgba.track_memory(kHolder);
     for (Mesh& mesh : scene.meshes) track_arrays(mesh);
     scene.held = TrackedMemory(kHolder, array_bytes(scene.nodes) + array_bytes(scene.objects));
     set_bounds_without_floor(scene);
@@ -443,7 +442,7 @@ void refresh(Scene& scene) {
         node.world = (node.parent >= 0 ? scene.nodes[node.parent].world : scene.placement) * node.local;
     for (Mesh& mesh : scene.meshes) {
         if (!mesh.deformer) continue;
-        // As at load: an animation may throw vertices anywhere.
+        // The same limit as in finalise(): an animation may move vertices anywhere.
         if (!all_within(mesh.positions.all(), float(kFarthest_m))) {
             mesh.indices.clear();
             std::ranges::fill(mesh.positions.edit(), glm::vec3(0));
@@ -452,13 +451,13 @@ void refresh(Scene& scene) {
         track_arrays(mesh);
     }
     scene.bounds = scene.ground_bounds = {};
-    const auto stand = [&](Object& o) {
+    const auto place_object = [&](Object& o) {
         o.world = scene.nodes[o.node].world * o.instance;
         if (!finite(o.world)) return;
         (o.ground ? scene.ground_bounds : scene.bounds).add(scene.meshes[o.mesh].bounds.transformed(o.world));
     };
-    for (Object& o : scene.objects) stand(o);
-    for (HiddenObject& h : scene.hidden) stand(h.object);
+    for (Object& o : scene.objects) place_object(o);
+    for (HiddenObject& h : scene.hidden) place_object(h.object);
     set_bounds_without_floor(scene);
     scene.id = next_scene_id();
 }
@@ -496,14 +495,14 @@ std::vector<const Object*> all_objects(const Scene& scene) {
 }
 
 std::vector<const Object*> objects_without_floor(const Scene& scene) {
-    std::vector<const Object*> all = all_objects(scene), standing;
+    std::vector<const Object*> all = all_objects(scene), without_floor;
     std::erase_if(all, [&](const Object* o) {
         return o->ground || !finite(o->world) || scene.meshes[std::size_t(o->mesh)].bounds.empty();
     });
-    std::ranges::copy_if(all, std::back_inserter(standing), [&](const Object* o) {
+    std::ranges::copy_if(all, std::back_inserter(without_floor), [&](const Object* o) {
         return !is_floor(scene.meshes[std::size_t(o->mesh)].bounds.transformed(o->world), scene.bounds);
     });
-    return standing.empty() ? all : standing;
+    return without_floor.empty() ? all : without_floor;
 }
 
 void place(Scene& scene, const glm::dmat4& placement) {

@@ -1,5 +1,5 @@
-// A scene as the renderer, the light fit and the ray-traced truth see it: flat lists of triangles, materials,
-// textures and placed objects. Positions in metres, y up, right-handed; transforms in double.
+// Scene for the renderer, the light fit and the ray-traced reference: flat lists of meshes, materials, textures and
+// placed objects. Positions in metres, y up, right-handed; transforms in double.
 #pragma once
 
 #include <array>
@@ -18,32 +18,40 @@
 
 namespace si {
 
-/// Eight corners of a box.
+/// Eight corners of a box, in any orientation.
 using Box = std::array<glm::dvec3, 8>;
 
+/// Axis-aligned bounding box; default: empty.
 struct Bounds {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    /// Returns true when the box contains no point.
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z); }
+    /// Returns the centre of the box; the origin when empty.
     glm::dvec3 centre() const { return empty() ? glm::dvec3(0) : 0.5 * lo + 0.5 * hi; }
-    /// Half the diagonal; 0 when empty.
+    /// Returns half the diagonal of the box; 0 when empty.
     double radius() const { return empty() ? 0 : 0.5 * glm::length(hi - lo); }
+    /// Grows the box to contain a point.
     void add(const glm::dvec3& p) {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
+    /// Grows the box to contain another box.
     void add(const Bounds& b) {
         lo = glm::min(lo, b.lo);
         hi = glm::max(hi, b.hi);
     }
-    /// The eight corners moved by `m`; corner i has hi instead of lo of x, y, z where bit 0, 1, 2 of i is set.
+    /// Returns the eight corners of the box, transformed by `m`. Corner i has the upper x, y, z where bit 0, 1, 2 of i
+    /// is set, else the lower.
     Box corners(const glm::dmat4& m = glm::dmat4(1.0)) const;
-    /// The box around this box's eight corners moved by `m`; empty stays empty.
+    /// Returns the axis-aligned box around the eight corners transformed by `m`; empty for an empty box.
     Bounds transformed(const glm::dmat4& m) const;
 };
 
+/// Wrapping of texture coordinates outside [0,1].
 enum class TextureWrap { Repeat, Clamp, Mirror };
 
+/// Image with four 8-bit channels, and how it is sampled.
 struct Texture {
     std::string name;
     int width = 0, height = 0;
@@ -53,13 +61,15 @@ struct Texture {
     bool nearest_mag = false, nearest_min = false, mipmaps = true;
 };
 
+/// Use of a material's alpha channel (glTF 2.0): ignored, alpha test, or blending.
 enum class AlphaMode { Opaque, Mask, Blend };
 
+/// Material of a mesh: colour, textures and alpha mode.
 struct Material {
     std::string name;
     glm::vec4 base_colour{0.8f, 0.8f, 0.8f, 1.0f};  ///< linear
-    int base_colour_texture = -1;
-    int normal_texture = -1;
+    int base_colour_texture = -1;                   ///< index into Scene::textures; -1: none
+    int normal_texture = -1;                        ///< index into Scene::textures; -1: none
     float normal_scale = 1;
     AlphaMode alpha = AlphaMode::Opaque;
     float alpha_cutoff = 0.5f;
@@ -68,10 +78,11 @@ struct Material {
     bool operator==(const Material&) const = default;
 };
 
-struct Deformer;  // renderer/scene/animation.h
+// Defined in renderer/scene/animation.h.
+struct Deformer;
 struct Rig;
 
-/// Triangles of one material. All attribute arrays are empty or as long as `positions`.
+/// Triangle mesh with one material. All attribute arrays are empty or as long as `positions`.
 struct Mesh {
     std::string name;
     SharedArray<glm::vec3> positions;
@@ -86,6 +97,7 @@ struct Mesh {
     std::shared_ptr<const Deformer> deformer;  ///< morph targets and skin; null: rigid
 };
 
+/// Node of the scene's transform hierarchy.
 struct Node {
     std::string name;
     std::string path;  ///< unique, "Parent/Child"; set by finalise()
@@ -94,33 +106,36 @@ struct Node {
     glm::dmat4 world{1.0};  ///< set by finalise()
 };
 
-/// One mesh placed once. Several objects may share node and mesh (primitives, instancing).
+/// One instance of a mesh in the scene. Several objects may share node and mesh (primitives, instancing).
 struct Object {
     int node = 0;
     int mesh = 0;
     glm::dmat4 instance{1.0};  ///< applied before the node's world transform
     glm::dmat4 world{1.0};     ///< set by finalise()
-    bool ground = false;       ///< see add_ground(): receives, never casts, and is no part of Scene::bounds
-    Bounds animation_bounds;   ///< see measure_animation_bounds(): before Scene::placement; empty: it stands where
-                               ///< `world` says
+    bool ground = false;       ///< ground disc of add_ground(): receives, never casts, and is no part of Scene::bounds
+    /// Bounds over a whole animation, before Scene::placement; empty: the object stays where `world` places it. See
+    /// measure_animation_bounds().
+    Bounds animation_bounds;
 };
 
-/// One that is left out of Scene::objects for now.
+/// Object that hide_objects() moved out of Scene::objects.
 struct HiddenObject {
-    std::size_t place = 0;  ///< its index among all
+    std::size_t place = 0;  ///< index among all objects, shown and hidden
     Object object;
 };
 
+/// Camera that a scene's file contains.
 struct SceneCamera {
     std::string name;
     glm::dmat4 world{1.0};  ///< looks along -z
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     bool orthographic = false;
     double fov_y_deg = 45;
-    double height = 10;
-    double near = 0, far = 0;  ///< 0: automatic
+    double height = 10;        ///< of an orthographic view, metres
+    double near = 0, far = 0;  ///< metres; 0: automatic
 };
 
+/// Light that a scene's file contains.
 struct SceneLight {
     std::string name;
     LightType type = LightType::Directional;
@@ -128,69 +143,73 @@ struct SceneLight {
     glm::dmat4 home{1.0};   ///< `world` before Scene::placement; set by finalise()
     glm::dvec3 colour{1};
     double intensity = 1;
-    double range = 0;  ///< 0: unlimited
+    double range = 0;  ///< metres; 0: unlimited
     double inner_cone_rad = 0, outer_cone_rad = 0.785398163397448;
 };
 
+/// Scene to draw: meshes, materials, textures, placed objects, cameras and lights, with derived bounds and an id for
+/// cache keys. Fill the lists, then call finalise().
 struct Scene {
     std::string name;                      ///< built-in key, or the file's path
-    std::string about;                     ///< a sentence
-    std::vector<std::string> file_scenes;  ///< names (or "") of the scenes in the file that this one is from
-    int file_scene = 0;                    ///< which of them this is
+    std::string about;                     ///< description in a sentence
+    std::vector<std::string> file_scenes;  ///< names (or "") of all scenes in the scene's file
+    int file_scene = 0;                    ///< index of this scene among them
     std::vector<Texture> textures;
     std::vector<Material> materials;
     std::vector<Mesh> meshes;
     std::vector<Node> nodes;
-    glm::dmat4 placement{1.0};  ///< of all nodes without a parent, cameras and lights: see place()
+    glm::dmat4 placement{1.0};  ///< applied to root nodes, cameras and lights: see place()
     std::vector<Object> objects;
     std::vector<HiddenObject> hidden;  ///< see hide_objects(), ascending by place
     std::vector<SceneCamera> cameras;
     std::vector<SceneLight> lights;
-    /// Settings that suit this scene (key, value), used where the user set nothing.
+    /// Suggested settings (key, value), used where the user set nothing.
     std::vector<std::pair<std::string, std::string>> suggested;
-    std::vector<std::string> warnings;  ///< what was dropped or approximated, and why
-    Bounds bounds;                      ///< world, with what is hidden, without the ground; set by finalise()
-    Bounds ground_bounds;               ///< world, of the ground put under it; empty: there is none. Likewise
-    Bounds standing;  ///< `bounds` without the file's own floor, or all of it where nothing else is there. Likewise
-    bool has_floor = false;  ///< the file brings what shadows fall on, so that it needs no ground: see add_ground()
-    std::vector<glm::dvec3> framed;     ///< extreme_points() as a file's scene is first posed; none: not asked for
-    Bounds framed_bounds;               ///< `bounds` then, before `placement`
-    Bounds animation_bounds;            ///< `bounds` over all of an animation, before `placement`; empty: not asked for
-    int animation_bounds_of = -1;       ///< which animation; -1: none. See measure_animation_bounds()
-    std::uint64_t id = 0;               ///< unique per finalise() in this process; part of cache keys
-    std::size_t dropped_triangles = 0;  ///< degenerate, set by finalise()
-    std::shared_ptr<const Rig> rig;     ///< animations; null: nothing moves
-    TrackedMemory held;                 ///< nodes and objects, which copies do not share; set by finalise()
+    std::vector<std::string> warnings;  ///< data of the file that was dropped or approximated, and the reason
+    Bounds bounds;                      ///< world, with hidden objects, without the ground; set by finalise()
+    Bounds ground_bounds;               ///< world, of the ground disc; empty: none. Set by finalise()
+    Bounds bounds_without_floor;     ///< world, without the file's floor (unless it is all there is). Set by finalise()
+    bool has_floor = false;          ///< the file has its own floor and needs no ground disc: see add_ground()
+    std::vector<glm::dvec3> framed;  ///< extreme_points() of a file's scene in its first pose; empty: not computed
+    Bounds framed_bounds;            ///< `bounds` in that pose, before `placement`
+    Bounds animation_bounds;         ///< `bounds` over an animation, before `placement`; empty: not computed
+    int animation_bounds_of = -1;    ///< index of that animation; -1: none. See measure_animation_bounds()
+    std::uint64_t id = 0;            ///< unique per finalise() in this process; part of cache keys
+    std::size_t dropped_triangles = 0;  ///< degenerate triangles that finalise() removed
+    std::shared_ptr<const Rig> rig;     ///< animations; null: none
+    TrackedMemory held;                 ///< bytes of nodes and objects, which copies do not share; set by finalise()
 
-    std::size_t object_count() const;    ///< without the ground
-    std::size_t triangle_count() const;  ///< over objects, instances counted, without the ground
+    /// Returns the number of shown objects in the scene, without the ground disc.
+    std::size_t object_count() const;
+    /// Returns the number of triangles of all shown objects in the scene, instances counted, without the ground disc.
+    std::size_t triangle_count() const;
 };
 
-/// Drops non-finite meshes and degenerate triangles (with warnings), makes missing normals flat, computes
-/// world transforms, unique node paths and bounds. Loaders and built-in scenes end with it.
+/// Validates and completes a scene after its lists were filled: the last step of every loader. Drops non-finite meshes
+/// and degenerate triangles (with warnings), computes missing normals, world transforms, unique node paths and bounds.
 /// @throws Error when an index, material, node or mesh reference is out of range.
 void finalise(Scene& scene);
 
-/// After Node::local or vertices of deformed meshes changed: world transforms and bounds again, degenerate triangles of
-/// deformed meshes dropped, and a new id. Nothing else changes; no warnings are added.
+/// Updates a scene after Node::local or vertices of deformed meshes changed: world transforms, bounds and id. Drops
+/// degenerate triangles of deformed meshes. Adds no warnings.
 void refresh(Scene& scene);
 
-/// Leaves what the nodes with these paths place out of Scene::objects, and brings back all else: what is hidden is not
-/// drawn, casts and receives nothing, but keeps its share of Scene::bounds, so that views of the scene stay. A new id
-/// where that changes anything.
+/// Hides the objects of the nodes with these paths and shows all others. Hidden objects are not drawn and cast no
+/// shadow, but still count in Scene::bounds, so that views of the scene stay. Gives the scene a new id if anything
+/// changes.
 void hide_objects(Scene& scene, const std::set<std::string>& paths);
 
-/// Shown and hidden, in the order of the scene's file.
+/// Returns all objects of a scene, shown and hidden, in the order of its file.
 std::vector<const Object*> all_objects(const Scene& scene);
 
-/// Those that Scene::standing bounds.
+/// Returns the objects of a scene without ground and floor; all but the ground when nothing else remains.
 std::vector<const Object*> objects_without_floor(const Scene& scene);
 
-/// Moves, turns and scales all of the scene from where its nodes have it, whatever placed it before: refresh(), and
-/// cameras and lights with it. What the scene suggests stays as it was.
+/// Transforms a whole scene, with its cameras and lights, from the coordinates of its file by `placement`. It replaces
+/// the previous placement. Calls refresh(); suggested settings stay.
 void place(Scene& scene, const glm::dmat4& placement);
 
-/// Scene::travel where it is known, else Scene::bounds; world.
+/// Returns the world-space bounds that light fits use: Scene::animation_bounds where known, else Scene::bounds.
 Bounds light_fit_bounds(const Scene& scene);
 
 }  // namespace si

@@ -9,13 +9,13 @@
 namespace si {
 namespace {
 
-/// Pairs of triangles of one mesh that are looked at for whether they cut each other.
+/// Limit of triangle pairs of one mesh that are tested for intersection.
 constexpr std::size_t kMostPairs = 20'000'000;
 
 using Triple = std::array<std::uint32_t, 3>;
 using Corner3d = std::array<glm::dvec3, 3>;
 
-/// Gives equal triples one number, counting from 0.
+/// Numbering of distinct triples, counting from 0.
 class Numbering {
 public:
     explicit Numbering(std::size_t most) : places_(std::bit_ceil(2 * most + 2), kFree) { known_.reserve(most); }
@@ -41,11 +41,11 @@ private:
     std::vector<Triple> known_;
 };
 
-/// Triangles by corners of which one place has one number.
+/// Triangles with welded corners: vertices at one position have one index.
 struct Welded {
     std::vector<Triple> triangles;
     std::vector<glm::dvec3> places;
-    std::vector<std::uint32_t> place_of, vertex_at;  ///< by vertex; by place, the first there
+    std::vector<std::uint32_t> place_of, vertex_at;  ///< position index by vertex; first vertex by position
 };
 
 Welded weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices) {
@@ -54,7 +54,7 @@ Welded weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t>
     std::vector<std::uint32_t>& place = out.place_of;
     place.resize(positions.size());
     for (std::size_t i = 0; i < positions.size(); ++i) {
-        const glm::vec3 p = positions[i] + 0.f;  // of -0 and 0 one
+        const glm::vec3 p = positions[i] + 0.f;  // -0 becomes 0
         place[i] = places.of(
             {std::bit_cast<std::uint32_t>(p.x), std::bit_cast<std::uint32_t>(p.y), std::bit_cast<std::uint32_t>(p.z)});
         if (place[i] < out.places.size()) continue;
@@ -68,14 +68,14 @@ Welded weld(std::span<const glm::vec3> positions, std::span<const std::uint32_t>
 }
 
 struct Edges {
-    bool each_way_once = true;            ///< none is passed twice the same way
-    std::vector<std::uint32_t> unpaired;  ///< places at the ends of those that are passed one way alone, in order
+    bool each_way_once = true;            ///< no edge occurs twice in the same direction
+    std::vector<std::uint32_t> unpaired;  ///< end positions of edges that occur in one direction only, sorted
     bool match() const { return each_way_once && unpaired.empty(); }
 };
 
 Edges edges_of(const Welded& mesh) {
     Edges out;
-    // By the lesser of their places, of which a few edges are: as lists of the other place and the way.
+    // Edges by their smaller position index, as lists of the other index and the direction.
     std::vector<std::size_t> end_of(mesh.places.size() + 1);
     const auto each_edge = [&](const auto& work) {
         for (const Triple& t : mesh.triangles)
@@ -105,7 +105,7 @@ Edges edges_of(const Welded& mesh) {
     return out;
 }
 
-/// Makes one place of those that lie within a seam of each other, and drops triangles that this leaves without area.
+/// Welds positions closer than a seam's tolerance, and drops triangles that become degenerate.
 void join_seams(Welded& mesh, std::vector<std::uint32_t> open) {
     glm::dvec3 lo(1e300), hi(-1e300);
     for (const glm::dvec3& p : mesh.places) {
@@ -163,11 +163,11 @@ Corner3d corners_of(const Welded& mesh, std::size_t triangle) {
     return {mesh.places[t[0]], mesh.places[t[1]], mesh.places[t[2]]};
 }
 
-/// Of one connected part.
+/// Measures of one connected part of a mesh.
 struct BodyPart {
     glm::dvec3 sum{0}, lo{1e300}, hi{-1e300};
     double six_volumes = 0, triangles = 0;
-    bool star = true;  ///< all of it turns its back to the mean of its corners
+    bool star = true;  ///< all triangles face away from the mean of the corners
     glm::dvec3 middle() const { return sum / (3 * triangles); }
     double size() const { return glm::length(hi - lo); }
 };
@@ -194,7 +194,7 @@ std::vector<BodyPart> measure_parts(const Welded& mesh, const Parts& of) {
     return parts;
 }
 
-/// Whether two triangles do no more than touch, told by an axis on which they do not overlap.
+/// Returns true when two triangles at most touch: there is an axis on which they do not overlap.
 bool apart(const Corner3d& a, const Corner3d& b) {
     const auto parts = [&](const glm::dvec3& axis) {
         const double length = glm::length(axis);
@@ -218,7 +218,7 @@ bool apart(const Corner3d& a, const Corner3d& b) {
     return false;
 }
 
-/// Whether triangles of one part cut each other, or there are too many to tell. Sweeps along the first axis.
+/// Returns true when triangles of one part intersect, or when there are too many pairs to test. Sweeps along x.
 bool self_intersects(const Welded& mesh, const std::vector<std::uint32_t>& part_of,
                      const std::vector<BodyPart>& parts) {
     struct Entry {

@@ -1,4 +1,4 @@
-// Whether a mesh is the surface of bodies. A line that comes from outside then meets a front face first.
+// Test for watertight meshes: a ray that enters such a mesh from outside always meets a front face first.
 #pragma once
 
 #include <cstdint>
@@ -9,20 +9,21 @@
 
 namespace si {
 
-/// How far apart places along a seam may lie that are meant to be one, as a share of the mesh's size: what sines and
-/// cosines of a full turn come to in floats.
+/// Largest gap between vertices along a seam that counts as closed, as a share of the mesh's size: the float rounding
+/// of sines and cosines of a full turn.
 inline constexpr double kSeamToleranceShare = 1e-6;
 
+/// Result of a test for a watertight mesh, with the seams that have to be welded for drawing.
 struct WatertightCheck {
     bool closed = false;
-    /// Vertices (first) that have to be drawn where another one (second) is: seams that rounding left open. Empty where
-    /// the mesh is not closed.
+    /// Pairs (vertex, position's vertex): the first is drawn at the position of the second, which closes seams that
+    /// rounding left open. Empty where the mesh is not closed.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
 };
 
-/// Whether triangles bound bodies: each edge, told by the places of its ends, has two triangles that run along it in
-/// opposite directions, and each connected part holds a positive volume and does not pass through itself. Parts may
-/// overlap; a hollow in another part is none. Says no where telling would take longer than uploading is worth.
+/// Tests whether a mesh is watertight. Each edge, identified by the positions of its ends, must have two triangles that
+/// run along it in opposite directions. Each connected part must enclose a positive volume and not intersect itself.
+/// Different parts may overlap. Returns not closed for meshes that would take too long to test.
 /// @param indices a triangle list, counter-clockwise from outside
 WatertightCheck check_watertight(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 

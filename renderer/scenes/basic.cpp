@@ -49,7 +49,7 @@ Scene make_teapot_scene() {
 
     const int root = add_node(scene, "Table");
     add_object(scene, "Floor", root, add_mesh(scene, "Floor", make_plane(2.4, 2.4), cloth));
-    // The data's unit is taken as a decimetre.
+    // The unit of the published data is read as a decimetre.
     add_object(scene, "Teapot", root, add_mesh(scene, "Teapot", make_teapot(), glaze),
                turned(-28) * scaled(0.1, 0.1, 0.1));
     add_camera(scene, {0.30, 0.52, 1.12}, {-0.03, 0.13, 0}, 34);

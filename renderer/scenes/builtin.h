@@ -1,4 +1,4 @@
-// The scenes that ship with the program, made in code.
+// Table of the built-in scenes, which are made in code.
 #pragma once
 
 #include <span>
@@ -9,19 +9,20 @@
 
 namespace si {
 
+/// Row of the table of built-in scenes: names for command line and menu, and the function that makes the scene.
 struct BuiltinScene {
     std::string_view key, label, help;
     Scene (*make)();
 };
 
-/// The first row is the default scene.
+/// Returns the table of built-in scenes; the first row is the default scene.
 std::span<const BuiltinScene> builtin_scenes();
 
-/// Whether load_scene() makes it without a file: a row above, or a hard case ("hard/grazing").
+/// Returns true when `name` is a built-in scene or a hard case ("hard/grazing"), so that load_scene() reads no file.
 bool is_builtin_scene(std::string_view name);
 
-/// A built-in scene by key, a hard case by name, or a .gltf/.glb file by path. `options` are for files; built-in scenes
-/// take a moment and report nothing. @throws Error naming file, place and remedy.
+/// Loads a scene: a built-in scene by key, a hard case by name, or a .gltf/.glb file by path.
+/// @param options for files alone; built-in scenes report no progress @throws Error naming file, place and fix.
 Scene load_scene(std::string_view name_or_path, const GltfOptions& options = {});
 
 }  // namespace si

@@ -15,7 +15,7 @@ Mesh ellipsoid(double x, double y, double z) {
     return transformed(make_sphere(1, 24, 12), scaled(x, y, z));
 }
 
-/// A limb hanging down from its joint at the origin, thinner below.
+/// Makes a limb that hangs down from its joint at the origin, thinner at the lower end.
 Mesh limb(double length, double top, double bottom) {
     Mesh mesh = transformed(make_cylinder(bottom, length, 16, top), moved(0, -length, 0));
     append(mesh, make_sphere(top, 16, 8));
@@ -23,7 +23,7 @@ Mesh limb(double length, double top, double bottom) {
     return mesh;
 }
 
-/// The lowest y of the objects below node `first`, in the space above its parent.
+/// Returns the lowest y of the objects below node `first`, in the space of that node's parent.
 double lowest(const Scene& scene, std::size_t first) {
     std::vector<glm::dmat4> world(scene.nodes.size(), glm::dmat4(1));
     for (std::size_t i = first; i < scene.nodes.size(); ++i) {

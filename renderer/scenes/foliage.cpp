@@ -14,7 +14,7 @@ struct Leaf {
     glm::dvec3 srgb;
 };
 
-/// Signed position in a leaf: x along from base (0) to tip (1), y across, in units of its length.
+/// Returns a position relative to a leaf: x along it from base (0) to tip (1), y across, in units of its length.
 glm::dvec2 leaf_space(const Leaf& leaf, const glm::dvec2& p) {
     const glm::dvec2 axis = leaf.tip - leaf.base, d = p - leaf.base;
     const double length2 = glm::dot(axis, axis);
@@ -72,7 +72,7 @@ Texture make_sprig_texture(int size) {
                     break;
                 }
             }
-            // Where nothing is drawn, the colour still bleeds into filtered edges: the leaves' mean, not black.
+            // Transparent texels get the leaves' mean colour, as filtering blends it into the edges.
             const glm::dvec3 colour = hits ? sum / double(hits) : glm::dvec3(108, 130, 55);
             std::uint8_t* out = &rgba[(std::size_t(y) * std::size_t(size) + std::size_t(x)) * 4];
             for (int c = 0; c < 3; ++c) out[c] = std::uint8_t(std::min(255.0, colour[c] + 0.5));
@@ -88,7 +88,7 @@ Mesh make_leaf_cluster(double radius, double card_size, int cards, std::uint32_t
     for (int i = 0; i < cards; ++i) {
         const glm::dvec3 outwards = random.direction();
         const glm::dvec3 centre = outwards * radius * std::cbrt(random.in(0.12, 1.0)) * glm::dvec3(1, 0.8, 1);
-        // Cards face outwards and upwards, loosely, as leaves turn to the light.
+        // Cards face roughly outwards and upwards, as leaves turn to the light.
         const glm::dvec3 n = glm::normalize(outwards + 0.7 * random.direction() + glm::dvec3(0, 0.5, 0));
         const glm::dvec3 t = glm::normalize(glm::cross(n, random.direction())), b = glm::cross(n, t);
         const double half = 0.5 * card_size * random.in(0.8, 1.2);

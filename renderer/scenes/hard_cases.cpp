@@ -13,14 +13,14 @@ namespace {
 
 constexpr std::string_view kPixels = "share of pixels", kCount = "pixels";
 
-// What all rows of one kind give as the reason of their limit.
+// Reasons of limits that several rows share.
 constexpr std::string_view kExact =
     "nothing on this plane is in shadow, and the bias is the theory's upper bound: one dark pixel refutes it";
 constexpr std::string_view kTwin =
     "the two differ by rounding alone, which moves texels' middles across an edge on at most 1 pixel in 2000";
 
 constexpr HardCase kCases[] = {
-    {1, "grazing", "Light that grazes",
+    {1, "grazing", "Grazing light",
      "The flatter the light, the more depth one texel spans: a bias that suits steep light leaves stripes.",
      "The bias each pixel's plane needs under this kernel and map, in closed form (bias.kind=adaptive).",
      "lit pixels of a plane darker than lit, at the predicted least bias, 0 to 89.5 degrees", 0, kPixels, kExact,
@@ -30,7 +30,7 @@ constexpr HardCase kCases[] = {
     {2, "terminator", "Where light ends on a ball",
      "Towards the terminator the slope of the surface, and with it the bias that it needs, grows without bound.",
      "A normal offset is bounded at any angle, and faces turned away are dark without any look-up.",
-     "light lost on a ball, weighed by N·L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
+     "light lost on a ball, weighted by N·L", 1.0 / 255, "of the light", "less than one step of an 8-bit picture",
      "the same without bias", 1.0 / 255, hard_sphere,
      "map.resolution=512 light.azimuth=-40 light.elevation=30 filter.kernel=hard bias.constant=0", "bias.normal=0",
      "bias.normal=3"},
@@ -52,9 +52,9 @@ constexpr HardCase kCases[] = {
      "light.near=0.00032 light.far=32 bias.normal=0 bias.constant=0.5 filter.kernel=hard map.format=d32f",
      "map.reversed_z=false", "map.reversed_z=true"},
     {5, "polygon-offset", "Polygon offset",
-     "What glPolygonOffset's units are worth differs by driver and format; its slope by how the driver measures it.",
-     "Both are measured on the driver at start, and the bias account counts them by that.",
-     "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured worth", 0, kPixels,
+     "The depth shift of a glPolygonOffset unit differs by driver and format; that of its slope factor by driver.",
+     "Both are measured on the driver at start, and bias sums use the measured values.",
+     "lit pixels of a plane darker than lit, at the polygon offset that it needs by the measured values", 0, kPixels,
      kExact, "share of the plane that shadows itself without offset", 0.4, hard_floor_and_box,
      "map.resolution=512 light.elevation=40 light.fit=scene bias.normal=0 bias.constant=0 filter.kernel=hard "
      "map.format=d24",
@@ -73,14 +73,14 @@ constexpr HardCase kCases[] = {
      "casters that reach behind the near plane", 1, hard_floor_and_box,
      "map.resolution=256 light.type=point light.elevation=90 light.distance=0.25", "", ""},
     {8, "behind-spot", "Behind a spot light",
-     "Behind the lamp w is negative: divided by it, the map lies mirrored on what stands there.",
+     "Behind the lamp w is negative: divided by it, the map appears mirrored on objects there.",
      "Points with w not above 0 are answered before the division.", "lit pixels behind the lamp that are darkened", 0,
      kCount, "the lamp's map says nothing of them", "pixels that would read a nearer depth there without the guard", 50,
      hard_wall,
      "map.resolution=512 light.type=spot light.azimuth=0 light.elevation=2 light.cone=100 light.distance=1.5", "", ""},
     {9, "spot-angle", "Spot angles without sense",
      "The tangent of half a cone of 0 or 180 degrees is 0 or, in single precision, minus 22 million.",
-     "Half angles are kept between 0.001 and 1.5 rad, wider cones are six faces, and what was clamped is said.",
+     "Half angles are kept between 0.001 and 1.5 rad, wider cones are six faces, and clamping is reported.",
      "tangent of a map's half angle, of the widest that is allowed", 1.05, "of tan 1.5", "5 % for the kernel's margin",
      "tangent of a right angle in single precision, its size", 1e7, hard_floor_and_box,
      "map.resolution=512 light.type=spot light.cone=179.8 light.distance=6", "", ""},
@@ -99,7 +99,7 @@ constexpr HardCase kCases[] = {
      "map.resolution=512 light.azimuth=30 light.elevation=40 bias.kind=constant bias.normal=0",
      "bias.unit=metres bias.constant=0.05", "bias.unit=texels bias.constant=5"},
     {12, "snapping", "Edges that crawl",
-     "Maps that are fitted to what is seen slide over the ground as the camera moves: turn it, and hard edges crawl.",
+     "Maps fitted to the view frustum slide over the ground as the camera moves: hard edges shimmer.",
      "A map around the sphere about its part of the view keeps its size, and moves by whole texels found in double.",
      "probes that change their texel, in 1000 steps of less than a texel and a full turn", 0, "probes",
      "snapped maps hold the same texels, wherever they are", "share of probes that do under a tight fit", 0.5,
@@ -108,7 +108,7 @@ constexpr HardCase kCases[] = {
     {13, "degenerate", "Triangles without area",
      "Points and lines among the triangles rasterise to depths beyond 0 and 1 on some drivers; a blur spreads them.",
      "They are dropped as the scene is read, by their exact area, and counted.",
-     "pixels that differ from the mesh without them", 0, kCount, "what has no area shadows nothing",
+     "pixels that differ from the mesh without them", 0, kCount, "triangles without area cast no shadow",
      "triangles whose normal would be 0/0", 4, hard_degenerate,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {14, "stretched", "Uneven scale",
@@ -176,7 +176,7 @@ constexpr HardCase kCases[] = {
     {23, "exponents", "Exponents that overflow",
      "Squares of exp(c) leave single precision beyond c = 44, half precision beyond 5.5, and a blur spreads what is "
      "infinite.",
-     "Exponents are held to what the format takes, 43.7 and 5.2, and what was clamped is said.",
+     "Exponents are limited to the format's range, 43.7 and 5.2, and clamping is reported.",
      "pixels not within 0 and 1, or lit ones below one half, at every exponent", 0, kCount,
      "nothing else is visibility", "formats in which the square of the largest exponential that can be set is infinite",
      2, hard_slope,
@@ -187,7 +187,7 @@ constexpr HardCase kCases[] = {
      "The depths that four moments stand for lie close together on a plane: 16 bits move them past each other, and lit "
      "floor turns grey.",
      "A small share of fixed moments is mixed in: 0.0006 in 16 bits.", "lit pixels darker than lit, away from edges",
-     0.005, kPixels, "a fifth of what it is without: where the roundings of neighbouring texels agree",
+     0.005, kPixels, "a fifth of the value without: where the roundings of neighbouring texels agree",
      "share of pixels darker than lit without that share", 0.025, hard_floor_and_box,
      "map.resolution=512 light.azimuth=30 light.elevation=40 filter.kernel=msm_hamburger filter.moment_format=16-bit "
      "filter.blur=2 filter.bleed=0 bias.normal=2",
@@ -223,8 +223,7 @@ constexpr HardCase kCases[] = {
      "receivers in no cascade, and splits not beyond the one before", 0, "faults",
      "every surface that is seen must have a map", "splits that are no numbers by the bare formula", 1, hard_field,
      "map.resolution=256 light.cascades=4 light.split=logarithmic camera.near=0.0001 view.frustum=false", "", ""},
-    {29, "map-border", "Beyond the map",
-     "What lies beside the map reads its outermost texels again: streaks from its sides.",
+    {29, "map-border", "Beyond the map", "Points outside the map read its outermost texels: streaks from its sides.",
      "A border that counts as lit, or a test of the range, and a margin as wide as the kernel.",
      "pixels beyond the map's reach that are not lit", 0, kCount, "the map says nothing of them",
      "the same where texels are clamped or repeated", 50, hard_bar,
@@ -240,14 +239,15 @@ constexpr HardCase kCases[] = {
      "bias.unit=metres bias.constant=0.25",
      "", ""},
     {31, "pancaking", "Casters before the near plane",
-     "Casters between the light and what is seen are cut off by a near plane behind them, or bent by clamped vertices.",
+     "Casters between the light and the view frustum are cut off by a near plane behind them, or bent by clamped "
+     "vertices.",
      "Depth is clamped for each texel, not for each vertex (GL_DEPTH_CLAMP).",
      "pixels that differ from the picture of a range that holds all casters", 5e-4, kPixels, kTwin,
      "share of pixels that differ where the near plane cuts", 0.02, hard_high_sheet,
      "map.resolution=512 light.azimuth=30 light.elevation=80 light.fit=view filter.kernel=hard",
      "light.near_far=manual light.near=36 light.far=64", "light.near_far=pancaking"},
     {32, "alpha", "Holes of alpha",
-     "A mask that the shadow pass ignores casts a whole sheet; what blends casts nothing at all.",
+     "A mask that the shadow pass ignores casts a whole sheet; a blended material casts nothing at all.",
      "Masked casters are drawn with their holes; blended ones as masks where caster.blend says so.",
      "wrong pixels inside shadow or light, against rays that know the mask", 0, kPixels, "the same holes",
      "share of pixels that differ where the mask is ignored", 0.01, hard_blended_sheet,
@@ -264,17 +264,16 @@ constexpr HardCase kCases[] = {
      kPixels, kTwin, "share of pixels that differ where indices are cut to 16 bits", 5e-3, hard_many_vertices,
      "map.resolution=512 light.azimuth=30 light.elevation=40", "", ""},
     {35, "smooth-terminator", "A ball of few facets",
-     "Smooth normals shade what the facets shadow: dark facets with hard sides, which no bias cures and which look "
+     "Smooth normals shade what the facets shadow: dark facets with hard sides, which no bias fixes and which look "
      "like acne.",
      "Facets turned from the light are told as such, and not counted as acne.",
      "pixels on facets turned away that count as wrong", 0, kCount, "they are right: the facet faces away",
      "pixels that smooth normals light on facets turned away", 20, hard_low_polygon,
      "map.resolution=1024 light.azimuth=-40 light.elevation=20", "", ""},
-    {36, "truth", "The truth's own sanity",
-     "A ray that starts on a surface may hit that surface: a truth that shadows convex bodies with themselves judges "
-     "all else wrongly.",
-     "Rays start off their surface by what its numbers resolve, in a scene that is centred and scaled before it is "
-     "traced.",
+    {36, "truth", "Sanity of the reference",
+     "A ray that starts on a surface may hit that surface: a reference in which convex bodies shadow themselves is "
+     "wrong everywhere.",
+     "Rays start off their surface by the resolution of its coordinates, in a scene that is centred and scaled first.",
      "pixels of convex bodies that are turned to the light and shadowed by themselves", 0, kCount,
      "a convex body cannot shadow itself",
      "share of such rays in single precision that hit their own triangle, without that", 0.2, hard_convex_bodies,
@@ -305,9 +304,9 @@ std::string HardCaseView::name() const {
 }
 
 std::string HardCaseView::about() const {
-    if (row->broken.empty()) return fmt::format("{} As it holds here: {}", row->fault, row->fix);
-    return fixed ? fmt::format("Mended. {} Without: {}", row->fix, row->fault)
-                 : fmt::format("{} What mends it (Page down): {}", row->fault, row->fix);
+    if (row->broken.empty()) return fmt::format("{} Expected here: {}", row->fault, row->fix);
+    return fixed ? fmt::format("Fixed. {} Without: {}", row->fix, row->fault)
+                 : fmt::format("{} Fix (Page down): {}", row->fault, row->fix);
 }
 
 Settings HardCaseView::settings() const {

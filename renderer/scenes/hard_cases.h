@@ -1,6 +1,6 @@
-// The hard cases: corners in which shadow maps break, each with what goes wrong, what mends it, how that is measured,
-// and a small scene with settings that show it. One table for tests, the editor's menu and the command line; the
-// numbers of tests/hard_cases are judged by its rows, docs/stability.md lists what came out.
+// Table of hard cases: situations in which shadow maps break. Each row has the fault, the fix, a measure, and a small
+// scene with settings that shows it. Tests, the editor's menu and the command line read it. tests/hard_cases compares
+// its measurements with the rows' limits; docs/stability.md lists the results.
 #pragma once
 
 #include <optional>
@@ -13,45 +13,48 @@
 
 namespace si {
 
+/// Row of the table of hard cases: a situation in which shadow maps break, its fix, and how both are measured.
 struct HardCase {
     int number = 0;            ///< 1 to 36, stable: the tests of a row are called HardCase<number>
-    std::string_view key;      ///< "grazing": its scene and preset are "hard/grazing", mended "hard/grazing-fixed"
+    std::string_view key;      ///< "grazing": scene and preset are "hard/grazing", with the fix "hard/grazing-fixed"
     std::string_view title;    ///< a few words
-    std::string_view fault;    ///< what goes wrong, a sentence
-    std::string_view fix;      ///< what mends it, a sentence
-    std::string_view measure;  ///< what is measured with the remedy in force; less is better
-    double limit = 0;          ///< the most that the measure may be
+    std::string_view fault;    ///< artefact and its cause, a sentence
+    std::string_view fix;      ///< fix, a sentence
+    std::string_view measure;  ///< quantity measured with the fix in force; less is better
+    double limit = 0;          ///< largest allowed value of the measure
     std::string_view unit;
-    std::string_view why;      ///< of the limit
-    std::string_view without;  ///< what shows that the fault is there without the remedy, in words
-    double shown = 0;          ///< the least that this must be, or the case says nothing
+    std::string_view limit_reason;   ///< reason of the limit
+    std::string_view fault_measure;  ///< quantity that shows the fault without the fix
+    double min_fault = 0;            ///< least value of that quantity; below it the case proves nothing
     Scene (*make)() = nullptr;
     std::string_view view;    ///< settings of both presets: "KEY=VALUE KEY=VALUE"
-    std::string_view broken;  ///< and of the fault; empty: no setting brings it back
-    std::string_view fixed;   ///< and of the remedy
+    std::string_view broken;  ///< further settings that show the fault; empty: no setting does
+    std::string_view fixed;   ///< further settings of the fix
 };
 
-/// In order of their numbers, which have no gaps.
+/// Returns all hard cases in order of their numbers, which have no gaps.
 std::span<const HardCase> hard_cases();
 
 inline constexpr std::string_view kHardPrefix = "hard/", kFixedSuffix = "-fixed";
 
-/// A row with or without its remedy, as it is opened by name.
+/// A hard case with or without its fix, as it is opened by name ("hard/grazing-fixed").
 struct HardCaseView {
     const HardCase* row = nullptr;
     bool fixed = false;
-    std::string name() const;   ///< "hard/grazing", "hard/grazing-fixed"
-    std::string about() const;  ///< what is shown, and the row's sentences
-    /// The row's settings over the defaults. Cameras are the scene's own.
+    /// Returns the name of scene and preset: "hard/grazing" or "hard/grazing-fixed".
+    std::string name() const;
+    /// Returns a description of the hard case for people: what is shown, and the row's sentences.
+    std::string about() const;
+    /// Returns the settings of the hard case, applied to the defaults. Cameras are the scene's own.
     Settings settings() const;
-    /// Its scene, which suggests these settings.
+    /// Makes the scene of the hard case, with these settings as its suggestions.
     Scene scene() const;
 };
 
-/// By name; nothing where there is no such.
+/// Returns the hard case with this name ("hard/grazing-fixed"), or nothing.
 std::optional<HardCaseView> find_hard_case(std::string_view name);
 
-/// All that can be opened, by numbers: of each row the fault, where a setting shows it, and the remedy.
+/// Returns all hard cases that can be opened, by number: of each row the fault, if a setting shows it, then the fix.
 std::span<const HardCaseView> hard_case_views();
 
 }  // namespace si

@@ -19,7 +19,7 @@ void add_floor(Scene& scene, int root, double size) {
     add_object(scene, "Floor", root, add_mesh(scene, "Floor", make_plane(size, size), grey(scene)));
 }
 
-/// A node without geometry that all else hangs below, a floor, and a camera that sees its middle.
+/// Makes a scene with an empty root node, a floor, and a camera that looks at the floor's centre.
 Scene on_floor(double size = 10, const glm::dvec3& eye = kEye, const glm::dvec3& target = kTarget,
                const glm::dmat4& placed = glm::dmat4(1)) {
     Scene scene;
@@ -196,7 +196,7 @@ Scene hard_lamp() {
 
 Scene hard_high_sheet() {
     Scene scene = on_floor();
-    // One long triangle: a vertex that were clamped to the near plane would bend it.
+    // One long triangle: clamping a vertex to the near plane would bend it.
     Mesh sheet;
     sheet.name = "Sheet";
     sheet.positions = {{-1.5f, 30, -1.5f}, {1.5f, 2, 3}, {2.5f, 30, -1.5f}};

@@ -1,10 +1,12 @@
-// The scenes behind the rows of hard_cases(). Places and sizes are short sums of powers of two and nothing is turned by
-// a node, so that moving them by such sums, or scaling them by powers of two, rounds nothing.
+// Makers of the scenes of hard_cases(). Positions and sizes are short sums of powers of two, and no node rotates.
+// Translations by such sums and scales by powers of two are therefore exact.
 #pragma once
 
 #include "renderer/scene/scene.h"
 
 namespace si {
+
+// Each function returns the scene of a hard case:
 
 Scene hard_floor_and_box();   ///< a box that floats a little above a floor
 Scene hard_sphere();          ///< a fine sphere over a floor
@@ -17,7 +19,7 @@ Scene hard_field();           ///< boxes in rows
 Scene hard_degenerate();      ///< a box some of whose triangles have no area
 Scene hard_stretched();       ///< a turned box below a node of uneven scale
 Scene hard_mirrored();        ///< below a node that mirrors x: a box and a single-sided plate
-Scene hard_flattened();       ///< beside a box two that a scale of 0 makes a plate and a point
+Scene hard_flattened();       ///< three boxes, two flattened by a scale of 0 to a plate and a point
 Scene hard_plate_on_floor();  ///< a plate 1/64 m above a floor: hardly any depth
 Scene hard_wires();           ///< wires of 1/128 m over a floor
 Scene hard_slope();           ///< a slope that fills the map, and a bar over it

@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// Gives all vertices a colour and drops the texture coordinates, which nothing here uses.
+/// Sets the colour of all vertices and removes the texture coordinates, which this scene does not use.
 Mesh tinted(Mesh mesh, const glm::vec3& colour) {
     mesh.colours.assign(mesh.positions.size(), glm::vec4(colour, 1));
     mesh.uv.clear();
@@ -39,8 +39,7 @@ Mesh make_broadleaf() {
     return tree;
 }
 
-/// A house on y = 0 whose ridge runs along x, with eaves that stand out and a chimney; its walls reach 2 m into the
-/// ground.
+/// Makes a house on y = 0 with a ridge along x, eaves and a chimney. Its walls extend 2 m into the ground.
 Mesh make_house(const glm::dvec3& size, double roof, const glm::vec3& wall_colour, const glm::vec3& roof_colour) {
     const double x = 0.5 * size.x, z = 0.5 * size.z, y = size.y, low = -2, top = y + roof;
     using P = glm::dvec3;
@@ -51,7 +50,7 @@ Mesh make_house(const glm::dvec3& size, double roof, const glm::vec3& wall_colou
                                        {P(-x, low, -z), P(-x, low, z), P(-x, y, z), P(-x, top, 0), P(-x, y, -z)},
                                        {P(-x, low, -z), P(x, low, -z), P(x, low, z), P(-x, low, z)}}),
                wall_colour);
-    // Two slabs, each a box in its own tilted space that overlaps the other at the ridge.
+    // Two roof slabs, tilted boxes that overlap at the ridge.
     const double eave = 0.45, half = std::hypot(z, roof) * (z + eave) / z, angle = glm::degrees(std::atan2(roof, z));
     for (double side : {1.0, -1.0}) {
         const Mesh slab = make_box({size.x + 2 * eave, 0.22, half});
@@ -82,14 +81,14 @@ void add_village(Scene& scene, int root, int paint) {
                 const double x = plot * 23 + random.in(-3, 3),
                              z = (lane - 2) * 46 + side * 12.5 + random.in(-1.5, 1.5) + 7 * std::sin(x / 45);
                 const double turn = random.in(-7, 7), kind = random.in(0, 3);
-                // A green around the church stays free, and the village thins out.
+                // The green around the church stays free, and houses get sparse towards the village's edge.
                 if (std::hypot(x, z - 5) < 34 || std::hypot(x, 1.15 * z) > 82 + random.in(0, 35)) continue;
                 add_object(scene, fmt::format("House {}", ++count), village, houses[int(kind)],
                            moved(x, terrain_height(x, z), z) * turned(turn + (side > 0 ? 180 : 0)));
             }
     Mesh church = make_house({22, 8, 10}, 5.5, {0.68f, 0.65f, 0.58f}, {0.15f, 0.13f, 0.13f});
     append(church, tinted(transformed(make_box({6, 22, 6}), moved(-12, 10, 0)), {0.66f, 0.63f, 0.56f}));
-    // Four sides, turned so that they lie over the tower's walls.
+    // Four sides, rotated to align with the tower's walls.
     append(church,
            tinted(transformed(make_cylinder(4.9, 12, 4, 0.05), moved(-12, 21, 0) * turned(45)), {0.13f, 0.14f, 0.15f}));
     add_object(scene, "Church", village, add_mesh(scene, "Church", church, paint), moved(4, 0, 5) * turned(-20));
@@ -102,7 +101,7 @@ void add_trees(Scene& scene, int root, int paint) {
     Random random(33);
     constexpr int kTrees = 1100;
     for (int count = 0, tries = 0; count < kTrees && tries < 100000; ++tries) {
-        // Denser towards the middle, where they are seen.
+        // Denser towards the centre, where the camera sees them.
         const double r = 950 * std::pow(random.in(0, 1), 0.7), a = random.in(0, 6.283185307179586);
         const double x = r * std::sin(a), z = r * std::cos(a), size = random.in(0.75, 1.35), turn = random.in(0, 360),
                      luck = random.in(-0.9, 0.6);

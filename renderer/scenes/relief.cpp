@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// Normals of round-topped cobbles, four by four a texture; x along growing u, y along falling v (glTF).
+/// Draws a normal map of round cobbles, four by four per texture; x along growing u, y along falling v (glTF).
 Texture make_cobbles() {
     constexpr int kSize = 256, kCell = kSize / 4;
     constexpr double kSteep = 1.5;  // slope at a cobble's rim
@@ -16,7 +16,7 @@ Texture make_cobbles() {
     texture.width = texture.height = kSize;
     texture.srgb = false;
     std::vector<std::uint8_t> rgba(std::size_t(kSize) * kSize * 4);
-    // Height falls with the fourth power of the distance from the cobble's middle: flat there, steep at the joint.
+    // Height falls with the fourth power of the distance from the cobble's centre: flat there, steep at the joint.
     const auto slope = [](int i) {
         const double t = 2 * (i % kCell + 0.5) / kCell - 1;
         return -kSteep * t * t * t;

@@ -23,7 +23,7 @@ void add_triangle(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
     mesh.indices.append({a, b, c});
 }
 
-/// Points on a half circle of an outline, from angle `from` to `to` (radians, pi/2 is the top). The poles are exact.
+/// Appends points on an arc of an outline, from angle `from` to `to` (radians, pi/2 is the top). The poles are exact.
 void add_arc(std::vector<OutlinePoint>& outline, double centre_y, double radius, double from, double to, int steps) {
     for (int i = 0; i <= steps; ++i) {
         const double angle = from + (to - from) * i / steps;

@@ -1,4 +1,4 @@
-// The default scene: each of its things provokes one of the faults that shadow maps have.
+// The default scene: each of its objects provokes one shadow map artefact.
 #include <fmt/format.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// Square slabs of slightly different tones with dark joints, four by four of them.
+/// Draws a texture of four by four square slabs with slightly different tones and dark joints.
 Texture make_paving() {
     constexpr int kSize = 256, kSlab = kSize / 4;
     Texture texture;
@@ -115,7 +115,7 @@ void add_tree(Scene& scene, int root) {
                    moved(from.x, from.y, from.z) * turn * scaled(radius, glm::length(d), radius));
     };
     const glm::dvec3 fork(0.06, 1.55, 0.02);
-    add_limb("Trunk", {0, -0.02, 0}, fork, 0.15);  // leans, so its foot reaches into the ground
+    add_limb("Trunk", {0, -0.02, 0}, fork, 0.15);  // leans, so its foot extends into the ground
     const glm::dvec3 tips[] = {
         {-0.95, 2.55, 0.25}, {0.95, 2.60, 0.30}, {0.10, 2.70, -0.95}, {0.05, 2.50, 0.95}, {0.05, 3.35, 0.0}};
     for (int i = 0; i < 5; ++i)
@@ -166,7 +166,7 @@ Scene make_stage_scene() {
     Scene scene;
     scene.name = "stage";
     scene.about =
-        "A thin fence and rods (aliasing), a ramp that the light grazes (acne), a figure, a pedestal and a "
+        "A thin fence and rods (aliasing), a ramp in grazing light (acne), a figure, a pedestal and a "
         "single-plane "
         "wall that stand on the ground (peter-panning), leaves with an alpha mask, and a distant box.";
     const int root = add_node(scene, "Stage");
@@ -192,8 +192,8 @@ Scene make_stage_scene() {
     add_figure(scene, add_figure_meshes(scene, wood, joints), "Figure", root, moved(-0.75, 0, 0.75) * turned(18), pose);
 
     add_camera(scene, {-2.3, 3.25, 9.1}, {0.12, 0.98, -0.6}, 35);
-    // Low and from the right, a little from behind: the figure stands in the light before the wall's shade, and the
-    // shadows of leaves and pickets cross the free ground before it.
+    // Low light from the right and slightly behind: the figure stands in the light in front of the wall's shadow, and
+    // the shadows of leaves and pickets cross the free ground in front of it.
     scene.suggested = {
         {"light.azimuth", "116"}, {"light.elevation", "25"}, {"light.intensity", "2"}, {"shading.ambient", "0.17"}};
     finalise(scene);

@@ -1,8 +1,7 @@
 // Martin Newell's teapot (The Utilization of Procedure Models in Digital Image Synthesis, dissertation, University of
 // Utah, 1975), with the bottom and the flattened proportions of the data that Crow printed (The Origins of the Teapot,
-// IEEE Computer Graphics and Applications 7(1), 1987). The 306 published points are mostly symmetry: 24 of the 32
-// patches are quarters turned about the axis, the other 8 halves of handle and spout. So an outline per ring is all
-// that is stored.
+// IEEE Computer Graphics and Applications 7(1), 1987). Most of the 306 published points follow by symmetry: 24 of the
+// 32 patches are quarter turns about the axis, the other 8 halves of handle and spout. So only outlines are stored.
 #include "renderer/scenes/teapot.h"
 
 #include <array>
@@ -13,8 +12,8 @@ namespace {
 
 using Patch = std::array<std::array<glm::dvec3, 4>, 4>;  ///< z up, as published
 
-/// A control point of an outline: distance from the axis, height, and the inner points of the quarter circle,
-/// which are 0.56 of the radius everywhere but at the knob.
+/// Control point of an outline: distance from the axis, height, and the inner control points of the quarter circle,
+/// 0.56 of the radius everywhere but at the knob.
 struct Ring {
     double radius, z, tangent;
     Ring(double r, double height) : Ring(r, height, 0.56 * r) {}
@@ -30,7 +29,7 @@ const Ring kOutlines[6][4] = {
     {{1.5, 0.15}, {1.5, 0.075}, {1.425, 0}, {0, 0}},                 // bottom
 };
 
-/// A control section of handle or spout: inner and outer point in the plane y = 0, and the half width.
+/// Control section of handle or spout: inner and outer point in the plane y = 0, and half width.
 struct PotSection {
     double inner_x, inner_z, outer_x, outer_z, half_width;
 };
@@ -84,7 +83,7 @@ Patch half(const PotSection (&tube)[4], bool far_side) {
     return patch;
 }
 
-/// Bernstein weights of degree 3 and their first derivatives.
+/// Computes the cubic Bernstein weights and their first derivatives.
 void weights(double t, std::array<double, 4>& w, std::array<double, 4>& d) {
     const double s = 1 - t;
     w = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
@@ -110,8 +109,8 @@ Surface evaluate(const Patch& patch, double u, double v) {
     return s;
 }
 
-/// The unit normal. Where a side of the patch shrinks to a point, d/dv is zero there and grows with the mixed
-/// derivative away from it, in +u from the side u = 0 and in -u from the side u = 1.
+/// Returns the unit normal. Where a side of the patch degenerates to a point, d/dv is zero; the mixed derivative takes
+/// its place, in +u from the side u = 0 and in -u from the side u = 1.
 glm::dvec3 normal(const Surface& s, double u) {
     const glm::dvec3 dv = glm::length(s.dv) > 1e-9 ? s.dv : (u < 0.5 ? s.duv : -s.duv);
     return glm::normalize(glm::cross(s.du, dv));

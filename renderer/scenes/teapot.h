@@ -1,13 +1,13 @@
-// The teapot of the lectures.
+// Newell's teapot.
 #pragma once
 
 #include "renderer/scene/scene.h"
 
 namespace si {
 
-/// Newell's teapot from its 32 published bicubic Bezier patches, in the units and at the place of the data (3.15 high,
-/// from handle -3 to spout 3.43 along x) but with y up and z towards the front. Its surfaces are open at the lid's rim.
-/// @param cells per patch and side
+/// Makes Newell's teapot from its 32 published bicubic Bezier patches, with y up and z towards the front. Units and
+/// position are those of the data: 3.15 high, from handle -3 to spout 3.43 along x. The mesh is open at the lid's rim.
+/// @param cells subdivisions per patch and side
 Mesh make_teapot(int cells = 16);
 
 }  // namespace si

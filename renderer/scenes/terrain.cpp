@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-/// A value in [-1, 1) for a lattice point.
+/// Returns a hashed value in [-1, 1) for a lattice point.
 double lattice(std::int32_t x, std::int32_t z, std::uint32_t seed) {
     std::uint32_t h = seed + std::uint32_t(x) * 0x9E3779B1u + std::uint32_t(z) * 0x85EBCA77u;
     h = (h ^ (h >> 15)) * 0x2C1B3C6Du;
@@ -20,7 +20,7 @@ double smoothstep(double lo, double hi, double x) {
 }
 
 glm::dvec3 field_colour(double x, double z) {
-    // Strips of farmland, their grid turned against the village's.
+    // Strips of farmland, on a grid rotated against the village's.
     const double c = std::cos(0.42), s = std::sin(0.42);
     const auto i = std::int32_t(std::floor((c * x - s * z) / 62)), j = std::int32_t(std::floor((s * x + c * z) / 105));
     const double pick = lattice(i, j, 77);

@@ -1,4 +1,4 @@
-// Arrays of many megabytes that are written whole right after they are made.
+// Arrays of many megabytes whose elements are all written right after allocation.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@
 
 namespace si {
 
-/// Asks the system for large pages, which are there 512 times as soon, and leaves elements that resize() adds as the
-/// memory is: whoever adds them writes all of them, on the threads that do.
+/// Allocator for BigArray: requests 2 MiB pages, which need 512 times fewer page faults, and leaves elements that
+/// resize() adds uninitialised. The caller writes every new element, on the threads that use it.
 template <typename T>
 struct BigArrayAllocator {
     using value_type = T;
@@ -29,7 +29,7 @@ struct BigArrayAllocator {
         if (bytes < kLargePage) return static_cast<T*>(::operator new(bytes));
         void* p = ::operator new(bytes, std::align_val_t(kLargePage));
 #if defined(__linux__)
-        madvise(p, bytes, MADV_HUGEPAGE);  // a wish: small pages do as well
+        madvise(p, bytes, MADV_HUGEPAGE);  // only a hint: the result does not matter
 #endif
         return static_cast<T*>(p);
     }
@@ -50,6 +50,7 @@ private:
     static constexpr std::size_t kLargePage = std::size_t(2) << 20;
 };
 
+/// A std::vector for large plain data; resize() does not initialise the new elements.
 template <typename T>
 using BigArray = std::vector<T, BigArrayAllocator<T>>;
 

@@ -8,12 +8,12 @@ namespace si::gl {
 
 namespace {
 
-/// Of the calling thread, in which one context is current.
-struct Turns {
+/// Throttling state of the calling thread, in which one context is current.
+struct DrawThrottle {
     bool lets_others = false;
-    GLsync before = nullptr;  ///< when the last picture is done
+    GLsync before = nullptr;  ///< signalled when the previous picture is done
 };
-thread_local Turns turns;
+thread_local DrawThrottle turns;
 
 }  // namespace
 
@@ -44,13 +44,13 @@ void limit_pending_draws() {
 }
 
 bool release_finished_images() {
-    constexpr int kPlaces = 56;  // with the one that takes long fewer than the 64 after which none is used anew
+    constexpr int kPlaces = 56;  // with the slow one below 64 slots, after which llvmpipe reuses none
     constexpr float kBlack[4] = {};
     Target tiny;
     tiny.ensure("tiny picture", GL_R8, 1, 1);
     const Framebuffer into_tiny = make_framebuffer("tiny picture", &tiny, nullptr);
-    // A picture takes a new place while all before are under way, and they are drawn in their order: behind one that
-    // takes long enough, as many as there are places reach each of them.
+    // A picture takes a new slot while all earlier ones are pending, and the queue is drawn in order: pictures queued
+    // behind a slow one reach every slot.
     for (int size = 2048; size <= 8192; size *= 2) {
         Target large;
         large.ensure("picture that takes long", GL_R8, size, size);

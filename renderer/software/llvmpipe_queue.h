@@ -1,26 +1,25 @@
-// How many pictures a CPU rasteriser may have under way, and what those that are done still hold.
+// Limits on the work that is queued in llvmpipe, Mesa's CPU rasteriser, and on the images that finished work retains.
 #pragma once
 
 namespace si::gl {
 
-/// Call after each picture of many, such as a layer of a map, where a CPU rasteriser draws: every eighth waits until
-/// all of the thread's are done. llvmpipe (Mesa 22.3) has up to 64 under way and gives each a place that keeps the
-/// images drawn into and read until the place is needed again; once it has 64 places it uses the first alone, and what
-/// the others keep stays in memory for good.
+/// Limits the draws that a CPU rasteriser has queued: every eighth call waits until the calling thread's draws are
+/// done. Call after each of many pictures, such as a layer of a shadow map. llvmpipe (Mesa 22.3) queues up to 64
+/// pictures, each in a slot that retains the images it used until the slot is needed again. Once it has 64 slots it
+/// uses the first alone, and the images of the others stay in memory for good.
 void limit_pending_draws();
 
-/// From now on the calling thread draws beside another that must not wait for long, such as a window's: see
-/// throttle_background_drawing(). False: no more.
+/// Marks the calling thread as drawing in the background of another thread that must not wait long, such as a window's.
+/// From then on throttle_background_drawing() waits. False ends that.
 void set_background_drawing(bool on = true);
 
-/// Call after each pass: where the thread lets others draw, it waits until the picture before this one is done.
-/// llvmpipe draws pictures of all contexts in the order in which they were handed over, and who hands one over while
-/// four wait is held up, whoever they are of, until there is room.
+/// Waits until the previous picture of a background thread is done; does nothing on other threads. Call after each
+/// pass. llvmpipe draws the pictures of all contexts in one queue of four, and a full queue blocks every thread.
 void throttle_background_drawing();
 
-/// Has llvmpipe let go of the images that pictures long done still keep (see limit_pending_draws()): every place is
-/// used anew, which takes some ten milliseconds. Call while nothing is asked for. Other drivers have nothing to do.
-/// @return false when the machine was so busy that some places may not have been reached
+/// Makes llvmpipe release images that finished pictures retain (see limit_pending_draws()), by using every slot again.
+/// Takes some ten milliseconds: call while idle. Other drivers need no such call.
+/// @return false when the machine was so busy that some slots may not have been reached
 bool release_finished_images();
 
 }  // namespace si::gl

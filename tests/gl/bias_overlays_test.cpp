@@ -119,7 +119,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 };
                 compare("least-bias", [](const BiasBreakdown& a) { return a.amount(a.least.total()).texels; });
                 compare("bias-slack", [](const BiasBreakdown& a) {
-                    return a.amount(a.clears()).texels - a.amount(a.least.total()).texels;
+                    return a.amount(a.equivalent_depth()).texels - a.amount(a.least.total()).texels;
                 });
                 compare("contact-gap", [](const BiasBreakdown& a) { return a.contact_gap_m(); });
                 compare("bias-applied",

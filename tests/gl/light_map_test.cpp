@@ -22,7 +22,7 @@ protected:
 
     void SetUp() override {
         FrameTest::SetUp();
-        light_maps().forget();
+        light_maps().clear();
     }
     FloatImage visibility(const Scene& scene, const Settings& s) {
         frame = render_with_reference(renderer, scene, s, request, cache, workers);
@@ -342,7 +342,7 @@ TEST_F(LightMapTest, HasTheSameBytesAfterItIsForgotten) {
     const Settings s =
         light_mapped(scene, {{"light.size", "2"}, {"light_map.samples", "64"}, {"light_map.resolution", "200"}});
     const FloatImage first = visibility(scene, s);
-    light_maps().forget();
+    light_maps().clear();
     request.light_maps.clear();
     Renderer fresh;
     const FloatImage again =

@@ -13,7 +13,7 @@ protected:
     Scene scene = load_scene("boxes");
 
     void TearDown() override {
-        for (const std::string& message : renderer.messages.take()) ADD_FAILURE() << "driver: " << message;
+        for (const std::string& message : renderer.messages.take_messages()) ADD_FAILURE() << "driver: " << message;
     }
     /// All that is kept from frame to frame without a truth.
     static FrameRequest request(int width, int height) {

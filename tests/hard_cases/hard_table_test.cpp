@@ -33,11 +33,11 @@ TEST(HardCaseTable, HasThirtySixRowsWithWordsScenesAndLimits) {
             EXPECT_TRUE(sentence.size() > 30 && sentence.ends_with('.')) << row.key << ": " << sentence;
             EXPECT_LT(sentence.size(), 200u) << row.key << ": longer than a glance";
         }
-        for (const std::string_view words : {row.measure, row.why, row.without})
+        for (const std::string_view words : {row.measure, row.limit_reason, row.fault_measure})
             EXPECT_GT(words.size(), 10u) << row.key;
         EXPECT_FALSE(row.unit.empty()) << row.key;
         EXPECT_GE(row.limit, 0);
-        EXPECT_GT(row.shown, 0) << row.key << ": a case that cannot fail is a defect";
+        EXPECT_GT(row.min_fault, 0) << row.key << ": a case that cannot fail is a defect";
         EXPECT_EQ(row.broken.empty(), row.fixed.empty()) << row.key;
         ASSERT_NE(row.make, nullptr);
     }

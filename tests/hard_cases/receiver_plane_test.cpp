@@ -101,9 +101,9 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                                                            {at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()},
                                                            hard_renderer().driver());
                     ASSERT_EQ(a.least.kernel, 0) << "whatever the kernel reaches";
-                    ASSERT_EQ(a.clears(), a.least.total()) << "of itself just enough";
+                    ASSERT_EQ(a.equivalent_depth(), a.least.total()) << "of itself just enough";
                     if (c.format == MapFormat::D32F && plane.at == glm::dvec3(0))
-                        most_texels = std::max(most_texels, a.amount(a.clears()).texels);
+                        most_texels = std::max(most_texels, a.amount(a.equivalent_depth()).texels);
                 }
                 EXPECT_EQ(acne, 0u) << "of " << pixels.size();
                 if (!against_one) continue;
@@ -112,7 +112,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                     shot.light(), s, shot.frame.map_resolution,
                     {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 choose(s, "constant");
-                s.bias.constant = middle.clears();
+                s.bias.constant = middle.equivalent_depth();
                 const Shot one = shoot(scene, s);
                 classified += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
@@ -189,7 +189,8 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                     lit += step * shot.visibility.at(int(p.x), int(p.y));
                 }
                 expected += a.contact_gap_m();
-                EXPECT_NEAR(a.amount(a.clears()).metres * a.receiver.axis_per_ray / a.receiver.texel_m, texels, 0.1);
+                EXPECT_NEAR(a.amount(a.equivalent_depth()).metres * a.receiver.axis_per_ray / a.receiver.texel_m,
+                            texels, 0.1);
                 ++columns;
             }
             lit /= columns;

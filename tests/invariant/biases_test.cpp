@@ -140,7 +140,7 @@ protected:
             ++out.lit;
             const BiasBreakdown a = account(*reference.hits[i], frame, s);
             out.sloped += a.least.kernel > 4 * (a.least.quantum + a.least.rounding);
-            if (a.clears() >= a.least.total()) out.cleared.push_back(i);
+            if (a.equivalent_depth() >= a.least.total()) out.cleared.push_back(i);
         }
         return out;
     }

@@ -115,10 +115,10 @@ private:
     static std::vector<std::string> cells_of(const HardCase& row, const Found& f) {
         std::vector<std::string> cells = stability_cells(row);
         const auto number = [](double v) { return fmt::format("{:.3g}", v); };
-        const bool holds = f.worst && f.least_fault && *f.worst <= row.limit && *f.least_fault >= row.shown;
+        const bool holds = f.worst && f.least_fault && *f.worst <= row.limit && *f.least_fault >= row.min_fault;
         cells.push_back(f.worst ? number(*f.worst) : "not measured");
         cells.push_back(f.worst ? number(row.limit - *f.worst) : "");
-        cells.push_back(fmt::format("{}: at least {:.3g}", row.without, row.shown));
+        cells.push_back(fmt::format("{}: at least {:.3g}", row.fault_measure, row.min_fault));
         cells.push_back(f.least_fault ? number(*f.least_fault) : "not shown");
         cells.push_back(holds ? "holds" : "FAILS");
         return cells;
@@ -162,7 +162,8 @@ void shows_fault(int number, double value) {
     results.know_driver();
     std::optional<double>& least = results.found[number].least_fault;
     if (!least || !(value >= *least)) least = value;
-    EXPECT_GE(value, row.shown) << "hard case " << number << ", " << row.title << ", says nothing: " << row.without;
+    EXPECT_GE(value, row.min_fault) << "hard case " << number << ", " << row.title
+                                    << ", says nothing: " << row.fault_measure;
 }
 
 std::string stability_driver() {

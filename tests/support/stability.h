@@ -13,8 +13,8 @@ namespace si::test {
 /// otherwise or nothing. The worst of a run is written.
 void judge(int number, double value);
 
-/// A number that shows that the row's fault is there without the remedy: fails below the row's `shown`. The least of a
-/// run is written.
+/// A number that shows that the row's fault is there without the remedy: fails below the row's `min_fault`. The least
+/// of a run is written.
 void shows_fault(int number, double value);
 
 /// The driver at hand as the document calls it; empty: it has no section of it.

@@ -101,7 +101,7 @@ TEST(BiasTheory, PlaneIsAffineInTheMap) {
         const glm::dmat3 in_plane = orthonormal_basis(glm::normalize(s.normal));
         const glm::dvec3 q = s.point + 0.3 * unit(random) * in_plane[0] + 0.3 * unit(random) * in_plane[1];
         const glm::dvec3 uvd = uvd_of(s.view, q);
-        EXPECT_NEAR(plane.at({uvd.x, uvd.y}), uvd.z, 1e-11);
+        EXPECT_NEAR(plane.depth_at({uvd.x, uvd.y}), uvd.z, 1e-11);
     }
 }
 
@@ -114,7 +114,7 @@ TEST(BiasTheory, NormalOffsetDoesTheWorkOfTheBias) {
         const double h = least_normal_offset(s.view, s.point, s.normal, b_min);
         // The plane moved by h, at the old point's map coordinates, is nearer by b_min: to first order in h.
         const ReceiverPlane moved = receiver_plane(s.view, s.point + h * glm::normalize(s.normal), s.normal);
-        const double gained = std::abs(plane.uvd.z - moved.at({plane.uvd.x, plane.uvd.y}));
+        const double gained = std::abs(plane.uvd.z - moved.depth_at({plane.uvd.x, plane.uvd.y}));
         EXPECT_NEAR(gained / b_min, 1, 0.02) << i;
         if (!s.view.curve.perspective) {
             const double texel = s.view.texel_size(1, 4096);
@@ -166,7 +166,7 @@ TEST(BiasTheory, EdgeOnIsInfiniteNotNan) {
         const ReceiverPlane edge = receiver_plane(view, {0.3, 0.1, -5}, normal);
         EXPECT_TRUE(edge.edge_on());
         EXPECT_FALSE(std::isnan(edge.gradient.x) || std::isnan(edge.gradient.y));
-        EXPECT_EQ(edge.at({0.9, 0.2}), edge.uvd.z);
+        EXPECT_EQ(edge.depth_at({0.9, 0.2}), edge.uvd.z);
         EXPECT_TRUE(std::isinf(least_bias(edge.gradient, 0.5, 512, 1e-6, 8).total()));
     }
     EXPECT_FALSE(receiver_plane(view, {0.3, 0.1, -5}, {0.6, -0.8, 2e-6}).edge_on());

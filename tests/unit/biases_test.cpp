@@ -102,7 +102,7 @@ TEST(Biases, ListedSettingsAreOnlyTheirs) {
                     return bias_breakdown(light, s, 512, {{1, 0, 2}, {0, 1, 0}, {0, 1, 0}, {}}, {.subpixel_bits = 8});
                 };
                 const auto differs = [&](const BiasBreakdown& a, const BiasBreakdown& b) {
-                    return a.clears() != b.clears() || a.least.total() != b.least.total() ||
+                    return a.equivalent_depth() != b.equivalent_depth() || a.least.total() != b.least.total() ||
                            a.compared_depth_at({0.3, 0.3}) != b.compared_depth_at({0.3, 0.3});
                 };
                 const BiasBreakdown before = account();

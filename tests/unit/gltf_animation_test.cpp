@@ -35,30 +35,30 @@ AnimationChannel channel(Interpolation interpolation, std::vector<float> values,
 TEST(Animation, StepHoldsLinearBlends) {
     const AnimationChannel step = channel(Interpolation::Step, {10, 20}),
                            linear = channel(Interpolation::Linear, {10, 20});
-    EXPECT_EQ(sample(step, 2.9)[0], 10);
-    EXPECT_EQ(sample(step, 3.0)[0], 20);
-    EXPECT_EQ(sample(linear, 1.5)[0], 12.5);
+    EXPECT_EQ(sample_channel(step, 2.9)[0], 10);
+    EXPECT_EQ(sample_channel(step, 3.0)[0], 20);
+    EXPECT_EQ(sample_channel(linear, 1.5)[0], 12.5);
     for (const auto& c : {step, linear}) {
-        EXPECT_EQ(sample(c, -5)[0], 10);
-        EXPECT_EQ(sample(c, 99)[0], 20);
-        EXPECT_EQ(sample(c, std::numeric_limits<double>::quiet_NaN())[0], 10);
+        EXPECT_EQ(sample_channel(c, -5)[0], 10);
+        EXPECT_EQ(sample_channel(c, 99)[0], 20);
+        EXPECT_EQ(sample_channel(c, std::numeric_limits<double>::quiet_NaN())[0], 10);
     }
 }
 
 TEST(Animation, CubicTangentsAreSlopesPerSecond) {
     // Slope 0 at the ends: half-way is the mean, with the smooth-step curve between. In-tangent, value, out-tangent.
-    EXPECT_FLOAT_EQ(sample(channel(Interpolation::Cubic, {9, 10, 0, 0, 20, 9}), 2)[0], 15);
-    EXPECT_FLOAT_EQ(sample(channel(Interpolation::Cubic, {9, 10, 0, 0, 20, 9}), 1.5)[0],
+    EXPECT_FLOAT_EQ(sample_channel(channel(Interpolation::Cubic, {9, 10, 0, 0, 20, 9}), 2)[0], 15);
+    EXPECT_FLOAT_EQ(sample_channel(channel(Interpolation::Cubic, {9, 10, 0, 0, 20, 9}), 1.5)[0],
                     10 + 10 * (3 * 0.0625f - 2 * 0.015625f));
     // A slope of 5 a second on both sides is the straight line from 10 to 20 in two seconds.
-    EXPECT_FLOAT_EQ(sample(channel(Interpolation::Cubic, {9, 10, 5, 5, 20, 9}), 1.5)[0], 12.5);
+    EXPECT_FLOAT_EQ(sample_channel(channel(Interpolation::Cubic, {9, 10, 5, 5, 20, 9}), 1.5)[0], 12.5);
 }
 
 TEST(Animation, RotationsTakeTheShortWayOnTheSphere) {
     const float h = std::sqrt(0.5f);
     // Identity to a quarter turn about y, once with its sign turned round.
     for (const float sign : {1.0f, -1.0f}) {
-        const auto q = sample(channel(Interpolation::Linear, {0, 0, 0, 1, 0, sign * h, 0, sign * h}, 4), 2);
+        const auto q = sample_channel(channel(Interpolation::Linear, {0, 0, 0, 1, 0, sign * h, 0, sign * h}, 4), 2);
         EXPECT_NEAR(std::abs(q[3]), std::cos(0.3926990817), 1e-6);
         EXPECT_NEAR(q[1] / q[3], std::tan(0.3926990817), 1e-6);
     }

@@ -73,7 +73,7 @@ TEST(TrackedMemory, ThreadsAddUp) {
 }
 
 TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
-    ray_scenes().forget();  // what tests before have left
+    ray_scenes().clear();  // what tests before have left
     const std::uint64_t scenes = of("scenes").bytes;
     {
         const Scene scene = load_scene("teapot");
@@ -86,21 +86,21 @@ TEST(TrackedMemory, ScenesAndHierarchiesTellWhatTheyTake) {
         EXPECT_LT(of("scenes").bytes, one + least / 4) << "what copies have in common is held twice";
         copy.meshes[0].positions.edit()[0].x += 0.25f;
         refresh(copy);
-        EXPECT_FALSE(copy.meshes[0].positions.shares(scene.meshes[0].positions));
-        EXPECT_TRUE(copy.meshes[0].indices.shares(scene.meshes[0].indices));
+        EXPECT_FALSE(copy.meshes[0].positions.shares_storage_with(scene.meshes[0].positions));
+        EXPECT_TRUE(copy.meshes[0].indices.shares_storage_with(scene.meshes[0].indices));
         const std::uint64_t before = of("scenes").bytes;
         const auto geometry = std::make_shared<const ReferenceGeometry>(scene, Settings());
         EXPECT_EQ(of("scenes").bytes, before);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             const Mesh& mesh = scene.meshes[std::size_t(scene.objects[i].mesh)];
-            EXPECT_TRUE(geometry->objects[i].mesh->positions.shares(mesh.positions)) << i;
-            EXPECT_TRUE(geometry->objects[i].mesh->indices.shares(mesh.indices)) << i;
+            EXPECT_TRUE(geometry->objects[i].mesh->positions.shares_storage_with(mesh.positions)) << i;
+            EXPECT_TRUE(geometry->objects[i].mesh->indices.shares_storage_with(mesh.indices)) << i;
         }
         const auto rays = ray_scenes().get(geometry);
         EXPECT_GE(of("hierarchies of rays").bytes, least) << "Embree's own account";
     }
     EXPECT_GT(of("scenes").bytes, scenes) << "the hierarchy that is kept needs its triangles";
-    ray_scenes().forget();
+    ray_scenes().clear();
     EXPECT_EQ(of("hierarchies of rays").bytes, 0u);
     EXPECT_EQ(of("scenes").bytes, scenes);
 }

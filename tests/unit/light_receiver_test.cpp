@@ -88,7 +88,7 @@ TEST(BiasBreakdown, IsNeverNanEdgeOn) {
                 EXPECT_FALSE(faces_light(a.receiver.n_dot_l));
                 EXPECT_TRUE(a.plane.edge_on());
                 for (const double depth :
-                     {a.constant, a.slope, a.normal, a.raster, a.clears(), a.depth_shift, a.least.kernel,
+                     {a.constant, a.slope, a.normal, a.raster, a.equivalent_depth(), a.depth_shift, a.least.kernel,
                       a.least.quantum, a.least.snapping, a.least.rounding, a.least.total()}) {
                     const DepthShift amount = a.amount(depth);
                     EXPECT_FALSE(std::isnan(amount.depth) || std::isnan(amount.texels) || std::isnan(amount.metres));

@@ -99,7 +99,7 @@ TEST(Outline, LeavesOutTheFloorButNotWhatIsHidden) {
     EXPECT_NEAR(farthest(extreme_points(floor), {1, 0, 0}), 20, 1e-9) << "where there is nothing else";
     scene.meshes[std::size_t(all_objects(scene)[0]->mesh)].bounds = {};  // as of a pose that leaves no triangles
     refresh(scene);
-    EXPECT_EQ(scene.standing.hi.x, 20);
+    EXPECT_EQ(scene.bounds_without_floor.hi.x, 20);
 }
 
 // A sphere's box is half as wide again as it is.

@@ -33,7 +33,7 @@ TEST(RaySceneCache, TwoUsersGetTheSameObjectAndItIsFreed) {
     first.reset();
     second.reset();
     EXPECT_FALSE(weak.expired()) << "the last one is kept for who comes next";
-    scenes.forget();
+    scenes.clear();
     EXPECT_TRUE(weak.expired());
     EXPECT_EQ(scenes.size(), 0u);
 }

@@ -13,10 +13,10 @@ using Ints = SharedArray<int>;
 TEST(SharedArray, CopiesAreOneInMemoryUntilOneChanges) {
     Ints a = {1, 2, 3};
     const Ints b = a;
-    EXPECT_TRUE(a.shares(b));
+    EXPECT_TRUE(a.shares_storage_with(b));
     EXPECT_EQ(a.data(), b.data());
     a.edit()[1] = 7;
-    EXPECT_FALSE(a.shares(b));
+    EXPECT_FALSE(a.shares_storage_with(b));
     EXPECT_EQ(a, (std::vector<int>{1, 7, 3}));
     EXPECT_EQ(b, (std::vector<int>{1, 2, 3}));
     const int* alone = a.data();
@@ -61,22 +61,22 @@ std::uint64_t told() {
 TEST(SharedArray, IsToldOfOnceHoweverManyShareIt) {
     {
         Ints a = std::vector<int>(100, 1);
-        a.tell("tests' arrays");
+        a.track_memory("tests' arrays");
         EXPECT_EQ(told(), 400u);
         Ints b = a;
-        b.tell("tests' arrays");
+        b.track_memory("tests' arrays");
         EXPECT_EQ(told(), 400u);
         Ints first = std::vector<int>(10, 1), second = first;
-        first.tell("tests' arrays");
-        second.tell("tests' arrays");
+        first.track_memory("tests' arrays");
+        second.track_memory("tests' arrays");
         EXPECT_EQ(told(), 440u) << "shared before it was told of";
         first.clear();
         second.clear();
         b.push_back(2);
-        b.tell("tests' arrays");
+        b.track_memory("tests' arrays");
         EXPECT_EQ(told(), 804u);
         b.resize(10);
-        b.tell("tests' arrays");
+        b.track_memory("tests' arrays");
         EXPECT_EQ(told(), 440u);
     }
     EXPECT_EQ(told(), 0u);

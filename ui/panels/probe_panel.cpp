@@ -106,7 +106,8 @@ void bias_terms(const BiasBreakdown& a) {
         amount_row(
             "while drawing", a.amount(a.raster),
             "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
-    amount_row("equivalent bias in all", a.amount(a.clears()), "Against acne: it has to be as much as is needed");
+    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()),
+               "Against acne: it has to be as much as is needed");
     amount_row("needed", a.amount(a.least.total()),
                "Less, and the triangle's plane shadows itself; the sum of the next");
     amount_row("  kernel", a.amount(a.least.kernel),

@@ -57,7 +57,7 @@ glm::dvec3 suggested_light(const Scene& scene) {
 
 /// What is to be framed of what stands there, world.
 std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
-    const Box box = scene.standing.corners();
+    const Box box = scene.bounds_without_floor.corners();
     if (scene.framed.empty()) return {box.begin(), box.end()};
     std::vector<glm::dvec3> points;
     for (const glm::dvec3& p : scene.framed) points.emplace_back(scene.placement * glm::dvec4(p, 1));
@@ -135,9 +135,9 @@ void frame_bounds(Camera& c, const Bounds& bounds) {
 }
 
 bool frames_shadow(const Scene& scene, const Settings& settings) {
-    const double size = scene.standing.radius();
+    const double size = scene.bounds_without_floor.radius();
     return settings.scene.ground == Ground::Auto && !scene.file_scenes.empty() && std::isfinite(size) &&
-           size > std::max(1e-7, 1e-9 * glm::length(scene.standing.centre()));
+           size > std::max(1e-7, 1e-9 * glm::length(scene.bounds_without_floor.centre()));
 }
 
 void frame_with_shadow(Camera& c, const Scene& scene) {
