@@ -46,10 +46,10 @@ int check_header(const Json& json, const std::string& name) {
     }
     const auto version = json.find("version");
     const bool whole = version != json.end() && version->is_number_integer();
-    if (!whole || *version < 1 || *version > kSettingsVersion) {
+    if (!whole || *version < oldest_settings_version() || *version > kSettingsVersion) {
         refuse(name,
-               fmt::format("\"version\" is {}, but this program reads versions 1 to {}{}",
-                           version == json.end() ? "missing" : quoted(*version), kSettingsVersion,
+               fmt::format("\"version\" is {}, but this program reads {}{}",
+                           version == json.end() ? "missing" : quoted(*version), readable_versions(),
                            whole && *version > kSettingsVersion ? ": a newer one wrote the file; open it there" : ""));
     }
     for (const auto& [key, value] : json.items()) {
@@ -110,7 +110,7 @@ Preset parse_preset(std::string_view text, const std::string& name) {
             const std::size_t first = values.size();
             values.emplace_back(*ref, setting_from_json(*ref, value));
             if (value.is_string())
-                std::ranges::move(also_meant(*ref, value.get<std::string>()), std::back_inserter(values));
+                std::ranges::move(implied_values(*ref, value.get<std::string>()), std::back_inserter(values));
             for (std::size_t i = first; i < values.size(); ++i) {
                 const auto [earlier, is_new] = written.emplace(setting_key(values[i].first), key);
                 if (!is_new)

@@ -5,7 +5,6 @@
 #include <charconv>
 
 #include "renderer/base/small_letters.h"
-#include "renderer/settings/aliases.h"
 #include "renderer/settings/owners.h"
 #include "renderer/settings/sources.h"
 
@@ -14,13 +13,10 @@ namespace {
 
 constexpr std::string_view kLightPrefix = "light.", kObjectPrefix = "object.";
 
-/// The row whose key is, or once was, exactly `key` and whose scope is `scope`.
+/// Returns the row whose key is exactly `key` and whose scope is `scope`; nullptr if there is none.
 const Param* find_row(std::string_view key, Scope scope) {
     for (const Param& p : params()) {
         if (p.scope == scope && p.key == key) return &p;
-    }
-    for (const SettingAlias& alias : aliases().settings) {
-        if (alias.was == key) return find_row(alias.key, scope);
     }
     return nullptr;
 }
