@@ -2,8 +2,8 @@
 
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/context/large_pages.h"
 #include "app/report/report.h"
+#include "renderer/base/large_pages.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
 

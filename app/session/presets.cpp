@@ -38,7 +38,8 @@ std::string text_member(const Json& json, const char* key, const std::string& na
 
 /// The version of the file.
 int check_header(const Json& json, const std::string& name) {
-    static const std::vector<std::string> known = {"format", "version", "title", "topic", "about", "scene", "settings"};
+    static const std::vector<std::string> known = {"format", "version", "title",    "topic",
+                                                   "about",  "scene",   "settings", "claims"};
     if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
     const auto format = json.find("format");
     if (format == json.end() || *format != kFormat) {
@@ -46,10 +47,10 @@ int check_header(const Json& json, const std::string& name) {
     }
     const auto version = json.find("version");
     const bool whole = version != json.end() && version->is_number_integer();
-    if (!whole || *version < 1 || *version > kSettingsVersion) {
+    if (!whole || *version < oldest_settings_version() || *version > kSettingsVersion) {
         refuse(name,
-               fmt::format("\"version\" is {}, but this program reads versions 1 to {}{}",
-                           version == json.end() ? "missing" : quoted(*version), kSettingsVersion,
+               fmt::format("\"version\" is {}, but this program reads {}{}",
+                           version == json.end() ? "missing" : quoted(*version), readable_versions(),
                            whole && *version > kSettingsVersion ? ": a newer one wrote the file; open it there" : ""));
     }
     for (const auto& [key, value] : json.items()) {
@@ -110,7 +111,7 @@ Preset parse_preset(std::string_view text, const std::string& name) {
             const std::size_t first = values.size();
             values.emplace_back(*ref, setting_from_json(*ref, value));
             if (value.is_string())
-                std::ranges::move(also_meant(*ref, value.get<std::string>()), std::back_inserter(values));
+                std::ranges::move(implied_values(*ref, value.get<std::string>()), std::back_inserter(values));
             for (std::size_t i = first; i < values.size(); ++i) {
                 const auto [earlier, is_new] = written.emplace(setting_key(values[i].first), key);
                 if (!is_new)
@@ -120,6 +121,11 @@ Preset parse_preset(std::string_view text, const std::string& name) {
         } catch (const UsageError& e) {
             refuse(name, place + e.what());
         }
+    }
+    try {
+        if (json.contains("claims")) preset.claims = read_claims(json["claims"]);
+    } catch (const Error& e) {
+        refuse(name, e.what());
     }
     preset.settings = defaults_of_version(version, lights_of(values));
     for (const auto& [ref, value] : values) set_value(preset.settings, ref, value);
@@ -139,7 +145,12 @@ std::string preset_text(const Preset& preset) {
     for (const SettingRef& ref : changed_settings(preset.settings)) {
         json["settings"][setting_key(ref)] = setting_to_json(ref, get_value(preset.settings, ref));
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace);
+    if (preset.claims.empty()) return text + "\n";
+    text.resize(text.size() - std::string_view("\n}").size());
+    std::string lines;  // a claim is one line
+    for (const PresetClaim& claim : preset.claims) lines += (lines.empty() ? "\n    " : ",\n    ") + claim.text;
+    return text + ",\n  \"claims\": [" + lines + "\n  ]\n}\n";
 }
 
 Preset load_preset(const std::string& name_or_path) {

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/session/claims.h"
 #include "renderer/settings/settings.h"
 
 namespace si {
@@ -16,6 +17,7 @@ struct Preset {
     std::string about;  ///< what to look at, a sentence
     std::string scene;  ///< built-in key or path the preset was made for
     Settings settings;
+    std::vector<PresetClaim> claims = {};  ///< what the sentence says, as numbers
 };
 
 /// Reads a preset: all of it or nothing. @throws Error "NAME: place: what is wrong and what is allowed".

@@ -135,9 +135,9 @@ void SweepState::apply(const Json& line) {
     if (line.contains("format")) {
         if (line["format"] != kJournalFormat) throw Error("this is no journal of a sweep");
         const Json& version = line.at("version");
-        if (!version.is_number_integer() || version < 1 || version > kSettingsVersion)
-            throw Error(fmt::format("version {} of the journal is not known; versions 1 to {} are", version.dump(),
-                                    kSettingsVersion));
+        if (!version.is_number_integer() || version < oldest_settings_version() || version > kSettingsVersion)
+            throw Error(
+                fmt::format("version {} of the journal cannot be read, only {}", version.dump(), readable_versions()));
         spec = line.at("spec");
         // As this program would have written it.
         if (version < kSettingsVersion) spec = spec_json(spec_from_json(spec, version.get<int>()));

@@ -76,7 +76,8 @@ Severity severity_of(double share) {
     return share >= 0.01 ? Severity::Error : share >= 0.001 ? Severity::Warning : Severity::Hint;
 }
 
-/// What cures most of a cause without breaking more than it cures.
+/// Returns the fix that puts most pixels of a cause right, among fixes that put more right in all than they break;
+/// nullptr if there is none.
 const MeasuredFix* best_fix(const FixTable& fixes, Artefact artefact) {
     const MeasuredFix* best = nullptr;
     const auto of = [&](const MeasuredFix& c) { return c.cured_of[std::size_t(artefact)]; };

@@ -86,8 +86,8 @@ struct Finding {
     std::string fix;                                            ///< what helps; empty: nothing known
     std::vector<std::pair<std::string, std::string>> settings;  ///< that do
 };
-/// Remarks of the renderer, limits of the maps, and wrong pixels by their causes with what cures most of them; the
-/// worst first. Pure.
+/// Returns remarks of the renderer, limits of the maps, and wrong pixels by cause, the worst first. A cause comes with
+/// the fix that puts most of its pixels right, among fixes that put more pixels right in all than they break. Pure.
 std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes);
 
 struct AdviceOptions {

@@ -117,9 +117,9 @@ SweepAxis parse_axis(std::string_view text) {
         throw UsageError(fmt::format("--vary {}: more than {} values", axis.key, kMaxValues));
     std::vector<std::string> unique;
     for (const std::string& value : axis.values) {
-        // An old name that says more than one of today stays what it is.
+        // A sized kernel's name stays as it is: the kernel's key alone leaves the size open.
         const std::string canonical =
-            also_meant(*ref, value).empty() ? value_text(*ref->param, parse_value(*ref, value)) : value;
+            implied_values(*ref, value).empty() ? value_text(*ref->param, parse_value(*ref, value)) : value;
         if (std::find(unique.begin(), unique.end(), canonical) == unique.end()) unique.push_back(canonical);
     }
     axis.values = std::move(unique);
@@ -157,7 +157,7 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
     }
     for (const SweepAxis& axis : axes)
         for (const std::string& value : axis.values)
-            for (const auto& [other, meant] : also_meant(*find_setting(axis.key), value))
+            for (const auto& [other, meant] : implied_values(*find_setting(axis.key), value))
                 if (keys.contains(setting_key(other)))
                     throw UsageError(fmt::format(
                         "--vary {0}: its value {1} stands for {2}={3} too, and {2} is varied by itself; name {0} by "

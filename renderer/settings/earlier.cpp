@@ -1,20 +1,42 @@
 #include "renderer/settings/earlier.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace si {
 namespace {
 
-// Never edited, only added to: a default that changes puts what it was here.
-constexpr EarlierDefault kEarlierDefaults[] = {
-    {.version = 1, .key = "light.fit", .value = "scene"},
-    {.version = 1, .key = "scene.ground", .value = "off"},
-};
+// Rows are only added, never edited. {.version = 2, .key = "light.fit", .value = "scene"} would say that light.fit was
+// "scene" up to version 2.
+constexpr std::span<const EarlierDefault> kEarlierDefaults;
+
+std::span<const EarlierDefault> rows_in_use = kEarlierDefaults;
 
 }  // namespace
 
 std::span<const EarlierDefault> earlier_defaults() {
-    return kEarlierDefaults;
+    return rows_in_use;
+}
+
+TrialEarlierDefaults::TrialEarlierDefaults(std::span<const EarlierDefault> rows) : before_(rows_in_use) {
+    rows_in_use = rows;
+}
+
+TrialEarlierDefaults::~TrialEarlierDefaults() {
+    rows_in_use = before_;
+}
+
+int oldest_settings_version() {
+    int oldest = kSettingsVersion;
+    for (const EarlierDefault& row : earlier_defaults()) oldest = std::min(oldest, row.version);
+    return oldest;
+}
+
+std::string readable_versions() {
+    const int oldest = oldest_settings_version();
+    return oldest == kSettingsVersion ? fmt::format("version {}", kSettingsVersion)
+                                      : fmt::format("versions {} to {}", oldest, kSettingsVersion);
 }
 
 int lights_of(std::span<const SettingValue> values) {
@@ -28,7 +50,7 @@ int lights_of(std::span<const SettingValue> values) {
 
 Settings defaults_of_version(int version, int lights) {
     Settings settings;
-    // From the newest change back to the oldest, so that of several of one setting the one that the version had stays.
+    // Newest change first: of several rows of one setting the oldest that covers the version is written last and stays.
     const auto rows = earlier_defaults();
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
         if (version > row->version) continue;

@@ -1,8 +1,9 @@
-// What files of earlier versions mean by what they leave out. A file that holds settings holds those that differ from
-// the defaults, and the version that the defaults are of.
+// Defaults of earlier versions. A file holds the settings that differ from the defaults of the version that wrote it,
+// so a reader needs the defaults of that version.
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -10,24 +11,43 @@
 
 namespace si {
 
-/// The version of all files that hold settings. It rises with each release of which a default differs from before.
+/// Version of all files that hold settings. It rises with each release that changes a default.
 inline constexpr int kSettingsVersion = 2;
 
-/// A default as it was.
+/// Default of a setting before a release changed it.
 struct EarlierDefault {
-    int version = 1;         ///< the last one that had it
-    std::string_view key;    ///< of the row; "light.X" for all lights
-    std::string_view value;  ///< as set_setting() takes it
+    int version = kSettingsVersion;  ///< last version that had it
+    std::string_view key;            ///< of the row; "light.X" for all lights
+    std::string_view value;          ///< as set_setting() takes it
 };
+
+/// Returns the defaults that releases have changed, oldest first. Empty before the first release.
 std::span<const EarlierDefault> earlier_defaults();
+
+/// Replaces earlier_defaults() while it lives, so that a test reads files of versions that no release has written.
+class TrialEarlierDefaults {
+public:
+    explicit TrialEarlierDefaults(std::span<const EarlierDefault> rows);
+    ~TrialEarlierDefaults();
+    TrialEarlierDefaults(const TrialEarlierDefaults&) = delete;
+    TrialEarlierDefaults& operator=(const TrialEarlierDefaults&) = delete;
+
+private:
+    std::span<const EarlierDefault> before_;
+};
+
+/// Returns the oldest version of files that can be read: that of the oldest row of earlier_defaults().
+int oldest_settings_version();
+/// Returns the readable versions for a message: "version 2", "versions 2 to 3".
+std::string readable_versions();
 
 using SettingValue = std::pair<SettingRef, Value>;
 
-/// How many lights these values of a file speak of: those that shine, and those that have a value of their own.
+/// Returns the number of lights that a file's values concern: light.count, and lights that have a value of their own.
 int lights_of(std::span<const SettingValue> values);
 
-/// What the values of a file of this version are written over.
-/// @param lights how many the file speaks of; those beyond it begin with today's defaults
+/// Returns the settings that a file's values are written over: the defaults of its version.
+/// @param lights lights that the file concerns (lights_of()); later ones begin with the present defaults
 Settings defaults_of_version(int version, int lights = kMaxLights);
 
 }  // namespace si

@@ -5,20 +5,16 @@
 #include <charconv>
 
 #include "renderer/base/lower_case.h"
-#include "renderer/settings/aliases.h"
 
 namespace si {
 namespace {
 
 constexpr std::string_view kLightPrefix = "light.", kObjectPrefix = "object.";
 
-/// The row whose key is, or once was, exactly `key` and whose scope is `scope`.
+/// Returns the row whose key is exactly `key` and whose scope is `scope`; nullptr if there is none.
 const Param* find_row(std::string_view key, Scope scope) {
     for (const Param& p : params()) {
         if (p.scope == scope && p.key == key) return &p;
-    }
-    for (const SettingAlias& alias : aliases().settings) {
-        if (alias.was == key) return find_row(alias.key, scope);
     }
     return nullptr;
 }

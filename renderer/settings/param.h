@@ -112,8 +112,7 @@ struct SettingRef {
     std::string object;  ///< node path for Scope::Object
 };
 
-/// Finds a dotted key, of today or an old one (aliases.h) ("bias.slope", "light.2.azimuth", "light.azimuth",
-/// "object.Root/Fence.cull").
+/// Finds the setting of a dotted key ("bias.slope", "light.2.azimuth", "light.azimuth", "object.Root/Fence.cull").
 std::optional<SettingRef> find_setting(std::string_view key);
 /// The canonical dotted key of a setting ("light.azimuth" is light 0).
 std::string setting_key(const SettingRef& ref);
@@ -136,13 +135,13 @@ Value default_value(const SettingRef& ref);
 
 /// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers, texts as they are.
 std::string value_text(const Param& p, const Value& v);
-/// Parses and range-checks a value; old names of choices are read too. @throws UsageError naming the key, the value and
-/// what is allowed.
+/// Parses and range-checks a value; of filter.kernel, a sized kernel's name too (sized_kernels.h).
+/// @throws UsageError naming the key, the value and what is allowed
 Value parse_value(const SettingRef& ref, std::string_view text);
-/// What else a text sets, where it is an old name of a choice that several settings stand for now; else nothing.
-std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std::string_view text);
-/// find_setting + parse_value + set_value, and what else the text meant. @throws UsageError (unknown key: names the
-/// nearest).
+/// Returns the values of other settings that a text implies: filter.size and filter.point of a sized kernel's name.
+std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text);
+/// Sets the setting `key` to the value that `text` names, and the settings that it implies.
+/// @throws UsageError; of an unknown key it names the nearest one
 void set_setting(Settings& s, std::string_view key, std::string_view text);
 
 /// Every setting that `s` has (lights 0..15, objects with an override), in table order.

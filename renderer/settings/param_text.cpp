@@ -9,9 +9,9 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/printable.h"
-#include "renderer/settings/aliases.h"
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
+#include "renderer/settings/sized_kernels.h"
 #include "renderer/settings/splits.h"
 
 namespace si {
@@ -42,11 +42,9 @@ std::optional<T> read_number(std::string_view text) {
     return v;
 }
 
-const ChoiceAlias* alias_of(const SettingRef& ref, std::string_view text) {
-    const auto rows = aliases().choices;
-    const auto it =
-        std::ranges::find_if(rows, [&](const ChoiceAlias& a) { return a.key == ref.param->key && a.was == text; });
-    return it == rows.end() ? nullptr : &*it;
+/// Returns the sized kernel that `text` names, where the setting is filter.kernel; else nullptr.
+const SizedKernel* sized_kernel_of(const SettingRef& ref, std::string_view text) {
+    return ref.param->key == "filter.kernel" ? find_sized_kernel(text) : nullptr;
 }
 
 int parse_choice(const SettingRef& ref, std::string_view text) {
@@ -56,7 +54,7 @@ int parse_choice(const SettingRef& ref, std::string_view text) {
         if (choices[i].key == text) return int(i);
         keys.emplace_back(choices[i].key);
     }
-    if (const ChoiceAlias* alias = alias_of(ref, text)) return parse_choice(ref, alias->choice);
+    if (const SizedKernel* sized = sized_kernel_of(ref, text)) return parse_choice(ref, sized->kernel);
     refuse(ref, text, fmt::format("is none of {}{}", fmt::join(keys, ", "), did_you_mean(nearest_name(text, keys))));
 }
 
@@ -138,18 +136,12 @@ Value parse_value(const SettingRef& ref, std::string_view text) {
     return parse_number(ref, text, false) + 0.0;  // + 0.0: "-0" is 0
 }
 
-std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std::string_view text) {
-    std::vector<std::pair<SettingRef, Value>> more;
-    const ChoiceAlias* alias = ref.param->choices ? alias_of(ref, text) : nullptr;
-    if (!alias) return more;
-    for (const ChoiceAlias::Also& also : alias->also) {
-        if (also.key.empty()) continue;
-        SettingRef other = *find_setting(also.key);
-        other.light = ref.light;
-        other.object = ref.object;
-        more.emplace_back(other, parse_value(other, also.value));
-    }
-    return more;
+std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text) {
+    const SizedKernel* sized = sized_kernel_of(ref, text);
+    if (!sized) return {};
+    std::vector<std::pair<SettingRef, Value>> implied = {{*find_setting("filter.size"), sized->size}};
+    if (sized->point) implied.emplace_back(*find_setting("filter.point"), *sized->point);
+    return implied;
 }
 
 void set_setting(Settings& s, std::string_view key, std::string_view text) {
@@ -158,7 +150,7 @@ void set_setting(Settings& s, std::string_view key, std::string_view text) {
         throw UsageError(fmt::format("\"{}\": unknown setting{}", printable(key), did_you_mean(nearest_key(key))));
     }
     set_value(s, *ref, parse_value(*ref, text));
-    for (const auto& [other, value] : also_meant(*ref, text)) set_value(s, other, value);
+    for (const auto& [other, value] : implied_values(*ref, text)) set_value(s, other, value);
 }
 
 std::vector<std::string> sanitise(Settings& s) {

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "renderer/base/words_match.h"
-#include "renderer/settings/aliases.h"
+#include "renderer/settings/sized_kernels.h"
 
 namespace si {
 namespace {
@@ -38,8 +38,8 @@ bool setting_matches(const SettingRef& ref, std::string_view text) {
         return matches_all_words(wanted, {label, own_key, also, as_searched(choice), as_searched(choice_label)});
     };
     if (std::ranges::any_of(p.choices(), [&](const Choice& c) { return is_wanted(c.key, c.label); })) return true;
-    return std::ranges::any_of(aliases().choices,
-                               [&](const ChoiceAlias& a) { return a.key == p.key && is_wanted(a.was, {}); });
+    if (p.key != "filter.kernel") return false;
+    return std::ranges::any_of(sized_kernels(), [&](const SizedKernel& sized) { return is_wanted(sized.name, {}); });
 }
 
 }  // namespace si

@@ -10,7 +10,6 @@
 #include <string_view>
 
 #include "app/commands/commands.h"
-#include "app/context/large_pages.h"
 #include "renderer/base/error.h"
 #include "tests/bench/curves.h"
 #include "tests/bench/gpu_report.h"
@@ -63,7 +62,6 @@ int run_command(std::span<char*> arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    si::restart_with_large_pages(argv);  // as the program
     try {
         const int code = run_command(std::span(argv + 1, argv + argc));
         if (code >= 0) return code;

@@ -76,7 +76,7 @@ TEST(HostileWords, AnUnknownOneIsToldBeforeWhatItLeavesOut) {
 TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
     const fs::path folder = fresh_test_folder();
     const auto write = [&](const char* scene, const char* settings) {
-        std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":1,"scene":")" << scene
+        std::ofstream(folder / "p.json") << R"({"format":"shadow-inspector-preset","version":2,"scene":")" << scene
                                          << R"(","settings":{)" << settings << "}}";
     };
     const auto draw = [&](const std::string& scene, const std::string& more = {}) {
@@ -102,7 +102,7 @@ TEST(HostilePresets, OfAnotherSceneOrOfNoneAreTold) {
 
 TEST(HostilePresets, EscapesAreShownNotObeyed) {
     const fs::path folder = fresh_test_folder();
-    std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":1,"title":"\u001b[31mred",)"
+    std::ofstream(folder / "e.json") << R"({"format":"shadow-inspector-preset","version":2,"title":"\u001b[31mred",)"
                                      << R"("topic":"\u009b2J","about":"a\u202eb","scene":"\u0007",)"
                                      << R"("settings":{"object.\u001b]0;x.cast":false}})";
     for (const auto& words : {std::vector<std::string>{"preset", "show", "e.json"},
@@ -119,7 +119,7 @@ TEST(HostilePresets, DeepJsonIsRefusedInAMoment) {
     const fs::path folder = fresh_test_folder();
     const std::string deep = std::string(100'000, '[') + std::string(100'000, ']');
     std::ofstream(folder / "deep.json")
-        << R"({"format":"shadow-inspector-preset","version":1,"settings":{"bias.slope":)" << deep << "}}";
+        << R"({"format":"shadow-inspector-preset","version":2,"settings":{"bias.slope":)" << deep << "}}";
     const ProcessResult r = run_program({"preset", "check", "deep.json"}, folder);
     EXPECT_EQ(r.code, 1);
     EXPECT_NE(r.err.find("deep.json: it nests 100002 levels deep, at most 32 are read"), std::string::npos) << r.err;

@@ -25,12 +25,12 @@ Scene only(Scene scene, const Guided::Nodes& nodes) {
 
 }  // namespace
 
-Guided::Guided(const std::string& key, const std::vector<std::string>& changes, int width, int height) {
-    const Preset preset = load_preset(key);
+Guided::Guided(const std::string& key, const ClaimSubject& subject) {
+    const Preset preset = load_preset(subject.preset.empty() ? key : subject.preset);
     scene = load_scene(preset.scene);
     settings = preset.settings;
-    for (const std::string& change : changes) apply_set(settings, change);
-    shot = shoot(scene, settings, width, height);
+    for (const std::string& change : subject.set) apply_set(settings, change);
+    shot = shoot(scene, settings, subject.size.at(0), subject.size.at(1));
     if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
 }
 
@@ -50,15 +50,45 @@ const std::vector<std::optional<Hit>>& Guided::hits() const {
     return hits_;
 }
 
-ErrorMetrics Guided::error() const {
+const ErrorMetrics& Guided::error() const {
+    if (error_) return *error_;
     ReferenceCache cache;
     const FrameRequest request{.width = shot.width, .height = shot.height};
-    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, reference_options(settings),
-                         cache)
-        .metrics;
+    error_ = measure_error(hard_renderer(), scene, settings, request, settings.view.light, reference_options(settings),
+                           cache)
+                 .metrics;
+    return *error_;
 }
 
-bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {
+const Judgement& Guided::classification() const {
+    if (!judgement_) judgement_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
+    return *judgement_;
+}
+
+Guided::MeanErrors Guided::mean_errors() const {
+    const ReferenceImage reference =
+        trace_reference(rays(), shot.frame.camera, shot.light(), shot.width, shot.height, shot.frame.map_resolution, 6);
+    MeanErrors sum;
+    int dark = 0;
+    int lit = 0;
+    for (int y = 0; y < shot.height; ++y)
+        for (int x = 0; x < shot.width; ++x) {
+            const double v = shot.visibility.at(x, y);
+            if (reference.at(x, y) == Lit::Shadow) {
+                ++dark;
+                sum.bled += v;
+            }
+            if (reference.at(x, y) == Lit::Lit) {
+                ++lit;
+                sum.darkened += 1 - v;
+            }
+        }
+    EXPECT_GT(dark, 40) << "too few pixels to say anything";
+    EXPECT_GT(lit, 1000) << "too few pixels to say anything";
+    return {sum.bled / dark, sum.darkened / lit};
+}
+
+bool Guided::counts(std::size_t pixel, const Nodes& receivers) const {
     if (!hits()[pixel]) return false;
     const Hit& hit = *hits()[pixel];
     // Edge-on to the light, where rounding decides the side, is left out.
@@ -68,17 +98,17 @@ bool Guided::looked_at(std::size_t pixel, const Nodes& receivers) const {
            named(receivers, scene.nodes[std::size_t(scene.objects[std::size_t(object)].node)].path);
 }
 
-/// Calls `use(hit, visibility)` for the pixels that are looked at.
+/// Calls `use(hit, visibility)` for the pixels that count.
 template <class Use>
 void Guided::each_pixel(const Nodes& receivers, Use use) const {
     for (std::size_t i = 0; i < hits().size(); ++i)
-        if (looked_at(i, receivers)) use(*hits()[i], shot.visibility.data[i]);
+        if (counts(i, receivers)) use(*hits()[i], shot.visibility.data[i]);
 }
 
 int Guided::edges(const Nodes& receivers) const {
     int count = 0;
     for (std::size_t i = 0; i + 1 < hits().size(); ++i)
-        if ((i + 1) % std::size_t(shot.width) != 0 && looked_at(i, receivers) && looked_at(i + 1, receivers))
+        if ((i + 1) % std::size_t(shot.width) != 0 && counts(i, receivers) && counts(i + 1, receivers))
             count += (shot.visibility.data[i] < 0.5f) != (shot.visibility.data[i + 1] < 0.5f);
     return count;
 }

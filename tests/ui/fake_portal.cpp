@@ -1,3 +1,4 @@
+#if defined(SI_FILE_PORTAL)
 #include "tests/ui/fake_portal.h"
 
 #include <fmt/format.h>
@@ -127,3 +128,4 @@ bool FakePortal::wait_for_closed(int count) const {
 }
 
 }  // namespace si::test
+#endif

@@ -346,7 +346,7 @@ TEST_F(WindowJobs, OfShadowsLightsAndSettings) {
 TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
     ASSERT_EQ(run_program({"export", "boxes", "-o", (folder_ / "mine.glb").string()}).code, 0);
     std::ofstream(folder_ / "far.json")
-        << R"({"format": "shadow-inspector-preset", "version": 1, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";
+        << R"({"format": "shadow-inspector-preset", "version": 2, "scene": "boxes", "settings": {"bias.constant": 60, "bias.normal": 0}})";
     std::ofstream(folder_ / "leaf.glb", std::ios::binary) << falling_leaf(10, {0, 0, 0}, {1, 1, 0});
     ASSERT_NO_FATAL_FAILURE(begin());
     // The fix is made once the truth is traced, however early the key was pressed.

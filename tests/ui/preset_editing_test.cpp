@@ -12,6 +12,7 @@
 #include "app/session/autosave.h"
 #include "app/session/command_line.h"
 #include "app/session/setting_json.h"
+#include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/process.h"
@@ -218,7 +219,7 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
 }
 
 TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
-    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "own.gltf");
+    save_gltf(load_scene("boxes"), folder_ / "own.gltf");
     open(preset_options(path("own.gltf")));
     wish({.save_preset = path("with scene.json")});
     EXPECT_EQ(load_preset(path("with scene.json")).scene, "own.gltf") << "beside it";
@@ -303,7 +304,7 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
 }
 
 TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
-    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "gone.gltf");
+    save_gltf(load_scene("boxes"), folder_ / "gone.gltf");
     open(preset_options(path("gone.gltf")));
     wish({.load_scene = "plane"});
     const Settings now = state().settings;
@@ -357,7 +358,7 @@ TEST_F(PresetEditing, ADiscardedSessionIsGone) {
 }
 
 TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
-    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "lost.gltf");
+    save_gltf(load_scene("boxes"), folder_ / "lost.gltf");
     EditorOptions o = remembering();
     o.session.scene = path("lost.gltf");
     open(o);
@@ -376,7 +377,7 @@ TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
 }
 
 TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
-    fs::copy_file(fs::path(SI_SOURCE_DIR) / "assets/scenes/boxes.gltf", folder_ / "recent.gltf");
+    save_gltf(load_scene("boxes"), folder_ / "recent.gltf");
     open(remembering());
     state().layout.map_share = 0.3f;
     wish({.load_scene = path("recent.gltf")});

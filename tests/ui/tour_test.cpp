@@ -10,6 +10,8 @@
 
 #include "app/base/output.h"
 #include "app/editor/headless_editor.h"
+#include "renderer/gltf/gltf.h"
+#include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_handles.h"
@@ -86,7 +88,11 @@ TEST_P(Tour, MenusAndDialogs) {
     keep("presets_menu");
     ImGui::ClosePopupToLevel(0, false);
     editor_->mouse.at = glm::vec2(width() / 2, height() / 2);
-    ask_for_file(state().file_dialog, FileDialog::Job::Open, std::filesystem::path(SI_SOURCE_DIR) / "assets/scenes/x");
+    const std::filesystem::path scenes = std::filesystem::path(SI_TEST_OUTPUT_DIR) / "tour_scenes";
+    std::filesystem::create_directories(scenes);
+    save_gltf(load_scene("boxes"), scenes / "boxes.gltf");
+    save_gltf(load_scene("plane"), scenes / "plane.glb");
+    ask_for_file(state().file_dialog, FileDialog::Job::Open, scenes / "x");
     frames(12);  // what stands behind has grown dark
     expect_window("Open a scene or a preset");
     keep("open_dialog");

@@ -1,4 +1,4 @@
-// Files of earlier versions mean what they meant, and names that were given up are read.
+// Files of earlier versions are read with the defaults of those versions; sized kernels' names set size and sampling.
 #include "renderer/settings/earlier.h"
 
 #include <fmt/format.h>
@@ -10,38 +10,31 @@
 #include "app/sweep/state.h"
 #include "renderer/base/error.h"
 #include "renderer/measure/axes.h"
-#include "renderer/settings/aliases.h"
 #include "renderer/settings/filters.h"
-#include "tests/support/version_1.h"
+#include "renderer/settings/sized_kernels.h"
 
 namespace si {
 namespace {
 
-using test::version_1_defaults;
 using OrderedJson = nlohmann::ordered_json;
 
-/// The one setting of version 1 whose default has been another one since.
-constexpr const char* kChanged = "light.fit";
+/// Defaults that no release had: light.fit changed once, map.resolution twice.
+constexpr EarlierDefault kTrialRows[] = {
+    {.version = 0, .key = "map.resolution", .value = "256"},
+    {.version = 1, .key = "light.fit", .value = "scene"},
+    {.version = 1, .key = "map.resolution", .value = "512"},
+};
 
 std::string preset_of(int version, const std::string& settings) {
     return R"({"format":"shadow-inspector-preset","version":)" + std::to_string(version) + R"(,"settings":{)" +
            settings + "}}";
 }
 
-TEST(EarlierVersions, EveryDefaultOfVersionOneIsKnown) {
-    const Settings s = defaults_of_version(1);
-    const auto defaults = version_1_defaults();
-    EXPECT_EQ(defaults.size(), 97u) << "the file of version 1's defaults is not to be edited";
-    for (const auto& [key, value] : defaults.items()) {
-        const auto ref = find_setting(key);
-        ASSERT_TRUE(ref) << key << " was renamed: it needs an alias";
-        const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-        EXPECT_EQ(get_value(s, *ref), parse_value(*ref, text))
-            << key << " had another default up to version 1: it needs a row of earlier_defaults()";
-    }
+Settings read_preset(int version, const std::string& settings) {
+    return parse_preset(preset_of(version, settings), "a.json").settings;
 }
 
-TEST(EarlierVersions, TheRowsAreOfSettingsThatDiffer) {
+TEST(EarlierVersions, RowsAreOfSettingsThatDiffer) {
     for (const EarlierDefault& row : earlier_defaults()) {
         ASSERT_TRUE(find_setting(row.key)) << row.key;
         EXPECT_LT(row.version, kSettingsVersion) << row.key;
@@ -50,31 +43,51 @@ TEST(EarlierVersions, TheRowsAreOfSettingsThatDiffer) {
     EXPECT_EQ(defaults_of_version(kSettingsVersion), Settings());
 }
 
-TEST(EarlierVersions, AFileOfOneSpeaksOfTheLightsThatItHas) {
-    const Settings s = parse_preset(preset_of(1, R"("light.count":2,"light.4.azimuth":7)"), "a.json").settings;
-    const Settings old = defaults_of_version(1), now;
-    for (const int i : {0, 1, 2, 3, 4}) EXPECT_EQ(s.lights[std::size_t(i)].fit, old.lights[0].fit) << i;
-    EXPECT_EQ(s.lights[5], now.lights[5]) << "what is added later is of today";
-    EXPECT_EQ(parse_preset(preset_of(kSettingsVersion, R"("light.count":2)"), "a.json").settings.lights[0].fit,
-              now.lights[0].fit);
-    EXPECT_EQ(parse_preset(preset_of(1, R"("light.1.fit":"manual")"), "a.json").settings.lights[1].fit,
-              LightFit::Manual)
-        << "what the file says holds";
+TEST(EarlierVersions, NoneIsReadBeforeTheFirstRelease) {
+    EXPECT_TRUE(earlier_defaults().empty());
+    EXPECT_EQ(oldest_settings_version(), kSettingsVersion);
+    EXPECT_EQ(readable_versions(), fmt::format("version {}", kSettingsVersion));
+    EXPECT_THROW(read_preset(kSettingsVersion - 1, ""), Error);
 }
 
-TEST(EarlierVersions, WrittenAgainAPresetMeansTheSame) {
-    for (const auto& file : test::version_1_presets()) {
-        const Preset preset = parse_preset(read_text_file(file), file.string());
-        EXPECT_EQ(preset.settings, test::version_1_settings(file)) << file;
+TEST(EarlierVersions, EachHasItsOwnDefaults) {
+    const TrialEarlierDefaults trial(kTrialRows);
+    EXPECT_EQ(oldest_settings_version(), 0);
+    EXPECT_EQ(readable_versions(), fmt::format("versions 0 to {}", kSettingsVersion));
+    EXPECT_EQ(defaults_of_version(0).map.resolution, 256) << "the oldest of two rows of a setting";
+    EXPECT_EQ(defaults_of_version(1).map.resolution, 512);
+    EXPECT_EQ(defaults_of_version(0).lights[3].fit, defaults_of_version(1).lights[3].fit);
+    EXPECT_NE(defaults_of_version(1).lights[3].fit, Settings().lights[3].fit);
+    EXPECT_EQ(defaults_of_version(kSettingsVersion), Settings());
+    EXPECT_THROW(read_preset(-1, ""), Error);
+}
+
+TEST(EarlierVersions, AFileConcernsTheLightsThatItNames) {
+    const TrialEarlierDefaults trial(kTrialRows);
+    const Settings s = read_preset(1, R"("light.count":2,"light.4.azimuth":7)");
+    const Settings old = defaults_of_version(1);
+    const Settings now;
+    for (const int i : {0, 1, 2, 3, 4}) EXPECT_EQ(s.lights[std::size_t(i)].fit, old.lights[0].fit) << i;
+    EXPECT_EQ(s.lights[5], now.lights[5]) << "a light that is added later has the present defaults";
+    EXPECT_EQ(read_preset(kSettingsVersion, R"("light.count":2)").lights[0].fit, now.lights[0].fit);
+    EXPECT_EQ(read_preset(1, R"("light.1.fit":"manual")").lights[1].fit, int(LightFit::Manual))
+        << "a value of the file holds";
+}
+
+TEST(EarlierVersions, APresetSavedAgainMeansTheSame) {
+    const TrialEarlierDefaults trial(kTrialRows);
+    for (const int version : {0, 1, kSettingsVersion}) {
+        const Preset preset = parse_preset(preset_of(version, R"("light.count":2,"bias.constant":3)"), "a.json");
         const std::string text = preset_text(preset);
         EXPECT_EQ(OrderedJson::parse(text)["version"], kSettingsVersion);
-        EXPECT_EQ(parse_preset(text, "again").settings, preset.settings) << file;
+        EXPECT_EQ(OrderedJson::parse(text)["settings"].contains("map.resolution"), version < kSettingsVersion);
+        EXPECT_EQ(parse_preset(text, "again").settings, preset.settings) << version;
     }
-    EXPECT_EQ(test::version_1_presets().size(), 39u);
 }
 
-TEST(EarlierVersions, AJournalOfOneIsReadWithTheDefaultsOfOne) {
-    const auto state_of = [](int version, OrderedJson settings, OrderedJson axes) {
+TEST(EarlierVersions, AJournalIsReadWithTheDefaultsOfItsVersion) {
+    const TrialEarlierDefaults trial(kTrialRows);
+    const auto base_of = [](int version, OrderedJson settings, OrderedJson axes) {
         const OrderedJson spec = {{"scene", {{"name", "boxes"}, {"triangles", 12}, {"content", "00000000000000ff"}}},
                                   {"picture", {{"width", 64}, {"height", 36}}},
                                   {"truth", "hard"},
@@ -88,134 +101,57 @@ TEST(EarlierVersions, AJournalOfOneIsReadWithTheDefaultsOfOne) {
     };
     const auto old = defaults_of_version(1).lights[0].fit;
     const Settings now;
-    const Settings one = state_of(1, {{"bias.constant", "0.5"}}, OrderedJson::array());
+    const Settings one = base_of(1, {{"bias.constant", "0.5"}}, OrderedJson::array());
     EXPECT_EQ(one.bias.constant, 0.5);
     EXPECT_EQ(one.lights[0].fit, old);
     EXPECT_EQ(one.lights[1], now.lights[1]);
-    const Settings varied = state_of(1, OrderedJson::object(), {{{"key", "light.count"}, {"values", {"1", "3"}}}});
+    const Settings varied = base_of(1, OrderedJson::object(), {{{"key", "light.count"}, {"values", {"1", "3"}}}});
     EXPECT_EQ(varied.lights[2].fit, old) << "some of the cases have three lights";
     EXPECT_EQ(varied.lights[3], now.lights[3]);
-    EXPECT_EQ(state_of(kSettingsVersion, OrderedJson::object(), OrderedJson::array()), now);
-    EXPECT_THROW(state_of(kSettingsVersion + 1, OrderedJson::object(), OrderedJson::array()), Error);
+    EXPECT_EQ(base_of(kSettingsVersion, OrderedJson::object(), OrderedJson::array()), now);
+    EXPECT_THROW(base_of(kSettingsVersion + 1, OrderedJson::object(), OrderedJson::array()), Error);
+    EXPECT_THROW(base_of(-1, OrderedJson::object(), OrderedJson::array()), Error);
 }
 
-/// Names that nothing has had, for what there is.
-constexpr SettingAlias kOldKeys[] = {{.was = "bias.amount", .key = "bias.constant"},
-                                     {.was = "light.heading", .key = "light.azimuth"},
-                                     {.was = "object.side", .key = "object.cull"}};
-constexpr ChoiceAlias kOldChoices[] = {
-    {.key = "filter.kernel", .was = "blocky", .choice = "hard"},
-    {.key = "filter.kernel",
-     .was = "wide_gathered",
-     .choice = "poisson",
-     .also = {{{"filter.method", "gather"}, {"bias.constant", "2"}}}},
-    {.key = "light.type", .was = "sun", .choice = "directional"},
-};
-constexpr Aliases kOldNames{kOldKeys, kOldChoices};
-
-TEST(Aliases, AreReadWhereverSettingsAre) {
-    const TrialAliases trial(kOldNames);
-    Settings s, expected;
-    apply_set(s, "bias.amount=3");
-    apply_set(s, "light.2.heading=5");
-    apply_set(s, "object.Root/Box.side=front");
-    apply_set(s, "filter.kernel=blocky");
-    apply_set(expected, "bias.constant=3");
-    apply_set(expected, "light.2.azimuth=5");
-    apply_set(expected, "object.Root/Box.cull=front");
-    apply_set(expected, "filter.kernel=hard");
-    EXPECT_EQ(s, expected);
-    const Preset preset = parse_preset(
-        preset_of(1, R"("bias.amount":3,"light.2.heading":5,"object.Root/Box.side":"front","filter.kernel":"blocky")"),
-        "a.json");
-    for (const SettingRef& ref : changed_settings(expected))
-        EXPECT_EQ(get_value(preset.settings, ref), get_value(expected, ref)) << setting_key(ref);
-    const SweepAxis axis = parse_axis("light.1.heading=10,20");
-    EXPECT_EQ(axis.key, "light.1.azimuth");
-    EXPECT_EQ(parse_axis("filter.kernel=blocky,hard,pcf").values, (std::vector<std::string>{"hard", "pcf"}));
-    EXPECT_EQ(parse_axis("light.1.type=sun,spot").values, (std::vector<std::string>{"directional", "spot"}));
-}
-
-TEST(Aliases, AnOldChoiceMaySayWhatSeveralSettingsSayNow) {
-    const TrialAliases trial(kOldNames);
-    Settings expected;
-    for (const char* set : {"filter.kernel=poisson", "filter.method=gather", "bias.constant=2"})
-        apply_set(expected, set);
-    Settings s;
-    apply_set(s, "filter.kernel=wide_gathered");
-    EXPECT_EQ(s, expected);
-    EXPECT_EQ(parse_preset(preset_of(kSettingsVersion, R"("filter.kernel":"wide_gathered")"), "a.json").settings,
-              expected);
-    const SweepAxis axis = parse_axis("filter.kernel=hard,wide_gathered");
-    EXPECT_EQ(axis.values, (std::vector<std::string>{"hard", "wide_gathered"}));
-    const SweepPlan plan = plan_sweep({}, {axis});
-    ASSERT_EQ(plan.cases.size(), 2u);
-    EXPECT_EQ(plan.cases[1].settings, expected);
-    try {
-        parse_preset(preset_of(2, R"("filter.kernel":"wide_gathered","bias.constant":1)"), "a.json");
-        ADD_FAILURE() << "the constant stands there twice";
-    } catch (const Error& e) {
-        EXPECT_NE(std::string(e.what()).find("the same setting as \"filter.kernel\""), std::string::npos) << e.what();
-    }
-}
-
-// The squares that were rows of their own: in commands, presets of every version and journals, for good.
-TEST(Aliases, OfSquareKernelsSayWhatTheyWere) {
-    struct Was {
-        const char* key;
-        int size;
-        bool point;
-    };
-    for (const Was& was : {Was{"pcf3", 3, false},
-                           {"pcf5", 5, false},
-                           {"pcf7", 7, false},
-                           {"pcf9", 9, false},
-                           {"pcf3_nearest", 3, true},
-                           {"pcf5_nearest", 5, true}}) {
-        SCOPED_TRACE(was.key);
-        const std::string text = fmt::format("\"filter.kernel\":\"{}\"", was.key);
+TEST(SizedKernels, SetSizeAndSamplingWhereverSettingsAreRead) {
+    for (const SizedKernel& sized : sized_kernels()) {
+        SCOPED_TRACE(sized.name);
         Settings set;
         set.filter.size = 12;
-        set.filter.point = !was.point;  // which the old key said nothing of
-        apply_set(set, fmt::format("filter.kernel={}", was.key));
-        for (const Settings& s :
-             {set, parse_preset(preset_of(1, text), "a.json").settings,
-              parse_preset(preset_of(kSettingsVersion, text), "a.json").settings,
-              plan_sweep({}, {parse_axis(fmt::format("filter.kernel={}", was.key))}).cases.at(0).settings}) {
-            EXPECT_EQ(filter_of(s).key, "pcf");
-            EXPECT_EQ(s.filter.size, was.size);
-            EXPECT_EQ(s.filter.point, was.point);
+        set.filter.point = !sized.point.value_or(true);
+        const bool point = set.filter.point;
+        apply_set(set, fmt::format("filter.kernel={}", sized.name));
+        EXPECT_EQ(set.filter.point, sized.point.value_or(point));
+        const Settings read = read_preset(kSettingsVersion, fmt::format("\"filter.kernel\":\"{}\"", sized.name));
+        const SweepAxis axis = parse_axis(fmt::format("filter.kernel=hard,{}", sized.name));
+        EXPECT_EQ(axis.values, (std::vector<std::string>{"hard", std::string(sized.name)}));
+        for (const Settings& s : {set, read, plan_sweep({}, {axis}).cases.at(1).settings}) {
+            EXPECT_EQ(filter_of(s).key, sized.kernel);
+            EXPECT_EQ(s.filter.size, sized.size);
         }
     }
     EXPECT_EQ(filter_of(Settings{}).key, "pcf");
     EXPECT_EQ(Settings{}.filter.size, 3);
 }
 
-TEST(Aliases, AreNeitherListedNorProposed) {
-    const TrialAliases trial(kOldNames);
-    const auto message = [](const char* set) -> std::string {
-        try {
-            Settings s;
-            apply_set(s, set);
-        } catch (const UsageError& e) {
-            return e.what();
-        }
-        return {};
-    };
-    EXPECT_EQ(message("bias.amont=1"), "\"bias.amont\": unknown setting") << "like nothing of today";
-    EXPECT_EQ(message("filter.kernel=block").find("blocky"), std::string::npos);
-    EXPECT_NE(message("bias.amount=nothing").find("bias.constant"), std::string::npos) << "today's name explains";
+TEST(SizedKernels, AreNoSecondValueOfASetting) {
+    try {
+        read_preset(kSettingsVersion, R"("filter.kernel":"pcf5","filter.size":3)");
+        ADD_FAILURE() << "the size stands there twice";
+    } catch (const Error& e) {
+        EXPECT_NE(std::string(e.what()).find("the same setting as \"filter.kernel\""), std::string::npos) << e.what();
+    }
 }
 
-TEST(Aliases, LeadToWhatThereIs) {
-    for (const SettingAlias& a : aliases().settings) {
-        EXPECT_TRUE(find_setting(a.was)) << a.was;
-        for (const Param& p : params()) EXPECT_NE(p.key, a.was) << "has that name today";
-    }
-    for (const ChoiceAlias& a : aliases().choices) {
+TEST(SizedKernels, AreNeitherChoicesNorProposed) {
+    for (const SizedKernel& sized : sized_kernels())
+        for (const Choice& choice : find_setting("filter.kernel")->param->choices()) EXPECT_NE(choice.key, sized.name);
+    try {
         Settings s;
-        EXPECT_NO_THROW(set_setting(s, a.key, a.was)) << a.key << " " << a.was;
-        for (const Choice& c : find_setting(a.key)->param->choices()) EXPECT_NE(c.key, a.was) << a.key;
+        apply_set(s, "filter.kernel=pcf5_neares");
+        ADD_FAILURE();
+    } catch (const UsageError& e) {
+        EXPECT_EQ(std::string(e.what()).find("pcf5_nearest"), std::string::npos) << e.what();
     }
 }
 

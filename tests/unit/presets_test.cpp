@@ -46,6 +46,11 @@ Preset sample() {
     return p;
 }
 
+/// A preset with these claims.
+std::string with_claims(const std::string& list) {
+    return R"({"format":"shadow-inspector-preset","version":2,"settings":{},"claims":)" + list + "}";
+}
+
 class PresetFiles : public testing::Test {
 protected:
     void SetUp() override {
@@ -64,6 +69,19 @@ TEST(Presets, RoundTrip) {
     EXPECT_EQ(back.about, p.about);
     EXPECT_EQ(back.scene, p.scene);
     EXPECT_EQ(preset_text(back), text);
+}
+
+TEST(Presets, KeepTheirClaims) {
+    const std::string list =
+        R"([{"metric":"mae","op":"<","times":0.5,"than":{"set":["filter.kernel=hard"]}},{"metric":"acne","op":"==","value":0}])";
+    const Preset preset = parse_preset(with_claims(list), "a.json");
+    ASSERT_EQ(preset.claims.size(), 2u);
+    EXPECT_EQ(preset.claims[0].times, 0.5);
+    EXPECT_EQ(preset.claims[0].than->metric, "mae") << "has what it does not name from the claim";
+    EXPECT_EQ(preset.claims[0].than->set, std::vector<std::string>{"filter.kernel=hard"});
+    EXPECT_FALSE(preset.claims[1].than);
+    EXPECT_EQ(nlohmann::json::parse(preset_text(preset))["claims"], nlohmann::json::parse(list));
+    EXPECT_EQ(preset_text(parse_preset(preset_text(preset), "b.json")), preset_text(preset));
 }
 
 TEST(Presets, HoldsOnlyDifferencesWithChoicesByKey) {
@@ -112,21 +130,31 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
         std::string text, mentions;
     } cases[] = {
         {"", "line 1, column 1: not JSON"},
-        {"{\n  \"format\": \"shadow-inspector-preset\",\n  \"version\": 1,,\n}", "line 3, column 16: not JSON"},
+        {"{\n  \"format\": \"shadow-inspector-preset\",\n  \"version\": 2,,\n}", "line 3, column 16: not JSON"},
         {"[]", "not a preset"},
         {"{}", "\"format\" must be"},
-        {R"({"format":"other","version":1,"settings":{}})", "\"format\" must be"},
+        {R"({"format":"other","version":2,"settings":{}})", "\"format\" must be"},
         {R"({"format":"shadow-inspector-preset","version":3,"settings":{}})",
-         "\"version\" is 3, but this program reads versions 1 to 2: a newer one wrote the file"},
+         "\"version\" is 3, but this program reads version 2: a newer one wrote the file"},
         {R"({"format":"shadow-inspector-preset","version":0,"settings":{}})",
-         "\"version\" is 0, but this program reads versions 1 to 2"},
+         "\"version\" is 0, but this program reads version 2"},
         {R"({"format":"shadow-inspector-preset","version":"1","settings":{}})", "\"version\" is \"1\""},
         {R"({"format":"shadow-inspector-preset","version":1.5,"settings":{}})", "\"version\" is 1.5"},
         {R"({"format":"shadow-inspector-preset","settings":{}})", "\"version\" is missing"},
-        {R"({"format":"shadow-inspector-preset","version":1})", "\"settings\" must be an object"},
-        {R"({"format":"shadow-inspector-preset","version":1,"settings":[]})", "\"settings\" must be an object"},
-        {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"about":3})", "\"about\" must be a text"},
-        {R"({"format":"shadow-inspector-preset","version":1,"settings":{},"abuot":""})", "did you mean \"about\"?"},
+        {R"({"format":"shadow-inspector-preset","version":2})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":2,"settings":[]})", "\"settings\" must be an object"},
+        {R"({"format":"shadow-inspector-preset","version":2,"settings":{},"about":3})", "\"about\" must be a text"},
+        {R"({"format":"shadow-inspector-preset","version":2,"settings":{},"abuot":""})", "did you mean \"about\"?"},
+        {with_claims("3"), "claims: must be an array"},
+        {with_claims("[3]"), "claims[0]: must be an object"},
+        {with_claims(R"([{"op":"<"}])"), "claims[0]: names no \"metric\""},
+        {with_claims(R"([{"metric":3,"op":"<"}])"), "claims[0].metric: has the wrong type"},
+        {with_claims(R"([{"metric":"mae","op":"=<"}])"), "claims[0].op: must be one of <, <=, ==, >=, >"},
+        {with_claims(R"([{"metric":"mae","op":"<"},{"metrik":"mae"}])"),
+         "claims[1].metrik: unknown member; did you mean metric?"},
+        {with_claims(R"([{"metric":"mae","op":"<","set":"a=1"}])"), "claims[0].set: has the wrong type"},
+        {with_claims(R"([{"metric":"mae","op":"<","size":[3]}])"), "claims[0].size: must be [width, height]"},
+        {with_claims(R"([{"metric":"mae","op":"<","than":{"op":"<"}}])"), "claims[0].than.op: unknown member"},
         {"{\"format\":\"\xff\"}", "not JSON"},
         {std::string(200000, '['), "it nests 200000 levels deep, at most 32 are read"},
         {std::string("{}\0", 3), "line 1, column 3: not JSON: a NUL character"},

@@ -154,7 +154,7 @@ std::vector<std::string> places_that_know(const std::string& name, const std::st
     for (std::string line; std::getline(in, line);) {
         ++number;
         for (const Table& t : all) {
-            if (name == t.rows + ".cpp" || name == "renderer/settings/aliases.cpp") continue;  // what other names mean
+            if (name == t.rows + ".cpp" || name == "renderer/settings/sized_kernels.cpp") continue;
             std::string define = t.setting;
             std::ranges::replace(define, '.', '_');
             for (const std::string& key : t.keys) {

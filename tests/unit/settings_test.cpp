@@ -279,7 +279,7 @@ TEST(SettingsSearch, TechniquesAreFoundByTheirNamesAmongChoices) {
     EXPECT_EQ(found_by("Vogel"), (Keys{"filter.kernel", "filter.disk"}));
     EXPECT_TRUE(found_by("vsm").contains("filter.kernel"));
     EXPECT_TRUE(found_by("poisson").contains("filter.kernel"));
-    EXPECT_TRUE(found_by("pcf5").contains("filter.kernel")) << "as it was called";
+    EXPECT_TRUE(found_by("pcf5").contains("filter.kernel")) << "a sized kernel";
     EXPECT_EQ(found_by("tent 3x3"), found_by("Tent 3×3"));
     EXPECT_TRUE(found_by("tent 3x3").contains("filter.kernel"));
     EXPECT_FALSE(found_by("normal bias").contains("view.overlay")) << "of two choices each holds one of the words";
