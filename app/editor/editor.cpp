@@ -170,7 +170,6 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         const MouseStep mouse(window);
         const PressedKeys keys(window);
         ImGui::NewFrame();
-        if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
         const EditorActions actions = draw_editor(model.state, model.facts());
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,8 +1,11 @@
 #include "app/editor/preset_desk.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "renderer/scenes/builtin.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -73,7 +76,8 @@ const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settin
         if (pinned)
             comparison_->settings = pinned->settings, comparison_->scene = pinned->scene;
         else
-            comparison_->problem = "Nothing is pinned; P pins the present settings as A";
+            comparison_->problem =
+                fmt::format("Nothing is pinned; {} pins the present settings as A", key_text(Command::PinSettings));
     } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;
         comparison_ = {with, defaults ? Settings{} : base, defaults ? std::string() : scene, {}};

@@ -8,6 +8,7 @@
 #include "app/editor/wishes.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 
@@ -24,8 +25,8 @@ void PresetWork::open(const std::string& name_or_path) {
     if (name_or_path == state_.preset_path && !desk_.is_built_in(name_or_path) &&
         !std::filesystem::exists(name_or_path, error))
         throw Error(fmt::format(
-            "{}: nothing is saved there yet. Save it first (Ctrl+S); from then on Ctrl+R goes back to what was saved",
-            name_or_path));
+            "{}: nothing is saved there yet. Save it first ({}); from then on {} goes back to what was saved",
+            name_or_path, key_text(Command::SavePreset), key_text(Command::RevertPreset)));
     SessionPlan plan = plan_session({.scene = {}, .preset = name_or_path, .sets = {}});
     const std::string& about = plan.preset->about;
     const std::string remark =

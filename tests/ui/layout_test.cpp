@@ -486,7 +486,7 @@ TEST(Layout, HelpIsReadAtAGlance) {
         EXPECT_LE(help->Pos.x + help->Size.x, float(w));
         EXPECT_LE(help->Pos.y + help->Size.y, float(h));
         for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways",
-                                 "screenshot of scene, map, window", "Double-click a splitter", "as wide as at first"})
+                                 "screenshot of the scene", "Double-click a splitter", "as wide as at first"})
             EXPECT_TRUE(ui.drawn().shows(text)) << text << " at " << w;
     }
 }

@@ -19,6 +19,7 @@
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
@@ -82,7 +83,8 @@ void place_combo(EditorState& state, float width) {
         }
         ImGui::EndCombo();
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Where the shadow map is shown (N)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", with_key("Place of the shadow map in the window", Command::NextMapPlace).c_str());
 }
 
 /// The lights that there are; empty where there is nothing to choose from.
@@ -107,7 +109,8 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     Toolbar bar("map tools");
     if (titled) bar.title("Map");
     if (titled && ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Double-click: alone in the window, and back (F11)");
+        ImGui::SetTooltip("%s",
+                          with_key("Double-click: alone in the window, and back", Command::MaximisePanel).c_str());
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Map);
     }
     const auto setting = [&](const char* label, const char* key, float width) {
@@ -139,7 +142,9 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     bar.item("", check_width("Plots"), [&state, plots](float) {
         ImGui::Checkbox("Plots", &state.layout.map_plots);
         wrapped_tooltip(std::string("Histogram of the depths, and depth over distance") +
-                        (state.layout.map_plots && !plots ? ". They show where the map has more height (F11)" : ""));
+                        (state.layout.map_plots && !plots
+                             ? with_key(". They show where the map has more height", Command::MaximisePanel)
+                             : ""));
     });
     if (!of_camera(s)) bar.item("", check_width("Texels read"), [&](float) { exact_choice(state); });
     bar.item("Place", em * 9, [&](float room) { place_combo(state, room); });

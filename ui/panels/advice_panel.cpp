@@ -9,6 +9,7 @@
 #include "renderer/measure/autopilot.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -31,7 +32,8 @@ void apply_button(Settings& settings, Changes changes, bool current) {
     if (ImGui::SmallButton("Apply"))
         for (const auto& [key, value] : changes) set_setting(settings, key, value);
     ImGui::EndDisabled();
-    wrapped_tooltip(list_of(changes) + (current ? "Ctrl+Z takes it back." : "Of other settings: run again."));
+    wrapped_tooltip(list_of(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
+                                                : "Of other settings: run again."));
 }
 
 void bound(const char* label, const char* about, bool& on, double& value, double least, const char* format) {

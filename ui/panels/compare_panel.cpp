@@ -8,6 +8,7 @@
 
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -91,7 +92,9 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
     if (ImGui::Button("Use")) set_value(state.settings, ref, get_value(reference, ref));
     ImGui::PopID();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", idle ? "Without effect on both sides" : "Sets this value; Ctrl+Z takes it back");
+        ImGui::SetTooltip("%s",
+                          idle ? "Without effect on both sides"
+                               : fmt::format("Sets this value; {} takes it back", key_text(Command::Undo)).c_str());
 }
 
 }  // namespace

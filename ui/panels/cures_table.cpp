@@ -9,6 +9,7 @@
 #include "renderer/measure/artefact_picture.h"
 #include "renderer/measure/cures.h"
 #include "renderer/settings/param.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -23,7 +24,7 @@ std::string about(const Cure& cure, const CureTable& table) {
     if (cure.ms)
         text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(cure.ms->value),
                             digits_text(cure.ms->noise));
-    return text + "A click applies it; Ctrl+Z takes it back.";
+    return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
 }
 
 void coloured_cell(const std::string& text, ImU32 colour) {

@@ -13,6 +13,7 @@
 #include "renderer/reference/live_error.h"
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
@@ -112,9 +113,11 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
-            "Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and probes it "
-            "(X).\n"
-            "Clusters are those of the picture in which it was pressed first. Undo takes the camera back.");
+            "%s.\nClusters are those of the picture in which it was pressed first. Undo takes the camera back.",
+            with_key("Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and "
+                     "probes it",
+                     Command::NextWrongPixels)
+                .c_str());
     if (tour.empty()) return;
     ImGui::SameLine();
     ImGui::TextDisabled("%s", tour.c_str());

@@ -15,6 +15,7 @@
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
@@ -282,8 +283,8 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-    wrapped_tooltip(
-        "Other settings of the same picture: those pinned as A (P), else those measured last. The hollow diamond.");
+    wrapped_tooltip(with_key("Other settings of the same picture: those pinned as A", Command::PinSettings) +
+                    ", else those measured last. The hollow diamond.");
 }
 
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {

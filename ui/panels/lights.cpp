@@ -14,6 +14,7 @@
 #include "renderer/view/view_choice.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -21,8 +22,6 @@
 
 namespace si {
 namespace {
-
-constexpr int kF2 = 291;  ///< as the window feeds it (GLFW)
 
 // IEC 61966-2-1: settings are linear, what a person chooses is what the screen shows.
 float shown(double linear) {
@@ -55,10 +54,6 @@ void swatch(LightSettings& light) {
                                 light.blue));
 }
 
-void begin_rename(EditorState& state, int light) {
-    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
-}
-
 /// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
 void rename_field(EditorState& state) {
     LightRename& rename = *state.light_rename;
@@ -86,13 +81,13 @@ void light_name(EditorState& state, int i) {
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
     if (ImGui::Selectable(text.c_str(), i == shown_light(s), ImGuiSelectableFlags_AllowDoubleClick)) {
         s.view.light = i;
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_rename(state, i);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_light_rename(state, i);
     }
     ImGui::PopStyleColor();
     wrapped_tooltip(
-        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. T changes "
-                    "its type; double-click or F2 renames it",
-                    type));
+        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. {} changes "
+                    "its type; double-click or {} renames it",
+                    type, key_text(Command::NextLightType), key_text(Command::RenameLight)));
 }
 
 void light_row(EditorState& state, int i, bool intensities) {
@@ -139,7 +134,9 @@ void list_buttons(Settings& s) {
     if (button(can_add_light(s), "Add light", fmt::format("One more, apart from the others; at most {}", kMaxLights)))
         add_light(s);
     if (button(shown >= 0 && can_add_light(s), "Copy", "One more like the light shown")) copy_light(s, shown);
-    if (button(shown >= 0, "Delete", "Takes the light shown away (Ctrl+Z brings it back)")) delete_light(s, shown);
+    if (button(shown >= 0, "Delete",
+               fmt::format("Takes the light shown away ({} brings it back)", key_text(Command::Undo))))
+        delete_light(s, shown);
     if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
     if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
         move_light(s, shown, 1);
@@ -173,6 +170,10 @@ void cube_cross(Settings& s, const FrameResult& result) {
 
 }  // namespace
 
+void begin_light_rename(EditorState& state, int light) {
+    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+}
+
 void draw_lights(EditorState& state, const FrameResult* result) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
@@ -187,8 +188,7 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
         for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
         ImGui::EndTable();
-        const bool elsewhere = keys_are_taken(state) || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-        if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));
+        state.lights_listed = true;
     }
     list_buttons(s);
     if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);

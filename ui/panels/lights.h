@@ -9,5 +9,7 @@ namespace si {
 /// can be done with the list; and of a light with six maps the cube's cross, which chooses the one that is shown.
 /// @param result of the last frame; null: not known
 void draw_lights(EditorState& state, const FrameResult* result);
+/// Opens the text field that renames a light of the list.
+void begin_light_rename(EditorState& state, int light);
 
 }  // namespace si

@@ -15,6 +15,7 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
@@ -346,7 +347,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     if (!all) {
         flow(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
-        wrapped_tooltip("Brings back what is hidden (Alt+H)");
+        wrapped_tooltip(with_key("Brings back what is hidden", Command::ShowAllObjects));
     }
     lost_line(state, frame, tree);
     if (tree.placed == 0) {

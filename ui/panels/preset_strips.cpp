@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -153,10 +154,12 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
     }
     strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
         if (built_in) {
-            if (hint_button("Previous", "The preset before this (Page up)", at != walk.begin()))
+            if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
+                            at != walk.begin()))
                 actions.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
-            if (hint_button("Next", "The preset after this (Page down)", std::next(at) != walk.end()))
+            if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
+                            std::next(at) != walk.end()))
                 actions.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }

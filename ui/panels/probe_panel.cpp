@@ -13,6 +13,7 @@
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
@@ -219,8 +220,9 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
     if (ImGui::SmallButton(fix_label(*d->remedy, settings).c_str()))
         for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey C; Ctrl+Z takes it back",
-                          fix_text(*d->remedy, settings).c_str(), fix_worth_text(*d->remedy).c_str());
+        ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey %s; %s takes it back",
+                          fix_text(*d->remedy, settings).c_str(), fix_worth_text(*d->remedy).c_str(),
+                          key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
 /// Blocks beside each other as far as they fit.

@@ -7,6 +7,7 @@
 #include "renderer/base/held.h"
 #include "renderer/measure/time_sampler.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -37,8 +38,8 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     }
     if (!result.panes.empty())
         text += fmt::format("picture {} × {}   ", result.panes[0].picture.width, result.panes[0].picture.height);
-    if (state.maximised) text += "all panels: Esc   ";
-    if (state.frozen) text += "view frozen (K)   ";
+    if (state.maximised) text += fmt::format("all panels: {}   ", key_text(Command::RestorePanels));
+    if (state.frozen) text += with_key("view frozen", Command::ToggleFrozenCamera) + "   ";
     if (frame.driver) text += frame.driver->renderer.substr(0, frame.driver->renderer.find(" ("));
     return text;
 }

@@ -8,6 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/tuner.h"
 #include "ui/state/quick_changes.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 
@@ -78,9 +79,9 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
         if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
             ImGui::SetTooltip(
                 "%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
-                "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
+                "edges moved by %s (95 %% of the lit surface)\nA click takes it; %s takes it back.",
                 f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
+                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str(), key_text(Command::Undo));
         ImGui::TableNextColumn();
         if (f.acne > 0)
             ImGui::TextDisabled("acne");
@@ -120,7 +121,9 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
             "One step of undo; the log says what it costs.");
     if (!narrow) ImGui::SameLine();
     if (ImGui::Button("No bias")) remove_bias(settings);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Sets all bias to 0, to see what needs how much (U)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s",
+                          with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias).c_str());
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");

@@ -1,7 +1,9 @@
 // What a person sees first, once.
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -32,11 +34,15 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& a
     };
     if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
         ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
-    if (button("Guided tour", "The first guided preset; Page down goes on") && !frame.presets.empty())
+    if (button("Guided tour",
+               fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&
+        !frame.presets.empty())
         actions.load_preset = frame.presets.front().key;
     constexpr const char* kStage = "stage";
     const bool open = state.scene_name == kStage;
-    if (button("Look at the stage", open ? "It is open: closes this (Esc)" : "Opens it in place of this scene") &&
+    if (button("Look at the stage",
+               (open ? with_key("It is open: closes this", Command::CloseOverview) : "Opens it in place of this scene")
+                   .c_str()) &&
         !open)
         actions.load_scene = kStage;
     if (!state.show_welcome) ImGui::CloseCurrentPopup();

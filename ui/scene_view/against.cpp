@@ -8,6 +8,7 @@
 
 #include "ui/scene_view/picture_marks.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -75,8 +76,9 @@ void against_view_widget(EditorState& state, float width) {
     }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
-            "while A is held the picture shows them alone");
+            "%s. %s pins the present settings as A;\nwhile %s is held the picture shows them alone",
+            with_key("Compare the picture with another one of the same frame", Command::NextComparison).c_str(),
+            key_text(Command::PinSettings), key_text(Command::ShowPinned));
 }
 
 void against_other_widget(EditorState& state, const EditorFrame& frame, float width) {
@@ -190,25 +192,32 @@ void pin_settings(EditorState& state) {
         state.compare = {CompareKind::Pinned, {}};
         state.against.truth = false;
     }
-    state.log.add(LogKind::Info,
-                  "Pinned the present settings as A: hold A to see them, B compares with them, P takes the pin off");
+    state.log.add(
+        LogKind::Info,
+        fmt::format("Pinned the present settings as A: hold {} to see them, {} compares with them, {} takes "
+                    "the pin off",
+                    key_text(Command::ShowPinned), key_text(Command::NextComparison), key_text(Command::PinSettings)));
 }
 
-void steer_flicker(EditorState& state, bool may_start) {
-    if (!state.flicker && may_start && ImGui::IsKeyPressed('A', false)) {
-        if (!state.pinned) {
-            state.log.add(LogKind::Info, "Nothing is pinned: P pins the present settings as A");
-            return;
-        }
-        state.flicker = Flicker{state.against, state.compare};
-        state.against.view = AgainstView::Alone;
-        state.against.truth = state.against.held = false;
-        state.compare = {CompareKind::Pinned, {}};
-    } else if (state.flicker && !ImGui::IsKeyDown('A')) {
-        state.against = state.flicker->against;
-        state.compare = state.flicker->compare;
-        state.flicker.reset();
+void begin_flicker(EditorState& state) {
+    if (state.flicker) return;
+    if (!state.pinned) {
+        state.log.add(LogKind::Info, fmt::format("Nothing is pinned: {} pins the present settings as A",
+                                                 key_text(Command::PinSettings)));
+        return;
     }
+    state.flicker = Flicker{state.against, state.compare};
+    state.against.view = AgainstView::Alone;
+    state.against.truth = false;
+    state.against.held = false;
+    state.compare = {CompareKind::Pinned, {}};
+}
+
+void end_flicker(EditorState& state) {
+    if (!state.flicker) return;
+    state.against = state.flicker->against;
+    state.compare = state.flicker->compare;
+    state.flicker.reset();
 }
 
 }  // namespace si

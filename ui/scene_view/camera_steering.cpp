@@ -10,6 +10,7 @@
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -22,8 +23,9 @@ constexpr double kLongestStep = 0.5;     ///< s; a frame that took longer does n
 
 /// How far the held keys want to go: right, up, forward.
 glm::dvec3 wanted_way() {
-    const auto held = [](char key) { return ImGui::IsKeyDown(int(key)) ? 1.0 : 0.0; };
-    return {held('D') - held('A'), held('E') - held('Q'), held('W') - held('S')};
+    const auto held = [](Command command) { return is_held(command) ? 1.0 : 0.0; };
+    return {held(Command::FlyRight) - held(Command::FlyLeft), held(Command::FlyUp) - held(Command::FlyDown),
+            held(Command::FlyForwards) - held(Command::FlyBackwards)};
 }
 
 void fly_on(EditorState& state, const EditorFrame& frame) {

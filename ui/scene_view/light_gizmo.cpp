@@ -72,10 +72,6 @@ void begin_drag(EditorState& state, const FrameResult& result, const PictureView
 void follow(EditorState& state, const EditorFrame& frame, const PictureView& view, const glm::dvec2& mouse) {
     HandleDrag& drag = *state.handle_drag;
     LightSettings& light = state.settings.lights[std::size_t(drag.light)];
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !drag.over) {
-        light = drag.before;
-        drag.over = true;
-    }
     drag.moved = drag.moved || glm::distance(mouse, drag.pressed_at) > kHandleClickPixels * view.ui_scale;
     if (drag.over || !drag.moved) return;
     const double radius = frame.scene ? frame.scene->bounds.radius() : drag.start.distance;
@@ -85,6 +81,12 @@ void follow(EditorState& state, const EditorFrame& frame, const PictureView& vie
 }
 
 }  // namespace
+
+void cancel_handle_drag(EditorState& state) {
+    HandleDrag& drag = *state.handle_drag;
+    if (!drag.over) state.settings.lights[std::size_t(drag.light)] = drag.before;
+    drag.over = true;
+}
 
 void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view) {
     const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);

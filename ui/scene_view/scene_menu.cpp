@@ -10,6 +10,7 @@
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/pick.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
 
@@ -58,9 +59,9 @@ void object_items(EditorState& state, const EditorFrame& frame, const std::set<s
             object_switch(s, p, paths);
     }
     ImGui::Separator();
-    if (ImGui::MenuItem("Hide", "H")) hide(s, paths);
+    if (ImGui::MenuItem("Hide", key_text(Command::HideSelected))) hide(s, paths);
     wrapped_tooltip("Not there: neither drawn nor in any shadow");
-    if (ImGui::MenuItem("Isolate", "Shift+H")) isolate(s, *frame.scene, paths);
+    if (ImGui::MenuItem("Isolate", key_text(Command::IsolateSelected))) isolate(s, *frame.scene, paths);
     wrapped_tooltip("Hides all else");
     if (ImGui::MenuItem("Let only this cast")) cast_alone(s, *frame.scene, paths);
     wrapped_tooltip("Isolates its shadow: nothing else casts");
@@ -92,7 +93,7 @@ void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
     ImGui::PopFont();
     ImGui::Separator();
     if (object) {
-        if (ImGui::MenuItem("Frame", "F")) frame_selection(state, frame);
+        if (ImGui::MenuItem("Frame", key_text(Command::FrameSelection))) frame_selection(state, frame);
         if (ImGui::MenuItem("Show in the list")) state.open_tab = BottomTab::Objects;
         ImGui::Separator();
         object_items(state, frame, paths);
@@ -100,7 +101,8 @@ void draw_scene_menu(EditorState& state, const EditorFrame& frame) {
         select_objects(state, {});
         frame_selection(state, frame);
     }
-    if (ImGui::MenuItem("Show all", "Alt+H", false, !all_shown(state.settings))) show_all(state.settings);
+    if (ImGui::MenuItem("Show all", key_text(Command::ShowAllObjects), false, !all_shown(state.settings)))
+        show_all(state.settings);
     const auto silent = [](const auto& own) { return !own.second.cast; };
     if (ImGui::MenuItem("Let all cast", nullptr, false, std::ranges::any_of(state.settings.objects, silent)))
         cast_all(state.settings);

@@ -18,6 +18,7 @@
 #include "ui/scene_view/scene_menu.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
@@ -66,14 +67,17 @@ void header(EditorState& state, const EditorFrame& frame) {
         if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
     });
     bar.item("", button_width("Through light"), [&](float) {
-        if (toggle("Through light", s.camera.source == int(CameraSource::Light), "Look through the shown light (L)"))
+        if (toggle("Through light", s.camera.source == int(CameraSource::Light),
+                   with_key("Look through the shown light", Command::ToggleLightCamera).c_str()))
             toggle_light_camera(state);
     });
     bar.item("", button_width("Freeze view"), [&](float) {
         if (toggle("Freeze view", state.frozen.has_value(),
-                   "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay\n"
-                   "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
-                   "those that it reads."))
+                   (with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
+                    ": maps that follow a camera, cascades too, stay\n"
+                    "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
+                    "those that it reads.")
+                       .c_str()))
             toggle_frozen_camera(state, frame);
     });
     bar.item("Lights", ImGui::GetFrameHeight(), [&s](float room) { setting_widget(s, "view.frustum", room); });

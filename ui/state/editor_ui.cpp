@@ -15,6 +15,7 @@
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -31,86 +32,9 @@ constexpr float kMapTexts = 6.2f;      ///< height of what stands above and belo
 constexpr float kMapPlots = 6.5f;      ///< of its plots
 constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
 constexpr float kSplitter = 5;         ///< at scale 1, pixels
-constexpr int kArrowsFast = 10;        ///< pixels, with Shift
-constexpr int kF12 = 301;
-constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
-
-bool pressed(char key) {
-    return ImGui::IsKeyPressed(int(key), false);
-}
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
 
 bool popup_is_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-}
-
-/// The arrow keys move the probe by a pixel; what it sticks to is found anew.
-void step_probe(EditorState& state, const EditorFrame& frame) {
-    if (pressed(ImGuiKey_Tab)) state.probe_has_arrows = false;
-    if (!state.probe_has_arrows || !state.probe_pixel || !frame.result) return;
-    const int far = ImGui::GetIO().KeyShift ? kArrowsFast : 1;
-    glm::ivec2 by(0);
-    for (const auto& [key, way] : {std::pair{ImGuiKey_LeftArrow, glm::ivec2(-1, 0)},
-                                   {ImGuiKey_RightArrow, glm::ivec2(1, 0)},
-                                   {ImGuiKey_UpArrow, glm::ivec2(0, -1)},
-                                   {ImGuiKey_DownArrow, glm::ivec2(0, 1)}})
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) by += far * way;
-    if (by == glm::ivec2(0)) return;
-    const glm::ivec2 size(frame.result->colour.width, frame.result->colour.height);
-    state.probe_pixel = glm::clamp(*state.probe_pixel + by, glm::ivec2(0), glm::max(size, 1) - 1);
-}
-
-/// Where the arrow keys move the probe they do not go from widget to widget.
-void share_arrows(EditorState& state) {
-    ImGuiIO& io = ImGui::GetIO();
-    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup_is_open();
-    if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
-        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = true;
-    } else if (!mine && state.took_navigation) {
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = false;
-    }
-}
-
-/// PageUp and PageDown go to other presets, and scroll nothing and focus nothing, but in a menu.
-void share_page_keys(EditorState& state) {
-    int* const keys = ImGui::GetIO().KeyMap;
-    if (keys[ImGuiKey_PageUp] >= 0) state.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
-    const bool theirs = popup_is_open();
-    keys[ImGuiKey_PageUp] = theirs ? state.page_keys[0] : -1;
-    keys[ImGuiKey_PageDown] = theirs ? state.page_keys[1] : -1;
-}
-
-/// H hides what is chosen, with Shift all else; with Alt everything is there again.
-void steer_hiding(EditorState& state, const EditorFrame& frame) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const std::set<std::string> chosen = selected_objects(state);
-    if (io.KeyAlt)
-        show_all(state.settings);
-    else if (chosen.empty() || !frame.scene)
-        state.log.add(LogKind::Info, "Nothing is selected to hide: double-click an object");
-    else if (io.KeyShift)
-        isolate(state.settings, *frame.scene, chosen);
-    else
-        hide(state.settings, chosen);
-}
-
-/// Digits, alone or with one of the keys that are held, choose the overlay of the pane that the mouse was over last.
-void choose_overlay(EditorState& state) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const HeldKeys held{io.KeyShift, io.KeyAlt, io.KeyCtrl};
-    // Held against another, the picture is one pane.
-    const int pane = state.against.view == AgainstView::Off ? state.active_pane : 0;
-    const SettingRef of = *find_setting(overlay_setting(pane));
-    const int shown = std::get<int>(get_value(state.settings, of));
-    for (int digit = 0; digit <= 9; ++digit) {
-        if (!pressed(char('0' + digit))) continue;
-        const int wanted = overlay_of_digit(digit, held);
-        if (wanted > 0 || digit == 0) set_value(state.settings, of, wanted == shown ? 0 : wanted);
-    }
 }
 
 /// A picture of this frame, which shows what is to be seen in it.
@@ -123,73 +47,11 @@ void take_shot(EditorState& state, EditorActions& actions, Shot of) {
     if (rect.size.x >= 1 && rect.size.y >= 1)
         actions.shot = ShotWish{of, rect};
     else
-        state.log.add(LogKind::Info, of == Shot::Map ? "The map is hidden (N): no screenshot of it"
-                                     : of == Shot::Drawing
-                                         ? "No drawing is shown: click a pixel, and open Probe in a wide window"
-                                         : "The scene is hidden: no screenshot of it");
-}
-
-// Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
-void shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool elsewhere = keys_are_taken(state);
-    // Escape has closed a menu before anybody asks for it here.
-    const bool popup = popup_is_open() || state.had_popup;
-    steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
-    if (elsewhere) return;
-    if (popup) {  // keys are for it
-        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = state.show_welcome = false;
-        return;
-    }
-    Settings& s = state.settings;
-    if (ImGui::IsKeyPressed(kF12, false))
-        state.shot_next = io.KeyCtrl ? Shot::Window : io.KeyShift ? Shot::Map : Shot::Scene;
-    if (io.KeyCtrl) {
-        if (pressed('Z') && !io.KeyShift) undo(state);
-        if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
-        if (pressed('S') && !io.KeyShift) actions.save_preset = state.preset_path;
-        if (pressed('S') && io.KeyShift)
-            ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
-        if (pressed('R')) actions.load_preset = state.preset_path;
-        if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
-        if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
-        if (pressed('Q')) actions.quit = true;
-        choose_overlay(state);
-        return;
-    }
-    choose_overlay(state);
-    for (const int step : {-1, +1})
-        if (const int key = state.page_keys[step > 0]; key >= 0 && ImGui::IsKeyPressed(key, false))
-            actions.load_preset = neighbour_preset(state, frame, step);
-    if (pressed('F')) frame_selection(state, frame);
-    if (pressed('L')) toggle_light_camera(state);
-    if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
-    if (pressed('K')) toggle_frozen_camera(state, frame);
-    if (pressed('B') && !state.flicker) state.against.view = AgainstView((int(state.against.view) + 1) % 4);
-    if (pressed('P')) pin_settings(state);
-    if (pressed('H')) steer_hiding(state, frame);
-    if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
-    step_probe(state, frame);
-    if (pressed('X')) next_artefact(state, frame);
-    if (pressed('C')) apply_fix(state, frame);
-    if (pressed('U')) remove_bias(s);
-    if (pressed('T')) next_light_type(s);
-    if (pressed('[') || pressed(']')) scale_resolution(s, pressed(']'));
-    if (pressed('Q')) point_quads(state, frame);
-    for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
-        if (state.against.view == AgainstView::Swipe && ImGui::IsKeyPressed(int(key)))
-            state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
-    if (pressed('N')) state.layout.map_place = MapSpot((int(state.layout.map_place) + 1) % 4);
-    if (pressed('M')) s.view.map = (s.view.map + 1) % 3;
-    if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
-    if (ImGui::IsKeyPressed(kF11, false)) maximise(state, state.maximised ? *state.maximised : state.hovered_panel);
-    if (pressed(ImGuiKey_Escape) && state.maximised) {
-        state.maximised.reset();
-    } else if (pressed(ImGuiKey_Escape)) {
-        if (!state.probe_pixel) select_objects(state, {});
-        state.probe_pixel.reset();
-        state.show_shortcuts = false;
-    }
+        state.log.add(LogKind::Info,
+                      of == Shot::Map ? with_key("The map is hidden", Command::NextMapPlace) + ": no screenshot of it"
+                      : of == Shot::Drawing
+                          ? std::string("No drawing is shown: click a pixel, and open Probe in a wide window")
+                          : std::string("The scene is hidden: no screenshot of it"));
 }
 
 struct Dragged {
@@ -424,9 +286,8 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
 
 }  // namespace
 
-bool keys_are_taken(const EditorState& state) {
-    const bool typing = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
-    return typing || state.flight.on || state.handle_drag;
+bool text_is_typed() {
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
 void maximise(EditorState& state, Panel panel) {
@@ -449,7 +310,8 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (!keys_wait) shortcuts(state, frame, actions);
+    if (!keys_wait) dispatch_shortcuts(state, frame, actions);
+    state.lights_listed = false;
     follow_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
@@ -480,11 +342,14 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
-    if (keys_wait) shortcuts(state, frame, actions), actions.redraw = true;
+    if (keys_wait) {
+        dispatch_shortcuts(state, frame, actions);
+        actions.redraw = true;
+    }
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings) || waits;
-    share_arrows(state);
+    share_arrow_keys(state);
     share_page_keys(state);
     state.had_popup = popup_is_open();
     if (shot) take_shot(state, actions, *shot);

@@ -117,6 +117,7 @@ struct EditorState : PictureState {
     bool only_changed = false;
     std::set<std::string, std::less<>> unfolded;  ///< groups of settings that show what is turned seldom, too
     std::optional<LightRename> light_rename;
+    bool lights_listed = false;  ///< the list of lights was drawn in the last frame
     TunePanel tune;
     AdvicePanel advice;
     LabPanel lab;

@@ -78,9 +78,10 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
 
 /// Pins the present settings as what they are compared with; the same settings again: nothing is pinned.
 void pin_settings(EditorState& state);
-/// While its key is held the picture is that of the pinned settings. Call in every frame.
-/// @param may_start a key that goes down is meant for it
-void steer_flicker(EditorState& state, bool may_start);
+/// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
+void begin_flicker(EditorState& state);
+/// Shows the present settings again, with the comparison that begin_flicker() has replaced.
+void end_flicker(EditorState& state);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);
@@ -90,8 +91,8 @@ int shown_light(const Settings& settings);
 /// The face of the shown light, clamped.
 int shown_face(const Settings& settings, const FrameResult& result);
 
-/// Letters, function keys and Escape mean something else: a text is typed, the camera flies, a handle is dragged.
-bool keys_are_taken(const EditorState& state);
+/// True while a text field takes the keys, in this frame or from the next one on.
+bool text_is_typed();
 
 /// Lets the panel fill the window, or takes its place among the others again.
 void maximise(EditorState& state, Panel panel);

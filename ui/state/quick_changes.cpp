@@ -8,6 +8,7 @@
 #include "renderer/inspect/dossier.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -78,8 +79,10 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
         for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
         return;
     }
-    state.log.add(LogKind::Info, !state.probe_pixel ? "No fix to apply: click a wrong pixel first, or go to one (X)"
-                                                    : "No fix to apply: the verdict of this pixel names none");
+    state.log.add(LogKind::Info,
+                  !state.probe_pixel
+                      ? with_key("No fix to apply: click a wrong pixel first, or go to one", Command::NextWrongPixels)
+                      : "No fix to apply: the verdict of this pixel names none");
 }
 
 void follow_fix(EditorState& state, const EditorFrame& frame) {
