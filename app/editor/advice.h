@@ -21,9 +21,9 @@ class EditorAdvice : public EditorSearch<AdviceFound> {
 public:
     EditorAdvice() : EditorSearch("The search for advice was cancelled") {}
     /// In place of what is under way.
-    void start(const Scene& scene, const Settings& settings, int width, int height, const AdviceWish& wish);
+    void start(const Scene& scene, const Settings& settings, int width, int height, const AdviceRequest& request);
     /// @param scene Scene::id @param settings of the editor, which what was found may no longer be about
-    void fill(AdviceShown& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
+    void fill(AdvicePanelFacts& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
 };
 
 }  // namespace si

@@ -10,7 +10,7 @@ constexpr std::size_t kMostSpots = 100;  ///< nobody goes through more
 }  // namespace
 
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
-                                  const FrameRequest& request, const ArtefactWish& wish) {
+                                  const FrameRequest& request, const ArtefactRequest& wanted) {
     FrameRequest judged = request;
     judged.outputs = {.colour = false, .judged = true};
     judged.timing = judged.force = false;
@@ -18,8 +18,8 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
     const MeasuredError measured = read_judged(renderer, frame, *request.truth, settings.view.light);
     const Receivers& receivers = *measured.traced.receivers;
     const int step = request.truth->step;
-    ArtefactSpots out{.number = wish.number, .spots = {}, .camera = frame.camera, .height = request.height};
-    for (const ArtefactCluster& found : artefact_clusters(measured.judged, receivers.width, wish.cause, kMostSpots)) {
+    ArtefactSpots out{.number = wanted.number, .spots = {}, .camera = frame.camera, .height = request.height};
+    for (const ArtefactCluster& found : artefact_clusters(measured.judged, receivers.width, wanted.cause, kMostSpots)) {
         ArtefactSpot spot{found};
         const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
         spot.position_ws = middle.position_ws, spot.normal_ws = middle.normal_ws;

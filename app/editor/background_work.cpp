@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/editor/wishes.h"
+#include "app/editor/requests.h"
 #include "renderer/inspect/dossier.h"
 
 namespace si {
@@ -23,9 +23,10 @@ bool BackgroundWork::poll(const Scene* scene) {
     return poll_found(saved_) || shimmered || compared || advised || cured || tuned;
 }
 
-bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions) {
-    if (actions.cancel_saved) saved_.cancel();
-    if (!actions.measure_saved) return actions.cancel_saved;
+bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request,
+                                  const EditorRequests& requests) {
+    if (requests.cancel_saved) saved_.cancel();
+    if (!requests.measure_saved) return requests.cancel_saved;
     return attempt(state_, [&] { saved_.start(scenes.require(), state_.settings, request); });
 }
 
@@ -54,12 +55,12 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
 }
 
 void BackgroundWork::start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers,
-                                 const CureWish& wish) {
+                                 const CureRequest& request) {
     std::vector<CureIdea> own;
     const auto light = std::size_t(std::max(state_.settings.view.light, 0));
-    if (wish.pixel && light < dossiers.size() && dossiers[light].remedy)
+    if (request.pixel && light < dossiers.size() && dossiers[light].remedy)
         own.push_back(idea_of(*dossiers[light].remedy, state_.settings));
-    cures_.start(scene, state_.settings, size.x, size.y, wish.pixel, std::move(own));
+    cures_.start(scene, state_.settings, size.x, size.y, request.pixel, std::move(own));
 }
 
 void BackgroundWork::take_sweep_base() {
@@ -72,41 +73,42 @@ void BackgroundWork::take_sweep_base() {
 }
 
 bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
-                            const EditorActions& actions) {
+                            const EditorRequests& requests) {
     bool changed = false;
-    const auto wish = [&](bool wished, const auto& what) {
-        if (wished) changed |= attempt(state_, what);
+    const auto request = [&](bool requested, const auto& what) {
+        if (requested) changed |= attempt(state_, what);
     };
     // A kernel must be drawn to be judged: a picture that is not shown has no size.
-    wish(actions.tune.has_value(),
-         [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *actions.tune); });
-    if (actions.cancel_tune) tuner_.cancel();
-    wish(actions.find_cures.has_value(), [&] { start_cures(scenes.require(), size, dossiers, *actions.find_cures); });
-    if (actions.cancel_cures) cures_.cancel();
-    wish(actions.forget_cures, [&] { cures_.forget(); });
-    wish(actions.find_advice.has_value(),
-         [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *actions.find_advice); });
-    if (actions.cancel_advice) advice_.cancel();
+    request(requests.tune.has_value(),
+            [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
+    if (requests.cancel_tune) tuner_.cancel();
+    request(requests.find_cures.has_value(),
+            [&] { start_cures(scenes.require(), size, dossiers, *requests.find_cures); });
+    if (requests.cancel_cures) cures_.cancel();
+    request(requests.forget_cures, [&] { cures_.forget(); });
+    request(requests.find_advice.has_value(),
+            [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *requests.find_advice); });
+    if (requests.cancel_advice) advice_.cancel();
     const auto present = [&] { return LabOf{scenes.require().id, state_.settings, size.x, size.y}; };
-    wish(actions.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
-    if (actions.cancel_pipelines) pipelines_.cancel();
-    wish(actions.measure_shimmer.has_value(),
-         [&] { shimmer_.start(scenes.require(), present(), *actions.measure_shimmer); });
-    if (actions.cancel_shimmer) shimmer_.cancel();
-    wish(actions.start_sweep.has_value(),
-         [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *actions.start_sweep); });
-    wish(actions.cancel_sweep, [&] { sweep_.cancel(); });
-    wish(actions.open_sweep.has_value(), [&] { open_sweep(*actions.open_sweep); });
-    wish(actions.save_sweep.has_value(), [&] {
-        sweep_.save(*actions.save_sweep);
-        state_.log.add(LogKind::Info, "Saved " + *actions.save_sweep + "/report.html and the tables beside it");
+    request(requests.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
+    if (requests.cancel_pipelines) pipelines_.cancel();
+    request(requests.measure_shimmer.has_value(),
+            [&] { shimmer_.start(scenes.require(), present(), *requests.measure_shimmer); });
+    if (requests.cancel_shimmer) shimmer_.cancel();
+    request(requests.start_sweep.has_value(),
+            [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *requests.start_sweep); });
+    request(requests.cancel_sweep, [&] { sweep_.cancel(); });
+    request(requests.open_sweep.has_value(), [&] { open_sweep(*requests.open_sweep); });
+    request(requests.save_sweep.has_value(), [&] {
+        sweep_.save(*requests.save_sweep);
+        state_.log.add(LogKind::Info, "Saved " + *requests.save_sweep + "/report.html and the tables beside it");
     });
-    wish(actions.take_sweep_base, [&] { take_sweep_base(); });
+    request(requests.take_sweep_base, [&] { take_sweep_base(); });
     return changed;
 }
 
-bool BackgroundWork::follow(const Scene* scene, const EditorActions& actions) {
-    if (actions.want_present && scene)
+bool BackgroundWork::follow(const Scene* scene, const EditorRequests& requests) {
+    if (requests.want_present && scene)
         sweep_.follow(*scene, state_.scene_name, state_.settings, state_.sweep);
     else
         sweep_.unfollow();

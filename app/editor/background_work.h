@@ -27,11 +27,11 @@ public:
     /// Does what was wished for; errors go to the log. Returns whether anything was.
     /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
     bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
-                const EditorActions& actions);
+                const EditorRequests& requests);
     /// Measures what savings are worth, as wished for. Returns whether anything was. @param request of the frame shown
-    bool fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions);
+    bool fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorRequests& requests);
     /// Follows sweeps, and the present settings' place among their cases. Returns whether there are news.
-    bool follow(const Scene* scene, const EditorActions& actions);
+    bool follow(const Scene* scene, const EditorRequests& requests);
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
@@ -51,7 +51,8 @@ private:
     bool poll_tuning(const Scene* scene);
     /// Of cures, of savings, and of advice.
     bool poll_found(auto& search);
-    void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
+    void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers,
+                     const CureRequest& request);
     void take_sweep_base();
 
     EditorState& state_;

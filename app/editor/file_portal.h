@@ -32,7 +32,7 @@ public:
 
     /// Opens the dialog; one that is open is closed, and gives no answer any more.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits, or "" where that is not known
-    void ask(const DesktopFileDialog& wish, const std::string& parent_window);
+    void ask(const DesktopFileDialog& dialog, const std::string& parent_window);
     /// The answer, once.
     std::optional<Answer> take_answer();
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "app/base/output.h"
-#include "app/editor/wishes.h"
+#include "app/editor/requests.h"
 #include "renderer/gl/pace.h"
 #include "renderer/gl/target.h"
 
@@ -203,21 +203,21 @@ bool FrameDesk::poll() {
     return std::exchange(news_, {}).changed;
 }
 
-bool FrameDesk::update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison) {
+bool FrameDesk::update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison) {
     bool changed = poll();
-    missed_.cancel_truth |= actions.cancel_truth;
-    if (actions.save_error) missed_.save_error = actions.save_error;
+    missed_.cancel_truth |= requests.cancel_truth;
+    if (requests.save_error) missed_.save_error = requests.save_error;
     if (under_way()) return changed;
-    EditorActions wished = actions;
-    wished.cancel_truth = std::exchange(missed_.cancel_truth, false);
-    wished.save_error = std::exchange(missed_.save_error, {});
+    EditorRequests requested = requests;
+    requested.cancel_truth = std::exchange(missed_.cancel_truth, false);
+    requested.save_error = std::exchange(missed_.save_error, {});
     const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
     progress_.set({}, 0, 0);
-    hand_->start([this, &scene, shown, wished = std::move(wished), state = PictureState(state_),
+    hand_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
                   known = comparison ? std::optional(*comparison) : std::nullopt] {
         const WatchPasses watch(progress_);
-        news_ = loop_->update(scene, state, wished, known ? &*known : nullptr);
+        news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
         if (copies_) stand_in(shown);
     });

@@ -44,7 +44,7 @@ public:
     bool poll();
     /// Draws what changed, unless a frame is under way. Returns as poll() does.
     /// @param scene stays as it is while under_way() @param comparison what state.compare names; null: not known
-    bool update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison);
+    bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
     /// Until none is under way.
     void wait() const;
     /// There is no scene.
@@ -89,7 +89,7 @@ private:
     std::unique_ptr<Copies> copies_;
     FrameFacts next_facts_;
     FrameNews news_;
-    EditorActions missed_;        ///< wishes made while a frame was under way, which are made once
+    EditorRequests missed_;       ///< wishes made while a frame was under way, which are made once
     std::unique_ptr<Hand> hand_;  ///< last: ends before what it uses
 };
 

@@ -23,7 +23,7 @@ struct ReadingFacts {
     Sections sections;              ///< of it, while the panel is shown
     bool tracing_probe = false;     ///< they will follow
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
-    std::optional<MapFacts> map_facts;
+    std::optional<MapPlots> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
     std::optional<double> exact_utilisation;
     std::vector<LostCaster> lost_casters;

@@ -46,28 +46,28 @@ void FrameLoop::clear() {
     health_.reset();
 }
 
-FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorActions& actions,
+FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                             const ComparisonFacts* comparison) {
     news_ = {};
     pinned_ = state.pinned.has_value();
     try {
-        news_.changed |= readings_.update_frozen(renderer_, scene, state, actions);
+        news_.changed |= readings_.update_frozen(renderer_, scene, state, requests);
     } catch (const std::exception& e) {
         report(e.what());
         news_.thaw = true;
     }
-    const bool drawn = draw(scene, state, actions);
+    const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
-    if (!drawn) news_.changed |= smooth(scene, state, actions);
-    news_.changed |= follow_readings(scene, state, actions, drawn);
+    if (!drawn) news_.changed |= smooth(scene, state, requests);
+    news_.changed |= follow_readings(scene, state, requests, drawn);
     try {
-        news_.changed |= follow_truth(scene, state, actions, drawn, comparison);
+        news_.changed |= follow_truth(scene, state, requests, drawn, comparison);
     } catch (const std::exception& e) {
         report(e.what());
         news_.changed = true;
     }
     news_.changed |= follow_health();
-    news_.changed |= follow_effects(scene, state, actions, drawn);
+    news_.changed |= follow_effects(scene, state, requests, drawn);
     return std::move(news_);
 }
 
@@ -81,11 +81,11 @@ bool FrameLoop::follow_health() {
     return std::exchange(health_, health) != health || waits;
 }
 
-bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorActions& actions,
+bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                                bool drawn) {
     if (drawn) frame_effects_.clear();
     const bool posed = drawn && std::exchange(posed_scene_, scene.id) != scene.id;
-    if (!actions.want_effects || !drawn_) {
+    if (!requests.want_effects || !drawn_) {
         const bool had = !effects_.empty();
         effects_.clear();
         return had;
@@ -95,7 +95,7 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
         frame_effects_.push_back(posing_effect(scene, drawn_settings_.scene, posed));
     }
     std::vector<Effect> effects = frame_effects_;
-    for (Effect& effect : panel_effects(state, actions)) effects.push_back(std::move(effect));
+    for (Effect& effect : panel_effects(state, requests)) effects.push_back(std::move(effect));
     effects.push_back(artefact_effect(state.artefacts, artefacts_, artefacts_found_));
     effects.push_back(truth_effect(truth_.facts(result_, drawn_settings_.view.light)));
     if (effects == effects_) return false;
@@ -103,22 +103,22 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
     return true;
 }
 
-bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorActions& actions) {
+bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     FrameRequest wanted;
     // A map that fills the window belongs to the picture that is behind it.
-    const bool scene_shown = actions.scene_width >= 1;
-    wanted.width = scene_shown ? actions.scene_width : request_.width;
-    wanted.height = scene_shown ? std::max(1, actions.scene_height) : request_.height;
+    const bool scene_shown = requests.scene_width >= 1;
+    wanted.width = scene_shown ? requests.scene_width : request_.width;
+    wanted.height = scene_shown ? std::max(1, requests.scene_height) : request_.height;
     wanted.outputs.colour = true;
-    wanted.outputs.shadow_map = actions.want_map;
+    wanted.outputs.shadow_map = requests.want_map;
     wanted.outputs.overlay = true;
     wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // of the probed pixel the probe knows it
-    wanted.outputs.map_coordinates = actions.want_links;
-    wanted.outputs.texels_read = actions.want_exact_texels;
-    wanted.outputs.error = actions.want_error;
-    wanted.outputs.health = actions.want_health || actions.search_all;
+    wanted.outputs.map_coordinates = requests.want_links;
+    wanted.outputs.texels_read = requests.want_exact_texels;
+    wanted.outputs.error = requests.want_error;
+    wanted.outputs.health = requests.want_health || requests.search_all;
     wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
-    wanted.timing = actions.want_timing;
+    wanted.timing = requests.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};
     wanted.truth = truth_.picture(state.settings.view.light);
@@ -133,7 +133,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
                       wanted.truth == request_.truth && wanted.traced == request_.traced &&
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
-    if (same || (!scene_shown && !actions.want_map)) return false;
+    if (same || (!scene_shown && !requests.want_map)) return false;
     if (rehearsals_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         rehearsals_->forget(), foreseen_.clear();
         drawn_rig_ = scene.rig;
@@ -148,7 +148,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
         drawn_ = true;
         driver_reset_ = false;
         problem_.clear();
-        if (actions.search_all) require_sound_numbers(scene);
+        if (requests.search_all) require_sound_numbers(scene);
         foresee_programs(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
@@ -172,9 +172,9 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     report(news_.unsound);
 }
 
-bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorActions& actions) {
+bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
-    if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
+    if (!drawn_ || !requests.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
     if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
@@ -213,14 +213,14 @@ void FrameLoop::foresee_programs(const Scene& scene) {
     rehearsals_->foresee(std::move(next));
 }
 
-bool FrameLoop::follow_readings(const Scene& scene, const PictureState& state, const EditorActions& actions,
+bool FrameLoop::follow_readings(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                                 bool drawn) {
     if (!drawn_) {
         readings_.clear();
         return false;
     }
     try {
-        return readings_.update(renderer_, scene, state, actions, request_, result_, drawn);
+        return readings_.update(renderer_, scene, state, requests, request_, result_, drawn);
     } catch (const std::exception& e) {
         readings_.clear();
         report(e.what());
@@ -228,15 +228,15 @@ bool FrameLoop::follow_readings(const Scene& scene, const PictureState& state, c
     }
 }
 
-bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
+bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                              const ComparisonFacts* comparison) {
     if (!drawn_) {
         truth_.clear();
         against_.clear();
         return false;
     }
-    const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
-    bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    const EditorTruth::Requests truth_requests{requests.cancel_truth, requests.save_error};
+    bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, truth_requests);
     if (drawn) artefacts_found_ = false;
     if (state.artefacts.number != artefacts_.number && result_.error && result_.truth.met && request_.truth) {
         artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none

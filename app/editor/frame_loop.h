@@ -36,7 +36,7 @@ public:
 
     /// Draws the scene when anything changed, and whatever follows from it. Errors are remarks.
     /// @param comparison what state.compare names; null: not known
-    FrameNews update(const Scene& scene, const PictureState& state, const EditorActions& actions,
+    FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
     /// There is no scene.
     void clear();
@@ -62,24 +62,24 @@ public:
     const Rehearsals* rehearsals() const { return rehearsals_.get(); }
 
 private:
-    bool draw(const Scene& scene, const PictureState& state, const EditorActions& actions);
+    bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     /// One shading more of a view that rests. Returns whether there was one to add.
-    bool smooth(const Scene& scene, const PictureState& state, const EditorActions& actions);
+    bool smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
     /// Of what the pass did in that frame, the shown one's effects tell.
     void tell_of_smoothing(const FrameResult& more);
     /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
     void foresee_programs(const Scene& scene);
-    bool follow_readings(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
+    bool follow_readings(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
     /// Traces and compares what is shown.
-    bool follow_truth(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
+    bool follow_truth(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                       const ComparisonFacts* comparison);
     /// Searches the frame's numbers while a panel shows what is found.
     bool follow_health();
     /// Searches the frame just drawn, and waits for it.
     void require_sound_numbers(const Scene& scene);
     /// Tells what the frame simulates while a panel shows it.
-    bool follow_effects(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
+    bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
 
     Renderer renderer_;
     FrameRequest request_;

@@ -30,7 +30,7 @@ public:
     Mouse mouse;
 
     /// One frame of the editor, 1/60 s after the one before, and what it asked for.
-    EditorActions frame();
+    EditorRequests frame();
     /// Waits for a scene that is being read, draws frames until layout and pictures no longer change, and waits for
     /// what they ask to be measured.
     void settle();

@@ -24,7 +24,7 @@ void EditorPipelines::start(const Scene& scene, const LabOf& of) {
         {"four ways", 0});
 }
 
-void EditorPipelines::fill(LabShown& shown, const LabOf& present) const {
+void EditorPipelines::fill(LabFacts& shown, const LabOf& present) const {
     shown.comparing_pipelines = job_.progress();
     if (!found_) return;
     shown.pipelines = found_->errors;
@@ -55,7 +55,7 @@ void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOpti
         {"the first frame", 0});
 }
 
-void EditorShimmer::fill(LabShown& shown, const LabOf& present) const {
+void EditorShimmer::fill(LabFacts& shown, const LabOf& present) const {
     shown.measuring_shimmer = job_.progress();
     if (!found_) return;
     shown.shimmer = found_->variants, shown.shimmer_of = found_->options;

@@ -22,7 +22,7 @@ class EditorPipelines : public EditorSearch<PipelinesFound> {
 public:
     EditorPipelines() : EditorSearch("Comparing ways was cancelled") {}
     void start(const Scene& scene, const LabOf& of);
-    void fill(LabShown& shown, const LabOf& present) const;
+    void fill(LabFacts& shown, const LabOf& present) const;
 };
 
 struct ShimmerFound {
@@ -35,7 +35,7 @@ class EditorShimmer : public EditorSearch<ShimmerFound> {
 public:
     EditorShimmer() : EditorSearch("Measuring shimmer was cancelled") {}
     void start(const Scene& scene, const LabOf& of, const ShimmerOptions& options);
-    void fill(LabShown& shown, const LabOf& present) const;
+    void fill(LabFacts& shown, const LabOf& present) const;
 };
 
 }  // namespace si

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "app/editor/clipboard.h"
+#include "app/editor/requests.h"
 #include "app/editor/screenshot.h"
-#include "app/editor/wishes.h"
 #include "app/report/section_svg.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
@@ -104,13 +104,14 @@ void EditorModel::save_as(const std::filesystem::path& path) {
     attempt(state, [&] { presets_.save(preset_path(path).string(), state.file_dialog.about, false); });
 }
 
-void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float pixels) {
+void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window, float pixels) {
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
         std::string svg;
-        if (const Section* const section = judged_section(); wish.of == Shot::Drawing && section)
+        if (const Section* const section = judged_section(); request.of == Shot::Drawing && section)
             svg = section_svg(*section);
-        const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
+        const auto path =
+            save_screenshot(cut_out(window, request.rect, pixels), request.of, state.scene_name, folder, svg);
         std::error_code error;
         const auto whole = std::filesystem::absolute(path, error);
         const std::string saved =
@@ -128,9 +129,9 @@ const Section* EditorModel::judged_section() const {
     return sections && light < sections->size() ? &(*sections)[light] : nullptr;
 }
 
-bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
+bool EditorModel::save_drawing(const ShotRequest& request, ImGuiSession& imgui) {
     const Section* const section = judged_section();
-    if (wish.of != Shot::Drawing || !section) return false;
+    if (request.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
     save_shot({Shot::Drawing, {{0, 0}, {float(sheet.width), float(sheet.height)}}}, drawn, 1);
@@ -162,39 +163,39 @@ void EditorModel::follow_memory(bool wanted) {
     held_at_s_ = steady_seconds();
 }
 
-bool EditorModel::fulfil(const EditorActions& asked) {
-    EditorActions actions = asked;
-    actions.search_all = check_numeric_;
+bool EditorModel::fulfil(const EditorRequests& asked) {
+    EditorRequests requests = asked;
+    requests.search_all = check_numeric_;
     session_.note_frame();
-    if (actions.welcomed) memory_.note_welcome();
-    follow_memory(actions.want_memory);
+    if (requests.welcomed) memory_.note_welcome();
+    follow_memory(requests.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.
     if (!frames_.under_way()) changed |= scenes_.poll();
     changed |= work_.poll(scenes_.scene());
-    const auto wish = [&](bool wished, const auto& what) {
-        if (wished) changed |= attempt(state, what);
+    const auto request = [&](bool requested, const auto& what) {
+        if (requested) changed |= attempt(state, what);
     };
-    wish(actions.cancel_load, [&] { scenes_.cancel_loading(), scenes_.keep_scene(); });
-    wish(actions.load_scene.has_value(), [&] { scenes_.load({.scene_name = *actions.load_scene}); });
-    wish(actions.load_preset.has_value(), [&] { presets_.open(*actions.load_preset); });
-    wish(actions.open_file.has_value(), [&] { open(*actions.open_file); });
-    wish(actions.save_preset.has_value(),
-         [&] { presets_.save(*actions.save_preset, actions.save_about, actions.replace); });
-    wish(actions.restore_lost, [&] { presets_.restore_lost(); });
-    wish(actions.discard_lost, [&] { memory_.forget_lost(); });
-    wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
-    wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
-    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, actions);
-    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, actions);
-    wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
-    wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
-    wish(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
+    request(requests.cancel_load, [&] { scenes_.cancel_loading(), scenes_.keep_scene(); });
+    request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
+    request(requests.load_preset.has_value(), [&] { presets_.open(*requests.load_preset); });
+    request(requests.open_file.has_value(), [&] { open(*requests.open_file); });
+    request(requests.save_preset.has_value(),
+            [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
+    request(requests.restore_lost, [&] { presets_.restore_lost(); });
+    request(requests.discard_lost, [&] { memory_.forget_lost(); });
+    request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
+    request(scenes_.has_step(), [&] { scenes_.follow_step(); });
+    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, requests);
+    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, requests);
+    request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
+    request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
+    request(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
     changed |= presets_.compare();
-    changed |= work_.follow(scenes_.scene(), actions);
-    actions.at_rest &= smooths && !measuring();
+    changed |= work_.follow(scenes_.scene(), requests);
+    requests.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
-        changed |= frames_.update(*scene, actions, presets_.comparison());
+        changed |= frames_.update(*scene, requests, presets_.comparison());
     else
         frames_.clear();
     return changed;

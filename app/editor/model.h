@@ -27,14 +27,14 @@ public:
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
-    bool asks_desktop = false;  ///< whoever calls can show the desktop's dialog for files: EditorActions::ask_desktop
+    bool asks_desktop = false;  ///< whoever calls can show the desktop's dialog for files: EditorRequests::ask_desktop
     bool smooths = true;        ///< a picture that rests is made smooth, where view.smooth wishes it
 
     /// What draw_editor() is told. Valid until the next fulfil().
     EditorFrame facts() const;
     /// Does what the editor asked for and draws the scene when anything changed. Returns whether the next frame of the
     /// editor looks different. Errors go to the log.
-    bool fulfil(const EditorActions& actions);
+    bool fulfil(const EditorRequests& requests);
     /// A file dropped on the window: a preset (.json) or a scene. A scene is read in the background; a later fulfil()
     /// switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
@@ -43,10 +43,10 @@ public:
     void save_as(const std::filesystem::path& path);
     /// Writes what was wished for out of a picture of the window that this frame drew. Errors go to the log.
     /// @param window top row first @param pixels of it per unit of the screen
-    void save_shot(const ShotWish& wish, const ByteImage& window, float pixels);
+    void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
     /// Writes the probe's drawing with its verdict and legend, where that was wished for: small in the panel, it is
     /// drawn anew. Returns whether it was.
-    bool save_drawing(const ShotWish& wish, ImGuiSession& imgui);
+    bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Whether shader files were saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
     /// A scene is being read, or the thread of a cancelled one has not ended yet.

@@ -12,66 +12,70 @@ namespace {
 
 struct PanelRow {
     std::string_view name;
-    bool (*wanted)(const PictureState&, const EditorActions&);
+    bool (*wanted)(const PictureState&, const EditorRequests&);
     std::string_view why, why_not;
     std::optional<Command> key = {};  ///< shows the panel; printed where it is hidden
 };
 
 constexpr PanelRow kPanels[] = {
-    {"panel: depth histogram", [](const PictureState&, const EditorActions& a) { return a.want_map_facts; },
+    {"panel: depth histogram", [](const PictureState&, const EditorRequests& a) { return a.want_map_facts; },
      "The plots under the map are shown: its depths are read back once a frame and counted.",
      "The plots under the map are hidden."},
-    {"panel: map under the mouse", [](const PictureState&, const EditorActions& a) { return a.want_map_values; },
+    {"panel: map under the mouse", [](const PictureState&, const EditorRequests& a) { return a.want_map_values; },
      "The map viewer prints depths: those of the map are read back once a frame.",
      "The mouse is not over the map, and no texel is large enough for its number."},
-    {"panel: pixels and their texels", [](const PictureState&, const EditorActions& a) { return a.want_links; },
+    {"panel: pixels and their texels", [](const PictureState&, const EditorRequests& a) { return a.want_links; },
      "A picture is under the mouse: which texel each pixel reads is read back once a frame.",
      "The mouse is over neither picture, or drags."},
-    {"panel: texels read, exactly", [](const PictureState&, const EditorActions& a) { return a.want_exact_texels; },
+    {"panel: texels read, exactly", [](const PictureState&, const EditorRequests& a) { return a.want_exact_texels; },
      "The map viewer marks the texels that kernels fetch.", "The map viewer does not mark the texels that are read."},
     {"panel: values of the overlay",
-     [](const PictureState& s, const EditorActions& a) { return a.want_overlay_values && s.settings.view.overlay > 0; },
+     [](const PictureState& s, const EditorRequests& a) {
+         return a.want_overlay_values && s.settings.view.overlay > 0;
+     },
      "The overlay is under the mouse: its values are read back once a frame.",
      "No overlay is under the mouse, or it drags."},
     {"panel: texels of the frozen camera",
-     [](const PictureState& s, const EditorActions& a) { return s.frozen && a.want_frozen_usage; },
+     [](const PictureState& s, const EditorRequests& a) { return s.frozen && a.want_frozen_usage; },
      "A camera is frozen: a frame of its own tells what it reads, until a setting changes.", "No camera is frozen."},
-    {"panel: probed pixel", [](const PictureState& s, const EditorActions&) { return s.probe_pixel.has_value(); },
+    {"panel: probed pixel", [](const PictureState& s, const EditorRequests&) { return s.probe_pixel.has_value(); },
      "A pixel is probed: its shadow test is written out once a frame.", "No pixel is probed."},
     {"panel: cross-section",
-     [](const PictureState& s, const EditorActions&) { return s.tab == BottomTab::Probe && s.probe_pixel.has_value(); },
+     [](const PictureState& s, const EditorRequests&) {
+         return s.tab == BottomTab::Probe && s.probe_pixel.has_value();
+     },
      "The panel Probe is shown: the section along the light's ray is laid out where its numbers change.",
      "The panel Probe is hidden, or no pixel is probed."},
-    {"panel: loupe", [](const PictureState& s, const EditorActions&) { return s.loupe_pixel.has_value(); },
+    {"panel: loupe", [](const PictureState& s, const EditorRequests&) { return s.loupe_pixel.has_value(); },
      "The loupe is shown: the pixels under it are read back where they change.", "No loupe is shown",
      Command::NextLoupeMode},
     {"panel: other side of the comparison",
-     [](const PictureState& s, const EditorActions&) { return s.against.view != AgainstView::Off; },
+     [](const PictureState& s, const EditorRequests&) { return s.against.view != AgainstView::Off; },
      "The picture is compared with another, which is drawn where it changes.", "Nothing is compared",
      Command::NextComparison},
     {"panel: objects lost to culling",
-     [](const PictureState& s, const EditorActions&) { return s.tab == BottomTab::Objects; },
+     [](const PictureState& s, const EditorRequests&) { return s.tab == BottomTab::Objects; },
      "The list of objects is shown.", "The list of objects is hidden."},
-    {"panel: errors", [](const PictureState&, const EditorActions& a) { return a.want_error; },
+    {"panel: errors", [](const PictureState&, const EditorRequests& a) { return a.want_error; },
      "The error panel or the overlay artefacts shows numbers.",
      "The error panel is hidden, and the overlay artefacts is not chosen."},
     {"panel: the present settings on the frontier",
-     [](const PictureState&, const EditorActions& a) { return a.want_present; },
+     [](const PictureState&, const EditorRequests& a) { return a.want_present; },
      "The frontier panel follows the settings: they are measured in the background.",
      "The frontier panel is hidden, or does not follow the settings."},
-    {"panel: soundness of all numbers", [](const PictureState&, const EditorActions& a) { return a.want_health; },
+    {"panel: soundness of all numbers", [](const PictureState&, const EditorRequests& a) { return a.want_health; },
      "The panel Numbers is shown: every map and the visibility are searched once a frame.",
      "The panel Numbers is hidden."},
-    {"panel: pass times", [](const PictureState&, const EditorActions& a) { return a.want_timing; },
+    {"panel: pass times", [](const PictureState&, const EditorRequests& a) { return a.want_timing; },
      "This panel shows them: each pass is timed.", "No panel shows times."},
 };
 
 }  // namespace
 
-std::vector<Effect> panel_effects(const PictureState& state, const EditorActions& actions) {
+std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests) {
     std::vector<Effect> out;
     for (const PanelRow& row : kPanels) {
-        const bool wanted = row.wanted(state, actions);
+        const bool wanted = row.wanted(state, requests);
         std::string reason(wanted ? row.why : row.why_not);
         if (!wanted && row.key) reason = with_key(reason, *row.key) + ".";
         out.push_back({.name = std::string(row.name),
@@ -81,11 +85,11 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorActions
     return out;
 }
 
-Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, bool now) {
+Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now) {
     Effect effect{.name = "panel: next artefact"};
-    if (wish.number == 0) {
+    if (request.number == 0) {
         effect.reason = "Nobody has asked for the next artefact.";
-    } else if (wish.number != found.number) {
+    } else if (request.number != found.number) {
         effect.reason = "It was asked for, and waits for the truth of the picture.";
     } else {
         effect.state = now ? EffectState::Simulated : EffectState::Reused;

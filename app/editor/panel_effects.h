@@ -8,11 +8,11 @@
 
 namespace si {
 
-/// @param actions what the panels asked for
-std::vector<Effect> panel_effects(const PictureState& state, const EditorActions& actions);
+/// @param requests what the panels asked for
+std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
 /// Looking for clusters of wrong pixels, which is done once for each wish. @param now for the frame shown
-Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, bool now);
+Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
 /// Rays that are traced in the background, or were.
 Effect truth_effect(const TruthFacts& truth);

@@ -16,13 +16,14 @@ namespace si {
 
 class EditorReadings {
 public:
-    /// Brings up to date what `actions` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
+    /// Brings up to date what `requests` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
     /// something else. Needs the renderer's OpenGL context. @throws Error
-    bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorActions& actions,
+    bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
     /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own for
     /// that, which may have taken the place of the last one (Renderer::holds()). @throws Error
-    bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorActions& actions);
+    bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
+                       const EditorRequests& requests);
     /// There is no frame.
     void clear();
     /// The truth of the probed pixel is there: update() has news.
@@ -37,12 +38,12 @@ private:
     bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                       const FrameResult& result);
     bool update_loupe(const PictureState& state, const FrameResult& result);
-    bool update_map(Renderer& renderer, const PictureState& state, const EditorActions& actions,
+    bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                     const FrameResult& result);
-    bool update_overlay(Renderer& renderer, const PictureState& state, const EditorActions& actions,
+    bool update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                         const FrameResult& result);
-    bool update_exact(Renderer& renderer, const EditorActions& actions, const FrameResult& result);
-    bool update_links(Renderer& renderer, const PictureState& state, const EditorActions& actions,
+    bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
+    bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame

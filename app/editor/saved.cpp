@@ -25,7 +25,7 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
         {"the first frame", 0});
 }
 
-void EditorSaved::fill(EffectsShown& shown, std::uint64_t scene, const Settings& settings, int width,
+void EditorSaved::fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width,
                        int height) const {
     shown.measuring_saved = job_.progress();
     if (!found_ || found_->scene != scene) return;

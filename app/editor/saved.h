@@ -20,7 +20,7 @@ public:
     /// In place of what is under way. @param request of the frame shown
     void start(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// What was measured of this scene, and whether the settings and the picture's size are still those.
-    void fill(EffectsShown& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
+    void fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
 };
 
 }  // namespace si

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <utility>
 
-#include "app/editor/wishes.h"
+#include "app/editor/requests.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"

@@ -33,7 +33,7 @@ protected:
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
     ~EditorSearch() = default;
 
-    Job<Found, TuneFacts> job_;
+    Job<Found, SearchProgress> job_;
     std::optional<Found> found_;
 
 private:

@@ -23,7 +23,8 @@ public:
     EditorSweep& operator=(const EditorSweep&) = delete;
 
     /// Begins the sweep, or goes on with it when it is the one that was interrupted. @throws UsageError, Error
-    void start(const Scene& scene, const std::string& scene_name, const Settings& settings, const SweepWish& wish);
+    void start(const Scene& scene, const std::string& scene_name, const Settings& settings,
+               const SweepRequest& request);
     /// Ends the sweep under way; what is measured stays.
     void cancel();
     /// Measures these settings unless they are measured already; a change cancels what is under way.

@@ -25,7 +25,7 @@ public:
     /// What was last baked of each light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    struct Wishes {
+    struct Requests {
         bool cancel = false;                    ///< forget it until something changes
         std::optional<std::string> save_error;  ///< all metrics of the frame as JSON into this file
     };
@@ -33,7 +33,7 @@ public:
     /// other (a drag), nothing is started. Returns whether the scene is to be drawn anew, or the facts changed. @throws
     /// Error
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                const FrameResult& frame, bool drawn, const Wishes& wishes);
+                const FrameResult& frame, bool drawn, const Requests& requests);
     /// There is no frame.
     void clear();
     /// Lets go of what it keeps for views that are no longer shown.
@@ -45,7 +45,7 @@ public:
     bool moved() const { return job_.moved(); }
     /// Until what runs has ended.
     void wait() const { job_.wait(); }
-    /// "Wrote F.json", once, after Wishes::save_error.
+    /// "Wrote F.json", once, after Requests::save_error.
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:

@@ -24,18 +24,18 @@ struct TuningOutcome {
 class EditorTuner {
 public:
     /// In place of one that is under way.
-    void start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish);
+    void start(const Scene& scene, const Settings& settings, int width, int height, const TuneRequest& request);
     void cancel() { job_.cancel(); }
     bool running() const { return job_.busy(); }
     bool moved() const { return job_.moved(); }
-    std::optional<TuneFacts> facts() const { return job_.progress(); }
+    std::optional<SearchProgress> facts() const { return job_.progress(); }
     void wait() const { job_.wait(); }
     /// What became of it, once.
     std::optional<TuningOutcome> end();
 
 private:
     TuningOutcome about_;  ///< what is searched for, and not yet what was found
-    Job<TuningOutcome, TuneFacts> job_;
+    Job<TuningOutcome, SearchProgress> job_;
 };
 
 }  // namespace si

@@ -58,22 +58,22 @@ protected:
 
 TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
     click_on("controls", "", "Run");
-    ASSERT_TRUE(ui.last_wish.find_advice);
-    EXPECT_FALSE(ui.last_wish.find_advice->most_error);
-    EXPECT_EQ(ui.last_wish.find_advice->cost, CostCase::Camera);
+    ASSERT_TRUE(ui.last_requests.find_advice);
+    EXPECT_FALSE(ui.last_requests.find_advice->most_error);
+    EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
     ui.state.advice.most_error = 0.02, ui.state.advice.bound_ms = true, ui.state.advice.most_ms = 5;
     ui.state.advice.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
     click_on("controls", "", "Autopilot");
-    EXPECT_EQ(ui.last_wish.find_advice->most_error, 0.02);
-    EXPECT_EQ(ui.last_wish.find_advice->most_ms, 5);
-    EXPECT_EQ(ui.last_wish.find_advice->cost, CostCase::Light);
-    ui.advice.advising = TuneFacts{"pcf5 at 512", 0.4};
+    EXPECT_EQ(ui.last_requests.find_advice->most_error, 0.02);
+    EXPECT_EQ(ui.last_requests.find_advice->most_ms, 5);
+    EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
+    ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4};
     ui.frames(2);
     EXPECT_NE(printed_by(ui).find("40%"), std::string::npos);
     click_on("controls", "", "Cancel");
-    EXPECT_TRUE(ui.last_wish.cancel_advice);
+    EXPECT_TRUE(ui.last_requests.cancel_advice);
 }
 
 TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
@@ -129,11 +129,12 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.open_tab = BottomTab::Advice;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
-    wish.find_advice = AdviceWish{.cost = CostCase::Forced};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width,
+    request.scene_height = model.facts().result->colour.height;
+    request.find_advice = AdviceRequest{.cost = CostCase::Forced};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().advising);
     editor.settle();
     EXPECT_EQ(model.state.settings, settings);
@@ -147,10 +148,10 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";
-    wish.find_advice->most_error = 1;
-    model.fulfil(wish);
-    EditorActions cancel;
-    cancel.scene_width = wish.scene_width, cancel.scene_height = wish.scene_height, cancel.cancel_advice = true;
+    request.find_advice->most_error = 1;
+    model.fulfil(request);
+    EditorRequests cancel;
+    cancel.scene_width = request.scene_width, cancel.scene_height = request.scene_height, cancel.cancel_advice = true;
     model.fulfil(cancel);
     editor.settle();
     EXPECT_FALSE(model.facts().autopilot);

@@ -50,15 +50,15 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     auto find = ui.find("Error", "", "Find cures");
     ASSERT_TRUE(find);
     ui.click(*find);
-    ASSERT_TRUE(ui.last_wish.find_cures);
-    EXPECT_FALSE(ui.last_wish.find_cures->pixel) << "of the picture";
+    ASSERT_TRUE(ui.last_requests.find_cures);
+    EXPECT_FALSE(ui.last_requests.find_cures->pixel) << "of the picture";
 
-    ui.cures.running = TuneFacts{"least bias, normal offset", 0.4};
+    ui.cures.running = SearchProgress{"least bias, normal offset", 0.4};
     ui.frames(3);
     const auto cancel = ui.find("Error", "", "Cancel##cures");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_wish.cancel_cures);
+    EXPECT_TRUE(ui.last_requests.cancel_cures);
 
     ui.cures = {.running = {}, .table = &table, .pixel = {}, .current = true};
     ui.frames(3);
@@ -69,7 +69,7 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const auto close = ui.find("Error", "", "Close##cures");
     ASSERT_TRUE(close);
     ui.click(*close);
-    EXPECT_TRUE(ui.last_wish.forget_cures);
+    EXPECT_TRUE(ui.last_requests.forget_cures);
     const Settings before = ui.state.settings;
     // The row spans the table; its name is below the button.
     const auto button = ui.find("Error", "", "Find cures");
@@ -133,12 +133,13 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const ErrorMetrics before = model.facts().error->metrics;
-    EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
-    wish.want_error = true;
-    wish.find_cures = CureWish{};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width,
+    request.scene_height = model.facts().result->colour.height;
+    request.want_error = true;
+    request.find_cures = CureRequest{};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().cures.running);
     EXPECT_EQ(model.state.settings, settings);
     editor.settle();
@@ -148,11 +149,12 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EXPECT_TRUE(search.current);
     for (int i = 0; i < 3; ++i) editor.frame();  // columns take the width of what they hold
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
-    EditorActions narrower;
-    narrower.scene_width = wish.scene_width - 16, narrower.scene_height = wish.scene_height, narrower.want_error = true;
+    EditorRequests narrower;
+    narrower.scene_width = request.scene_width - 16, narrower.scene_height = request.scene_height,
+    narrower.want_error = true;
     model.fulfil(narrower);
     EXPECT_FALSE(model.facts().cures.current) << "a picture of another size";
-    narrower.scene_width = wish.scene_width;
+    narrower.scene_width = request.scene_width;
     model.fulfil(narrower);
     EXPECT_TRUE(model.facts().cures.current);
     std::size_t wrong = 0;

@@ -81,8 +81,8 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     const auto button = ui.find("/rows_", "bias", "Auto bias");
     ASSERT_TRUE(button);
     ui.click(*button);
-    ASSERT_TRUE(ui.last_wish.tune);
-    EXPECT_FALSE(ui.last_wish.tune->most_error || ui.last_wish.tune->most_ms);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_FALSE(ui.last_requests.tune->most_error || ui.last_requests.tune->most_ms);
 
     const auto limits = ui.find("/rows_", "bias", "Tune...");
     ASSERT_TRUE(limits);
@@ -91,18 +91,18 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     const auto search = ui.find("##Popup", "", "Search");
     ASSERT_TRUE(search);
     ui.click(*search);
-    ASSERT_TRUE(ui.last_wish.tune);
-    EXPECT_EQ(ui.last_wish.tune->most_error, 0.02);
-    EXPECT_EQ(ui.last_wish.tune->most_ms, 7);
-    EXPECT_TRUE(ui.last_wish.tune->area);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_EQ(ui.last_requests.tune->most_error, 0.02);
+    EXPECT_EQ(ui.last_requests.tune->most_ms, 7);
+    EXPECT_TRUE(ui.last_requests.tune->area);
 
-    ui.tuning = TuneFacts{"normal offset, 2 texels", 0.4};
+    ui.tuning = SearchProgress{"normal offset, 2 texels", 0.4};
     ui.frames(2);
     EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
     const auto cancel = ui.find("/rows_", "bias", "Cancel");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_wish.cancel_tune);
+    EXPECT_TRUE(ui.last_requests.cancel_tune);
 }
 
 TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
@@ -114,7 +114,7 @@ TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
         const auto button = ui.find("/rows_", "bias", label);
         ASSERT_TRUE(button) << label;
         ui.click(*button);
-        EXPECT_FALSE(ui.last_wish.tune) << label;
+        EXPECT_FALSE(ui.last_requests.tune) << label;
         EXPECT_FALSE(ui.find("##Popup", "", "Search"));
     }
 }
@@ -168,11 +168,11 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     editor.settle();
     EditorModel& model = editor.model();
     const Settings before = model.state.settings;
-    EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
-    model.fulfil(wish);
-    wish.tune = TuneWish{};
-    model.fulfil(wish);
+    EditorRequests request;
+    request.scene_width = 320, request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
     EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
     editor.settle();
@@ -189,7 +189,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     }));
     EXPECT_GT(model.facts().tuned.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
-    EditorActions resize;
+    EditorRequests resize;
     resize.scene_width = 320, resize.scene_height = 180;
     model.fulfil(resize);
     EXPECT_TRUE(model.facts().tuned_current);
@@ -205,18 +205,18 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();
-    EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
-    model.fulfil(wish);
-    wish.tune = TuneWish{};
-    model.fulfil(wish);
+    EditorRequests request;
+    request.scene_width = 320, request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
     model.state.settings.lights[0].elevation += 10;
     const Settings turned = model.state.settings;
     editor.settle();
     EXPECT_EQ(model.state.settings, turned);
 
-    model.fulfil(wish);
-    EditorActions cancel;
+    model.fulfil(request);
+    EditorRequests cancel;
     cancel.scene_width = 320, cancel.scene_height = 180;
     cancel.cancel_tune = true;
     model.fulfil(cancel);

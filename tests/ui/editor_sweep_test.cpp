@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const SweepWish kWish{{"filter.kernel=hard,pcf3", "map.resolution=64,256"}, 64, 48, false};
+const SweepRequest kSweepRequest{{"filter.kernel=hard,pcf3", "map.resolution=64,256"}, 64, 48, false};
 
 EditorOptions boxes(const fs::path& state = {}) {
     EditorOptions options;
@@ -39,16 +39,16 @@ struct Swept {
     }
     EditorState& state() { return editor.model().state; }
     const SweepFacts& facts() { return *editor.model().facts().sweep; }
-    void ask(const std::function<void(EditorActions&)>& what) {
-        EditorActions actions = editor.frame();
-        what(actions);
-        editor.model().fulfil(actions);
+    void ask(const std::function<void(EditorRequests&)>& what) {
+        EditorRequests requests = editor.frame();
+        what(requests);
+        editor.model().fulfil(requests);
     }
 };
 
 TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
     Swept s(boxes());
-    s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+    s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
     EXPECT_TRUE(s.editor.model().measuring());
     EXPECT_EQ(s.facts().total, 4u);
     s.state().settings.bias.constant = 0.7;
@@ -58,7 +58,7 @@ TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
     EXPECT_FALSE(s.facts().running);
     EXPECT_EQ(s.facts().view.marks.size(), 4u) << "each has an error and a time";
     EXPECT_EQ(s.facts().other_settings.size(), 1u) << "the bias has changed since";
-    s.ask([](EditorActions& a) { a.take_sweep_base = true; });
+    s.ask([](EditorRequests& a) { a.take_sweep_base = true; });
     s.editor.settle();
     EXPECT_TRUE(s.facts().other_settings.empty());
     EXPECT_NE(s.state().settings.bias.constant, 0.7);
@@ -119,14 +119,14 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     std::size_t kept = 0;
     {
         Swept s(boxes(state));
-        s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+        s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
         // Cancelled as soon as something is measured. An editor that never rests would keep a software driver's
         // threads.
         while (s.facts().cases.empty() && s.editor.model().measuring()) {
             std::this_thread::sleep_for(std::chrono::milliseconds(20));
             s.editor.frame();
         }
-        s.ask([](EditorActions& a) { a.cancel_sweep = true; });
+        s.ask([](EditorRequests& a) { a.cancel_sweep = true; });
         s.editor.settle();
         EXPECT_FALSE(s.facts().running);
         EXPECT_TRUE(s.facts().problem.empty()) << s.facts().problem;
@@ -136,14 +136,14 @@ TEST(EditorSweep, CancelledItGoesOnWhereItWas) {
     const std::string journal = file_bytes(state / "sweep-1" / kJournalFile);
     ASSERT_FALSE(journal.empty());
     Swept s(boxes(state));
-    s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+    s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
     s.editor.settle();
     EXPECT_EQ(s.facts().cases.size(), 4u);
     EXPECT_TRUE(file_bytes(state / "sweep-1" / kJournalFile).starts_with(journal)) << "nothing is measured twice";
     // Another sweep takes the place of the finished one.
-    SweepWish other = kWish;
+    SweepRequest other = kSweepRequest;
     other.axes = {"bias.constant=0,1"};
-    s.ask([&](EditorActions& a) { a.start_sweep = other; });
+    s.ask([&](EditorRequests& a) { a.start_sweep = other; });
     s.editor.settle();
     EXPECT_EQ(s.facts().cases.size(), 2u);
     EXPECT_FALSE(fs::exists(state / "sweep-2"));
@@ -154,11 +154,11 @@ TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
     fs::remove_all(state);
     fs::create_directories(state / "sweep-1");  // somebody else's
     Swept s(boxes(state));
-    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest, a.cancel_sweep = true; });
     s.editor.settle();
     EXPECT_TRUE(fs::exists(state / "sweep-1"));
     fs::remove(state / "sweep-1");
-    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest, a.cancel_sweep = true; });
     s.editor.settle();
     EXPECT_FALSE(fs::exists(state / "sweep-1"));
 }
@@ -167,9 +167,9 @@ TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_without_times";
     fs::remove_all(state);
     Swept s(boxes(state));
-    SweepWish wish = kWish;
-    wish.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
-    s.ask([&](EditorActions& a) { a.start_sweep = wish; });
+    SweepRequest request = kSweepRequest;
+    request.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
+    s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     const std::string chosen = s.state().sweep.cost;
     ASSERT_EQ(chosen, "time.total_ms.median");
     const auto wait_for_cases = [&] {
@@ -183,7 +183,7 @@ TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
     ASSERT_FALSE(s.facts().timing) << "too fast for this test";
     EXPECT_EQ(s.facts().view.marks.size(), s.facts().cases.size()) << "shown as they come";
     EXPECT_NE(s.facts().cost, chosen);
-    s.ask([](EditorActions& a) { a.cancel_sweep = true; });
+    s.ask([](EditorRequests& a) { a.cancel_sweep = true; });
     s.editor.settle();
     EXPECT_FALSE(s.facts().running);
     EXPECT_GE(s.facts().view.marks.size() + 1, s.facts().cases.size()) << "but for one that was cancelled half-way";
@@ -195,9 +195,9 @@ TEST(EditorSweep, SavedAndOpenedItIsTheSame) {
     const fs::path folder = fresh_test_folder();
     {
         Swept s(boxes());
-        s.ask([](EditorActions& a) { a.start_sweep = kWish; });
+        s.ask([](EditorRequests& a) { a.start_sweep = kSweepRequest; });
         s.editor.settle();
-        s.ask([&](EditorActions& a) { a.save_sweep = (folder / "out").string(); });
+        s.ask([&](EditorRequests& a) { a.save_sweep = (folder / "out").string(); });
         EXPECT_EQ(s.state().log.unseen_errors(), 0);
     }
     for (const char* file : {"report.html", "results.csv", "results.json", "base.json", "pictures/0000.jpg"})
@@ -230,15 +230,15 @@ TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
 
 TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
     Swept s(boxes());
-    SweepWish wish = kWish;
-    wish.axes = {"no.such=1"};
-    s.ask([&](EditorActions& a) { a.start_sweep = wish; });
+    SweepRequest request = kSweepRequest;
+    request.axes = {"no.such=1"};
+    s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     ASSERT_FALSE(s.state().log.lines().empty());
     EXPECT_NE(s.state().log.lines().back().text.find("no.such"), std::string::npos);
     EXPECT_FALSE(s.editor.model().measuring());
-    s.ask([](EditorActions& a) { a.open_sweep = "/nonexistent/folder"; });
+    s.ask([](EditorRequests& a) { a.open_sweep = "/nonexistent/folder"; });
     EXPECT_NE(s.state().log.lines().back().text.find("/nonexistent/folder"), std::string::npos);
-    s.ask([](EditorActions& a) { a.save_sweep = "/nonexistent/folder"; });
+    s.ask([](EditorRequests& a) { a.save_sweep = "/nonexistent/folder"; });
     EXPECT_EQ(s.state().log.lines().back().kind, LogKind::Error);
 }
 

@@ -95,7 +95,7 @@ TEST(Editor, ShowsThePixelsThatTheRendererDrew) {
 TEST(Editor, DrawsTheSceneAgainOnlyWhenSomethingChanged) {
     HeadlessEditor editor(options(1280, 720));
     editor.settle();
-    const EditorActions still = editor.frame();
+    const EditorRequests still = editor.frame();
     EXPECT_FALSE(editor.model().fulfil(still));
     editor.model().state.settings.bias.constant += 1;
     EXPECT_TRUE(editor.model().fulfil(still));
@@ -145,15 +145,15 @@ TEST(Editor, APresetSavedAndOpenedIsTheSame) {
     s.lights[0].azimuth = 12.5;
     s.view.overlay = 2;
     const Settings saved = s;
-    EditorActions actions = editor.frame();
-    actions.save_preset = file.string();
-    editor.model().fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.save_preset = file.string();
+    editor.model().fulfil(requests);
     ASSERT_TRUE(std::filesystem::exists(file));
     EXPECT_EQ(load_preset(file.string()).scene, "boxes");
     s = Settings{};
-    actions.save_preset.reset();
-    actions.load_preset = file.string();
-    editor.model().fulfil(actions);
+    requests.save_preset.reset();
+    requests.load_preset = file.string();
+    editor.model().fulfil(requests);
     EXPECT_EQ(s, saved);
     expect_calm(editor);
 }

@@ -201,14 +201,14 @@ TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     const auto measure = ui.find("bottom", "", "Measure what is saved");
     ASSERT_TRUE(measure);
     ui.click(*measure);
-    EXPECT_TRUE(ui.last_wish.measure_saved);
-    ui.effects.measuring_saved = TuneFacts{"frames in turns", 0.4};
+    EXPECT_TRUE(ui.last_requests.measure_saved);
+    ui.effects.measuring_saved = SearchProgress{"frames in turns", 0.4};
     ui.frames(3);
     EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
     const auto cancel = ui.find("bottom", "", "Cancel##saved");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_wish.cancel_saved);
+    EXPECT_TRUE(ui.last_requests.cancel_saved);
 }
 
 EditorOptions editor_of(const char* scene, std::vector<std::string> sets = {}) {
@@ -301,9 +301,9 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
         editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved);
-    EditorActions actions = editor.frame();
-    actions.measure_saved = true;
-    EXPECT_TRUE(editor.model().fulfil(actions));
+    EditorRequests requests = editor.frame();
+    requests.measure_saved = true;
+    EXPECT_TRUE(editor.model().fulfil(requests));
     EXPECT_TRUE(editor.model().measuring());
     EXPECT_TRUE(editor.model().facts().measuring_saved);
     editor.settle();
@@ -316,11 +316,11 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.model().state.settings.map.resolution = 512;
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current);
-    actions = editor.frame();
-    actions.measure_saved = true;
-    editor.model().fulfil(actions);
-    actions.measure_saved = false, actions.cancel_saved = true;
-    editor.model().fulfil(actions);
+    requests = editor.frame();
+    requests.measure_saved = true;
+    editor.model().fulfil(requests);
+    requests.measure_saved = false, requests.cancel_saved = true;
+    editor.model().fulfil(requests);
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current) << "a cancelled measurement tells nothing";
 }

@@ -132,8 +132,8 @@ TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
                     if (variant == 2) ui.against->picture = ui.against->difference = made_up.colour;
                     if (variant == 1) ui.against->problem = "no such preset";
                 }
-                const EditorActions actions = ui.frames(3);
-                EXPECT_GT(actions.scene_width, 100);
+                const EditorRequests requests = ui.frames(3);
+                EXPECT_GT(requests.scene_width, 100);
                 EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000);
             }
         }

@@ -108,10 +108,10 @@ TEST(FrameDesk, PicturesAndNumbersAreThoseOfWhoWaits) {
 TEST(FrameDesk, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
     const auto editor = hasty_editor();
     choose(*editor, "pcf5");
-    EditorActions actions = editor->frame();
+    EditorRequests requests = editor->frame();
     ASSERT_TRUE(editor->model().drawing());
-    actions.save_error = "/nowhere/error.json";
-    editor->model().fulfil(actions);
+    requests.save_error = "/nowhere/error.json";
+    editor->model().fulfil(requests);
     editor->settle();
     const auto& lines = editor->model().state.log.lines();
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
@@ -132,10 +132,10 @@ TEST(FrameDesk, ASceneThatArrivesMeanwhileIsShownNext) {
 
 TEST(FrameDesk, AFrameThatFailsIsALineInTheLog) {
     const auto editor = hasty_editor();
-    EditorActions actions = editor->frame();
+    EditorRequests requests = editor->frame();
     editor->settle();
-    actions.scene_width = 1 << 20;
-    editor->model().fulfil(actions);
+    requests.scene_width = 1 << 20;
+    editor->model().fulfil(requests);
     editor->model().finish_drawing();
     EXPECT_FALSE(std::string(editor->model().facts().problem).empty());
     EXPECT_GT(editor->model().state.log.unseen_errors(), 0);

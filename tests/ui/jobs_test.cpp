@@ -433,7 +433,7 @@ TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
         keys("space");
         wait_until([&] { return program_->cpu_seconds() > before + 0.5; });  // it draws while it plays
         key("space");
-        EditorActions open;
+        EditorRequests open;
         open.load_scene = leaf;
         editor_->model().fulfil(open);
         editor_->settle();

@@ -102,10 +102,10 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ui.click(*search + glm::vec2(0, 60));  // among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
     io.KeysDown[402] = true;
-    const EditorActions wish = ui.frame();
+    const EditorRequests request = ui.frame();
     io.KeysDown[402] = false;
     ui.frames(3);
-    EXPECT_TRUE(wish.load_preset);
+    EXPECT_TRUE(request.load_preset);
     EXPECT_EQ(ImGui::GetCurrentContext()->NavId, focused);
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }

@@ -53,12 +53,12 @@ TEST_F(LabPanelTest, ItsButtonsWish) {
         ui.click(*at);
     };
     press("ways", "Compare ways");
-    EXPECT_TRUE(ui.last_wish.compare_pipelines);
+    EXPECT_TRUE(ui.last_requests.compare_pipelines);
     press("crawling", "Measure shimmer");
-    ASSERT_TRUE(ui.last_wish.measure_shimmer);
-    EXPECT_EQ(ui.last_wish.measure_shimmer->motion, ShimmerMotion::LightTurns);
-    EXPECT_EQ(ui.last_wish.measure_shimmer->steps, 5);
-    ui.lab.measuring_shimmer = TuneFacts{"As set", 0.4};
+    ASSERT_TRUE(ui.last_requests.measure_shimmer);
+    EXPECT_EQ(ui.last_requests.measure_shimmer->motion, ShimmerMotion::LightTurns);
+    EXPECT_EQ(ui.last_requests.measure_shimmer->steps, 5);
+    ui.lab.measuring_shimmer = SearchProgress{"As set", 0.4};
     ui.frames(2);
     EXPECT_NE(shown_by(ui).find("40%"), std::string::npos);
 }
@@ -72,11 +72,12 @@ TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
-    wish.compare_pipelines = true, wish.measure_shimmer = ShimmerOptions{.steps = 2};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width,
+    request.scene_height = model.facts().result->colour.height;
+    request.compare_pipelines = true, request.measure_shimmer = ShimmerOptions{.steps = 2};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().comparing_pipelines);
     editor.settle();
     EXPECT_EQ(model.state.settings, settings);

@@ -30,7 +30,7 @@ struct Shown : UiHarness {
             if (w->WasActive && std::string_view(w->Name).starts_with("editor/" + std::string(name) + "_")) return w;
         return nullptr;
     }
-    EditorActions key(int code) {
+    EditorRequests key(int code) {
         ImGui::GetIO().KeysDown[code] = true;
         frame();
         ImGui::GetIO().KeysDown[code] = false;
@@ -77,7 +77,7 @@ TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
     ui.state.maximised = si::Panel::Scene;
     ui.state.open_tab = BottomTab::Error;
     ui.frames(3);
-    const EditorActions alone = ui.frame();
+    const EditorRequests alone = ui.frame();
     EXPECT_FALSE(alone.redraw);
     EXPECT_TRUE(alone.at_rest);
     EXPECT_FALSE(alone.want_timing) << "of the tab below";
@@ -485,8 +485,8 @@ TEST(Layout, HelpIsReadAtAGlance) {
         EXPECT_GE(help->Pos.y, 0);
         EXPECT_LE(help->Pos.x + help->Size.x, float(w));
         EXPECT_LE(help->Pos.y + help->Size.y, float(h));
-        for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways",
-                                 "screenshot of the scene", "Double-click a splitter", "as wide as at first"})
+        for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways", "screenshot of the scene",
+                                 "Double-click a splitter", "as wide as at first"})
             EXPECT_TRUE(ui.drawn().shows(text)) << text << " at " << w;
     }
 }

@@ -167,9 +167,9 @@ TEST(MapViewer, SavesTheStoredDepth) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
-    EditorActions actions = editor.frame();
-    actions.save_map = file.string();
-    editor.model().fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.save_map = file.string();
+    editor.model().fulfil(requests);
     std::ifstream in(file, std::ios::binary);
     std::string magic;
     int width = 0, height = 0;
@@ -180,11 +180,11 @@ TEST(MapViewer, SavesTheStoredDepth) {
     editor.settle();  // saving drew other passes: the editor's picture is whole again
     EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
 
-    actions.save_map = "/no/such/folder/map.pfm";
-    editor.model().fulfil(actions);
+    requests.save_map = "/no/such/folder/map.pfm";
+    editor.model().fulfil(requests);
     EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
-    actions.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
-    editor.model().fulfil(actions);
+    requests.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
+    editor.model().fulfil(requests);
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
 }
 

@@ -135,9 +135,9 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
 TEST(Panels, DrawWithoutAFrameAndWithoutLights) {
     UiHarness ui(kWidth, kHeight);
     ui.with_facts = false;
-    const EditorActions actions = ui.frames(3);
-    EXPECT_GT(actions.scene_width, 300);
-    EXPECT_GT(actions.scene_height, 200);
+    const EditorRequests requests = ui.frames(3);
+    EXPECT_GT(requests.scene_width, 300);
+    EXPECT_GT(requests.scene_height, 200);
     ui.with_facts = true;
     ui.state.settings.light_count = 0;
     ui.frames(3);
@@ -147,11 +147,11 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
     for (const auto& [w, h, scale] :
          {std::tuple{1280, 720, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
-        const EditorActions actions = ui.frames(4);
-        EXPECT_GT(actions.scene_width, w / 6) << w;
-        EXPECT_LT(actions.scene_width, w) << w;
-        EXPECT_GT(actions.scene_height, h / 4) << w;
-        EXPECT_LT(actions.scene_height, h) << w;
+        const EditorRequests requests = ui.frames(4);
+        EXPECT_GT(requests.scene_width, w / 6) << w;
+        EXPECT_LT(requests.scene_width, w) << w;
+        EXPECT_GT(requests.scene_height, h / 4) << w;
+        EXPECT_LT(requests.scene_height, h) << w;
     }
 }
 
@@ -494,7 +494,7 @@ TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
     UiHarness ui(kWidth, kHeight);
     DepthHistogram histogram;
     histogram.counts.assign(100, 5);
-    ui.map_facts = MapFacts{{}, histogram};
+    ui.map_facts = MapPlots{{}, histogram};
     ui.state.settings.view.map_fit = true;
     ui.state.history.reset(ui.state.settings);
     ui.frames(3);

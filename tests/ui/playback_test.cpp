@@ -52,11 +52,11 @@ struct Bar {
         return {};
     }
     double time() const { return ui.state.settings.scene.time; }
-    EditorActions space() {
+    EditorRequests space() {
         ImGui::GetIO().KeysDown[' '] = true;
-        const EditorActions actions = ui.frame();
+        const EditorRequests requests = ui.frame();
         ImGui::GetIO().KeysDown[' '] = false;
-        return actions;
+        return requests;
     }
 };
 

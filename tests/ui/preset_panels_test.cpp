@@ -36,8 +36,8 @@ ImGuiWindow* window_of(const char* part) {
 }
 
 /// Clicks along a row of pixels until something is wished for; the wishes of that frame.
-template <class Wished>
-std::optional<EditorActions> click_along(UiHarness& ui, float x0, float x1, float y, Wished wished) {
+template <class Requested>
+std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, float y, Requested requested) {
     for (float x = x0; x < x1; x += 6) {
         ui.move({x, y});
         ui.frames(2);
@@ -45,7 +45,7 @@ std::optional<EditorActions> click_along(UiHarness& ui, float x0, float x1, floa
         ui.frame();
         ui.press(false);
         for (int i = 0; i < 2; ++i)
-            if (const EditorActions actions = ui.frame(); wished(actions)) return actions;
+            if (const EditorRequests requests = ui.frame(); requested(requests)) return requests;
     }
     return {};
 }
@@ -70,7 +70,7 @@ class PresetPanels : public testing::TestWithParam<std::tuple<int, int, float>> 
 TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     const auto [w, h, scale] = GetParam();
     UiHarness ui(w, h, scale);
-    const EditorActions bare = ui.frames(4);
+    const EditorRequests bare = ui.frames(4);
     ui.presets = guided(), ui.hard_cases = hard();
     ui.lost = LostFacts{"/a/rather/long/folder/name/with/a/scene of many words.glb", "less than a minute ago"};
     std::vector<PresetEntry> all = ui.presets;
@@ -78,11 +78,11 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     std::optional<int> guided_height;
     for (const PresetEntry& p : all) {
         ui.state.guide = {p.key, p.title, p.about};
-        const EditorActions actions = ui.frames(3);
+        const EditorRequests requests = ui.frames(3);
         // The view in which presets are compared stays where it is while one walks through them.
         if (&p < &all[ui.presets.size()]) {
-            if (!guided_height) guided_height = actions.scene_height;
-            EXPECT_EQ(actions.scene_height, *guided_height) << p.key;
+            if (!guided_height) guided_height = requests.scene_height;
+            EXPECT_EQ(requests.scene_height, *guided_height) << p.key;
         }
         for (const char* name : {"guide", "lost session"}) {
             const ImGuiWindow* strip = window_of(name);
@@ -91,8 +91,8 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
             EXPECT_EQ(strip->ScrollMax.x, 0) << p.key << " is cut off in " << name;
             EXPECT_LE(strip->Pos.x + strip->Size.x, float(w));
         }
-        EXPECT_EQ(actions.scene_width, bare.scene_width);
-        EXPECT_GT(actions.scene_height, h / 8) << p.key;
+        EXPECT_EQ(requests.scene_width, bare.scene_width);
+        EXPECT_GT(requests.scene_height, h / 8) << p.key;
     }
     ui.state.file_dialog = {};
     ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
@@ -119,13 +119,13 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
         return glm::vec4(w->Pos.x, w->Pos.x + w->Size.x, w->Pos.y + ImGui::GetFrameHeight() * 0.75f, 0);
     };
     const glm::vec4 at = row("guide");
-    const auto loads = [](const EditorActions& a) { return a.load_preset.has_value(); };
+    const auto loads = [](const EditorRequests& a) { return a.load_preset.has_value(); };
     const auto before = click_along(ui, at.x, at.y, at.z, loads);
     ASSERT_TRUE(before);
     EXPECT_EQ(*before->load_preset, ui.presets[0].key);
-    const auto loads_third = [&](const EditorActions& a) { return a.load_preset == ui.presets[2].key; };
+    const auto loads_third = [&](const EditorRequests& a) { return a.load_preset == ui.presets[2].key; };
     EXPECT_TRUE(click_along(ui, at.x, at.y, at.z, loads_third));
-    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorActions&) { return !ui.state.hidden_guide.empty(); });
+    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorRequests&) { return !ui.state.hidden_guide.empty(); });
     EXPECT_EQ(ui.state.hidden_guide, second.key);
     ui.frames(2);
     EXPECT_FALSE(window_of("guide")) << "hidden";
@@ -134,8 +134,8 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().shows("The last session has unsaved changes"));
     const glm::vec4 lost = row("lost session");
-    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.restore_lost; }));
-    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorActions& a) { return a.discard_lost; }));
+    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.restore_lost; }));
+    EXPECT_TRUE(click_along(ui, lost.x, lost.y, lost.z, [](const EditorRequests& a) { return a.discard_lost; }));
 }
 
 TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
@@ -148,11 +148,11 @@ TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
     const ImGuiWindow* strip = window_of("driver reset");
     ASSERT_TRUE(strip);
     const float left = strip->Pos.x, right = left + strip->Size.x, y = strip->Pos.y + ImGui::GetFrameHeight() * 0.75f;
-    const auto saves = [](const EditorActions& a) { return a.save_preset.has_value(); };
+    const auto saves = [](const EditorRequests& a) { return a.save_preset.has_value(); };
     const auto saved = click_along(ui, left, right, y, saves);
     ASSERT_TRUE(saved);
     EXPECT_EQ(*saved->save_preset, "mine.json");
-    click_along(ui, left, right, y, [](const EditorActions&) { return window_of("Save the preset as") != nullptr; });
+    click_along(ui, left, right, y, [](const EditorRequests&) { return window_of("Save the preset as") != nullptr; });
     EXPECT_TRUE(window_of("Save the preset as"));
 }
 
@@ -170,10 +170,10 @@ TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     ui.frames(2);
     const auto press = [&](ImGuiKey key) {
         press_key(key);
-        const EditorActions actions = ui.frame();
+        const EditorRequests requests = ui.frame();
         release_key(key);
         ui.frame();
-        return actions.load_preset;
+        return requests.load_preset;
     };
     EXPECT_EQ(press(ImGuiKey_PageDown), ui.presets.front().key);
     EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets.back().key) << "from nowhere backwards: the last";
@@ -189,7 +189,7 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     ui.frames(2);
-    click_along(ui, 230, 400, 19, [](const EditorActions&) { return window_of("##Popup") != nullptr; });
+    click_along(ui, 230, 400, 19, [](const EditorRequests&) { return window_of("##Popup") != nullptr; });
     ui.frames(3);
     const ImGuiWindow* menu = window_of("##Popup");
     ASSERT_TRUE(menu) << "the button was not found";
@@ -197,7 +197,7 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
     EXPECT_LE(menu->Pos.y + menu->Size.y, 720.5f);
     EXPECT_EQ(menu->ScrollMax.x, 0);
     const auto chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
-                                    [](const EditorActions& a) { return a.load_preset.has_value(); });
+                                    [](const EditorRequests& a) { return a.load_preset.has_value(); });
     ASSERT_TRUE(chosen);
     EXPECT_EQ(*chosen->load_preset, ui.presets.front().key);
 }
@@ -207,8 +207,8 @@ TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     map_page_keys();
     ui.presets = guided(), ui.hard_cases = hard();
     ui.frames(2);
-    const auto opened = [](const EditorActions&) { return window_of("##Popup") != nullptr; };
-    std::optional<EditorActions> chosen;
+    const auto opened = [](const EditorRequests&) { return window_of("##Popup") != nullptr; };
+    std::optional<EditorRequests> chosen;
     // Right of the guided presets; the first popup that lists hard cases.
     for (float x = 380; x < 620 && !(chosen && chosen->load_preset->starts_with("hard/")); x += 24) {
         if (!click_along(ui, x, x + 6, 19, opened)) continue;
@@ -217,7 +217,7 @@ TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
         ASSERT_TRUE(menu);
         EXPECT_EQ(menu->ScrollMax.x, 0);
         chosen = click_along(ui, menu->Pos.x + 100, menu->Pos.x + 130, menu->Pos.y + 60,
-                             [](const EditorActions& a) { return a.load_preset.has_value(); });
+                             [](const EditorRequests& a) { return a.load_preset.has_value(); });
         ui.frames(2);
     }
     ASSERT_TRUE(chosen) << "the button was not found";
@@ -286,7 +286,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     EXPECT_EQ(dialog.entries.size(), 2u) << "no scenes among presets";
     ui.frames(3);
     press_key(ImGuiKey_Enter);
-    EditorActions saved = ui.frame();
+    EditorRequests saved = ui.frame();
     release_key(ImGuiKey_Enter);
     if (!saved.save_preset) saved = ui.frame();
     ASSERT_TRUE(saved.save_preset);
@@ -395,7 +395,7 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     const float left = question->Pos.x, right = left + question->Size.x;
     const float y = question->Pos.y + question->Size.y - ImGui::GetFrameHeight() * 0.8f;
     const auto agreed =
-        click_along(ui, left, right, y, [](const EditorActions& a) { return a.save_preset.has_value(); });
+        click_along(ui, left, right, y, [](const EditorRequests& a) { return a.save_preset.has_value(); });
     ASSERT_TRUE(agreed);
     EXPECT_EQ(*agreed->save_preset, "/a/b.json");
     EXPECT_EQ(agreed->save_about, "Look.");
@@ -404,7 +404,7 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     ui.state.replace = Replacement{"/a/b.json", {}};
     ui.frames(3);
     press_key(ImGuiKey_Escape);
-    const EditorActions cancelled = ui.frame();
+    const EditorRequests cancelled = ui.frame();
     release_key(ImGuiKey_Escape);
     EXPECT_FALSE(cancelled.save_preset);
     EXPECT_FALSE(ui.state.replace);

@@ -21,7 +21,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     ui.truth = TruthFacts{
         .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
-    ui.map_facts = MapFacts{};
+    ui.map_facts = MapPlots{};
     for (const BottomTab tab :
          {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects, BottomTab::Compare,
           BottomTab::Frontier, BottomTab::Advice, BottomTab::Lab, BottomTab::Log}) {

@@ -50,33 +50,34 @@ protected:
 TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     struct Measurement {
         const char* name;
-        void (*begin)(EditorActions&);
-        void (*cancel)(EditorActions&);  ///< null: it is waited for
+        void (*begin)(EditorRequests&);
+        void (*cancel)(EditorRequests&);  ///< null: it is waited for
     };
     const std::vector<Measurement> measurements = {
-        {"savings", [](EditorActions& a) { a.measure_saved = true; }, nullptr},
+        {"savings", [](EditorRequests& a) { a.measure_saved = true; }, nullptr},
         {"a sweep",
-         [](EditorActions& a) {
-             a.start_sweep = SweepWish{{"map.resolution=64,128"}, 64, 48, false};
+         [](EditorRequests& a) {
+             a.start_sweep = SweepRequest{{"map.resolution=64,128"}, 64, 48, false};
          },
          nullptr},
-        {"tuning", [](EditorActions& a) { a.tune = TuneWish{}; }, [](EditorActions& a) { a.cancel_tune = true; }},
-        {"cures", [](EditorActions& a) { a.find_cures = CureWish{}; }, [](EditorActions& a) { a.cancel_cures = true; }},
-        {"advice", [](EditorActions& a) { a.find_advice = AdviceWish{}; },
-         [](EditorActions& a) { a.cancel_advice = true; }},
-        {"ways", [](EditorActions& a) { a.compare_pipelines = true; },
-         [](EditorActions& a) { a.cancel_pipelines = true; }},
-        {"shimmer", [](EditorActions& a) { a.measure_shimmer = ShimmerOptions{.steps = 2}; },
-         [](EditorActions& a) { a.cancel_shimmer = true; }},
+        {"tuning", [](EditorRequests& a) { a.tune = TuneRequest{}; }, [](EditorRequests& a) { a.cancel_tune = true; }},
+        {"cures", [](EditorRequests& a) { a.find_cures = CureRequest{}; },
+         [](EditorRequests& a) { a.cancel_cures = true; }},
+        {"advice", [](EditorRequests& a) { a.find_advice = AdviceRequest{}; },
+         [](EditorRequests& a) { a.cancel_advice = true; }},
+        {"ways", [](EditorRequests& a) { a.compare_pipelines = true; },
+         [](EditorRequests& a) { a.cancel_pipelines = true; }},
+        {"shimmer", [](EditorRequests& a) { a.measure_shimmer = ShimmerOptions{.steps = 2}; },
+         [](EditorRequests& a) { a.cancel_shimmer = true; }},
     };
     for (const Measurement& m : measurements) {
         SCOPED_TRACE(m.name);
         ASSERT_NO_FATAL_FAILURE(begin_anew());
-        EditorActions actions = editor.frame();
-        ASSERT_TRUE(actions.at_rest && is_smooth()) << "nothing is measured yet";
+        EditorRequests requests = editor.frame();
+        ASSERT_TRUE(requests.at_rest && is_smooth()) << "nothing is measured yet";
         const auto begun = picture();
-        m.begin(actions);
-        model.fulfil(actions);
+        m.begin(requests);
+        model.fulfil(requests);
         ASSERT_TRUE(model.measuring());
         EXPECT_TRUE(picture() == begun) << "in the frame in which it begins";
         for (int i = 0; i < 5; ++i) {
@@ -86,9 +87,9 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         if (m.cancel) {
-            actions = editor.frame();
-            m.cancel(actions);
-            model.fulfil(actions);
+            requests = editor.frame();
+            m.cancel(requests);
+            model.fulfil(requests);
         }
         do {
             model.finish_measuring();

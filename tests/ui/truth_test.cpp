@@ -95,7 +95,7 @@ TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
         editor.frame();
     }
     ASSERT_TRUE(editor.model().tracing());
-    EditorActions cancel = editor.frame();
+    EditorRequests cancel = editor.frame();
     cancel.cancel_truth = true;
     editor.model().fulfil(cancel);
     editor.settle();
@@ -163,7 +163,7 @@ TEST(EditorTruth, SavesAllNumbers) {
     HeadlessEditor editor(options(kNoBias));
     editor.model().state.open_tab = BottomTab::Error;
     editor.settle();
-    EditorActions save = editor.frame();
+    EditorRequests save = editor.frame();
     save.save_error = file.string();
     editor.model().fulfil(save);
     editor.settle();
@@ -416,7 +416,7 @@ TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
         editor.frame();
     }
     ASSERT_TRUE(editor.model().tracing());
-    EditorActions cancel = editor.frame();
+    EditorRequests cancel = editor.frame();
     EXPECT_EQ(editor.model().facts().truth->doing, "Baking the light map");
     write_png(kOut / "editor_light_map_baking.png", editor.picture());
     cancel.cancel_truth = true;

@@ -87,7 +87,7 @@ UiHarness::~UiHarness() {
     ImGui::DestroyContext();
 }
 
-EditorActions UiHarness::frame() {
+EditorRequests UiHarness::frame() {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {float(width_), float(height_)};
     io.DeltaTime = float(frame_seconds);
@@ -125,28 +125,28 @@ EditorActions UiHarness::frame() {
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
         facts.cures = cures;
-        static_cast<EffectsShown&>(facts) = effects;
+        static_cast<EffectsFacts&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
-        static_cast<AdviceShown&>(facts) = advice;
-        static_cast<LabShown&>(facts) = lab;
+        static_cast<AdvicePanelFacts&>(facts) = advice;
+        static_cast<LabFacts&>(facts) = lab;
         facts.health = health;
         facts.memory = memory;
         facts.driver_reset = driver_reset;
     }
     ImGui::NewFrame();
-    EditorActions actions = draw_editor(state, facts);
+    EditorRequests requests = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
-        actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice ||
-        actions.compare_pipelines || actions.measure_shimmer)
-        last_wish = actions;
+    if (requests.tune || requests.cancel_tune || requests.find_cures || requests.cancel_cures ||
+        requests.forget_cures || requests.measure_saved || requests.cancel_saved || requests.find_advice ||
+        requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
+        last_requests = requests;
     io.MouseWheel = 0;
-    return actions;
+    return requests;
 }
 
-EditorActions UiHarness::frames(int count) {
-    EditorActions last;
+EditorRequests UiHarness::frames(int count) {
+    EditorRequests last;
     for (int i = 0; i < count; ++i) last = frame();
     return last;
 }
@@ -195,12 +195,12 @@ std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::f
         if (!w->WasActive || std::string(w->Name).find(window) == std::string::npos) continue;
         wanted.emplace_back(id(w->ID), w->InnerClipRect);
     }
-    for (const auto& [wished, rect] : wanted)
+    for (const auto& [requested, rect] : wanted)
         for (float y = rect.Min.y + 3; y < rect.Max.y; y += 7)
             for (float x = rect.Min.x + 5; x < rect.Max.x; x += 16) {
                 move({x, y});
                 frame();
-                if (hovered() == wished) return glm::vec2(x, y);
+                if (hovered() == requested) return glm::vec2(x, y);
             }
     return {};
 }

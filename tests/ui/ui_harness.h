@@ -41,19 +41,19 @@ public:
     std::optional<TruthFacts> truth;
     std::optional<LiveError> error;
     std::optional<AgainstFacts> against;
-    std::optional<MapFacts> map_facts;
+    std::optional<MapPlots> map_facts;
     std::vector<LostCaster> lost_casters;
     std::vector<Dossier> dossiers;
     Sections sections;
     bool tracing_probe = false;
     bool verdict_follows = false;  ///< the probe is of an earlier picture
-    std::optional<TuneFacts> tuning;
+    std::optional<SearchProgress> tuning;
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
     CureSearch cures;
-    EffectsShown effects;  ///< where its list is empty, that of the made-up frame
-    AdviceShown advice;
-    LabShown lab;
+    EffectsFacts effects;  ///< where its list is empty, that of the made-up frame
+    AdvicePanelFacts advice;
+    LabFacts lab;
     const NumericHealth* health = nullptr;
     const MemoryFacts* memory = nullptr;
     bool driver_reset = false;
@@ -64,8 +64,8 @@ public:
     std::string probed_object = "Root/Box";  ///< what probes find
 
     /// One frame, `frame_seconds` after the one before. What it prints must be text that its font has.
-    EditorActions frame();
-    EditorActions frames(int count);
+    EditorRequests frame();
+    EditorRequests frames(int count);
     void move(glm::vec2 to);
     void press(bool down, int button = 0);
     /// Press and release with frames between.
@@ -87,7 +87,7 @@ public:
     std::vector<DrawnText::Letter> letters() const { return drawn_->letters(); }
     const DrawnText& drawn() const { return *drawn_; }
 
-    EditorActions last_wish;  ///< of the last frame that asked for a search or its end
+    EditorRequests last_requests;  ///< of the last frame that asked for a search or its end
 
 private:
     int width_, height_;

@@ -97,20 +97,20 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
 TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     Viewport v;
     v.ui.move(kPicture);
-    EditorActions actions = v.ui.frames(2);
-    EXPECT_FALSE(actions.hold_cursor);
-    EXPECT_TRUE(actions.want_links && actions.want_overlay_values);
+    EditorRequests requests = v.ui.frames(2);
+    EXPECT_FALSE(requests.hold_cursor);
+    EXPECT_TRUE(requests.want_links && requests.want_overlay_values);
     for (const int button : {0, 1}) {
         v.ui.press(true, button);
         EXPECT_FALSE(v.ui.frames(2).hold_cursor) << "a click lets it be";
         v.ui.move(kPicture + glm::vec2(25, 10));
-        actions = v.ui.frames(2);
-        EXPECT_EQ(actions.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";
-        EXPECT_FALSE(actions.want_links || actions.want_overlay_values) << "read back in every frame of a drag";
+        requests = v.ui.frames(2);
+        EXPECT_EQ(requests.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";
+        EXPECT_FALSE(requests.want_links || requests.want_overlay_values) << "read back in every frame of a drag";
         v.ui.press(false, button);
-        actions = v.ui.frames(2);
-        EXPECT_FALSE(actions.hold_cursor);
-        EXPECT_TRUE(actions.want_links);
+        requests = v.ui.frames(2);
+        EXPECT_FALSE(requests.hold_cursor);
+        EXPECT_TRUE(requests.want_links);
         v.ui.move(kPicture);
     }
 }

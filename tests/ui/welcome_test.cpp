@@ -21,7 +21,7 @@ protected:
         ui.state.show_welcome = true;
         ui.frames(4);
     }
-    EditorActions click(const char* label) {
+    EditorRequests click(const char* label) {
         const auto at = ui.find("Welcome", "", label);
         EXPECT_TRUE(at) << label;
         if (!at) return {};

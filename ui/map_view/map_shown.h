@@ -18,21 +18,21 @@ struct MapWindow {
 };
 
 /// What the depth image in the map viewer holds.
-struct MapFacts {
+struct MapPlots {
     DepthStatistics statistics;
     DepthHistogram histogram;  ///< of the values that view.map shows
 };
 
-struct MapShown {
+struct MapPanelFacts {
     const FloatImage* map_values = nullptr;  ///< the map viewer's depth image as stored, row 0 at the top
-    const MapFacts* map_facts = nullptr;
+    const MapPlots* map_facts = nullptr;
     const FloatImage* map_coordinates = nullptr;  ///< FrameResult::map_coordinates read back
     const TexelUsage* texel_usage = nullptr;      ///< of the shown light and face
     const TexelUsage* frozen_usage = nullptr;     ///< the same by the pixels of state.frozen
     std::optional<double> exact_utilisation;      ///< share of the texels that kernels fetch: FrameResult::texels_read
 };
 
-struct MapActions {
+struct MapRequests {
     std::optional<std::string> save_map;
     bool want_map = false;
     bool want_map_values = false;    ///< the cursor is over the map

@@ -37,7 +37,7 @@ bool of_camera(const Settings& s) {
     return s.view.map_source == int(MapSource::Camera);
 }
 
-void save_menu(EditorState& state, EditorActions& actions) {
+void save_menu(EditorState& state, EditorRequests& requests) {
     menu_button("Save", "save map",
                 "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
                 "linear), .png the picture as shown",
@@ -48,7 +48,7 @@ void save_menu(EditorState& state, EditorActions& actions) {
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if ((ImGui::Button("Write") || entered) && !state.map_path.empty()) {
-        actions.save_map = state.map_path;
+        requests.save_map = state.map_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -101,7 +101,7 @@ bool has_room_for_plots(const EditorLayout& layout, float height) {
     return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
 }
 
-void header(EditorState& state, const FrameResult* result, EditorActions& actions) {
+void header(EditorState& state, const FrameResult* result, EditorRequests& requests) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
     const bool plots = has_room_for_plots(state.layout, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight());
@@ -148,7 +148,7 @@ void header(EditorState& state, const FrameResult* result, EditorActions& action
     });
     if (!of_camera(s)) bar.item("", check_width("Texels read"), [&](float) { exact_choice(state); });
     bar.item("Place", em * 9, [&](float room) { place_combo(state, room); });
-    bar.item("", em * 3, [&](float) { save_menu(state, actions); });
+    bar.item("", em * 3, [&](float) { save_menu(state, requests); });
     bar.end();
 }
 
@@ -283,10 +283,10 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     state.hovered_texel.reset();
-    header(state, frame.result, actions);
-    actions.want_map = true;
+    header(state, frame.result, requests);
+    requests.want_map = true;
     if (!frame.result) return;
     const FrameResult& result = *frame.result;
     const float em = ImGui::GetFontSize();
@@ -310,9 +310,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     const bool camera = of_camera(state.settings);
     const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
     const glm::ivec2 n = result.map_view_size;
-    actions.want_map_facts = plots;
-    actions.want_exact_texels = !camera && state.exact_texels && !state.frozen && !state.dragging;
-    actions.want_frozen_usage = !camera && state.frozen && !state.dragging;
+    requests.want_map_facts = plots;
+    requests.want_exact_texels = !camera && state.exact_texels && !state.frozen && !state.dragging;
+    requests.want_frozen_usage = !camera && state.frozen && !state.dragging;
 
     ImGui::InvisibleButton("map picture", size);
     const bool hovered = ImGui::IsItemHovered();
@@ -329,7 +329,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     list.AddRect(rect.lo, rect_end, theme::line());
     const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
     if (shows_texel_numbers(shown)) {
-        actions.want_map_values = true;
+        requests.want_map_values = true;
         if (frame.map_values) texel_numbers(shown, *frame.map_values, origin, end);
     }
     if (camera) {
@@ -358,8 +358,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions
     std::optional<double> marked_m;
     if (const std::string usage = usage_text(state, frame); !usage.empty() && !camera) append(text, usage);
     if (hovered) {
-        actions.want_map_values = true;
-        actions.want_links |= !camera;
+        requests.want_map_values = true;
+        requests.want_links |= !camera;
         const glm::dvec2 uv = rect.uv(ImGui::GetIO().MousePos);
         const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
         if (rect.holds(texel)) {

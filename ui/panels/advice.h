@@ -21,21 +21,21 @@ struct AdvicePanel {
 };
 
 /// Without bounds what the scene advises; with one the autopilot.
-struct AdviceWish {
+struct AdviceRequest {
     CostCase cost = kDefaultCost;
     std::optional<double> most_error, most_ms;
 };
 
-struct AdviceShown {
-    std::optional<TuneFacts> advising;                                       ///< under way
+struct AdvicePanelFacts {
+    std::optional<SearchProgress> advising;                                  ///< under way
     const AdviceReport* advice = nullptr;                                    ///< found last, of this scene
     const AutopilotResult* autopilot = nullptr;                              ///< the same; one of the two
     std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< key and value
     bool advice_current = false;                                             ///< of the present settings
 };
 
-struct AdviceActions {
-    std::optional<AdviceWish> find_advice;
+struct AdviceRequests {
+    std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;
 };
 

@@ -48,9 +48,9 @@ void bound(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, least);
 }
 
-void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorActions& actions) {
+void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorRequests& requests) {
     if (frame.advising) {
-        if (ImGui::Button("Cancel")) actions.cancel_advice = true;
+        if (ImGui::Button("Cancel")) requests.cancel_advice = true;
         progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
         wrapped_tooltip(frame.advising->about);
         ImGui::TextWrapped("%s", frame.advising->about.c_str());
@@ -59,7 +59,7 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
     choose_cost("Times", panel.cost);
     const bool ready = frame.scene != nullptr;
     ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Run")) actions.find_advice = AdviceWish{.cost = panel.cost};
+    if (ImGui::Button("Run")) requests.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
         "Nothing is changed.");
@@ -71,9 +71,9 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorAc
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
     if (ImGui::Button("Autopilot")) {
-        actions.find_advice = AdviceWish{.cost = panel.cost};
-        if (panel.bound_error) actions.find_advice->most_error = panel.most_error;
-        if (panel.bound_ms) actions.find_advice->most_ms = panel.most_ms;
+        requests.find_advice = AdviceRequest{.cost = panel.cost};
+        if (panel.bound_error) requests.find_advice->most_error = panel.most_error;
+        if (panel.bound_ms) requests.find_advice->most_ms = panel.most_ms;
     }
     ImGui::EndDisabled();
     wrapped_tooltip(
@@ -164,10 +164,10 @@ void show_flight(Settings& settings, const AutopilotResult& r, bool current, Cha
 
 }  // namespace
 
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
-    draw_advice_controls(state.advice, frame, actions);
+    draw_advice_controls(state.advice, frame, requests);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);

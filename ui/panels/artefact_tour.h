@@ -12,7 +12,7 @@
 namespace si {
 
 /// The clusters of a cause in the picture shown are asked for.
-struct ArtefactWish {
+struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< another one for each wish; 0: none was made
 };

@@ -99,7 +99,7 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
 
 }  // namespace
 
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Compared with");
@@ -148,7 +148,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& a
         cell(scene_label(state.scene_name), theme::accent());
         cell(scene_label(scene), theme::text());
         ImGui::TableNextColumn();
-        if (ImGui::Button("Use")) actions.load_scene = scene;
+        if (ImGui::Button("Use")) requests.load_scene = scene;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");
     }
     ImGuiListClipper clipper;

@@ -11,20 +11,20 @@ namespace si {
 struct CureTable;  // renderer/measure/cures.h
 
 /// What is to be cured: a pixel, or nothing for the whole picture.
-struct CureWish {
+struct CureRequest {
     std::optional<glm::ivec2> pixel;
 };
 
 /// A search for what puts wrong pixels right.
 struct CureSearch {
-    std::optional<TuneFacts> running;
+    std::optional<SearchProgress> running;
     const CureTable* table = nullptr;  ///< that was found last
     std::optional<glm::ivec2> pixel;   ///< that it is about; none: the picture
     bool current = false;              ///< it is about the present settings
 };
 
-struct CureActions {
-    std::optional<CureWish> find_cures;
+struct CureRequests {
+    std::optional<CureRequest> find_cures;
     bool cancel_cures = false, forget_cures = false;
 };
 

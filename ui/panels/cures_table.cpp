@@ -56,17 +56,17 @@ void row(const Cure& cure, const CureTable& table, bool current, Settings& setti
 
 }  // namespace
 
-void cures_button(const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel, bool ready,
+void cures_button(const CureSearch& search, CureRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##cures")) actions.cancel_cures = true;
+        if (ImGui::Button("Cancel##cures")) requests.cancel_cures = true;
         return;
     }
     ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find cures")) actions.find_cures = CureWish{pixel};
+    if (ImGui::Button("Find cures")) requests.find_cures = CureRequest{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
@@ -74,14 +74,15 @@ void cures_button(const CureSearch& search, CureActions& actions, std::optional<
                         : "Nothing is wrong here.");
 }
 
-void cures_table(Settings& settings, const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel) {
+void cures_table(Settings& settings, const CureSearch& search, CureRequests& requests,
+                 std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
     else
         ImGui::TextDisabled("of other settings: search again");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Close##cures")) actions.forget_cures = true;
+    if (ImGui::SmallButton("Close##cures")) requests.forget_cures = true;
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;

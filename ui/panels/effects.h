@@ -18,14 +18,14 @@ struct EffectsPanel {
     bool hide_uncalled = false;  ///< list only what is simulated or kept
 };
 
-struct EffectsShown {
-    std::span<const Effect> effects;           ///< empty unless asked for
-    const SavedTimes* saved = nullptr;         ///< that were measured last; null: none, or of another scene
-    bool saved_current = false;                ///< they are of the present settings and picture
-    std::optional<TuneFacts> measuring_saved;  ///< under way
+struct EffectsFacts {
+    std::span<const Effect> effects;                ///< empty unless asked for
+    const SavedTimes* saved = nullptr;              ///< that were measured last; null: none, or of another scene
+    bool saved_current = false;                     ///< they are of the present settings and picture
+    std::optional<SearchProgress> measuring_saved;  ///< under way
 };
 
-struct EffectsActions {
+struct EffectsRequests {
     bool want_effects = false;  ///< the panel is shown
     bool measure_saved = false, cancel_saved = false;
 };

@@ -84,23 +84,23 @@ void force_box(SavingSet& forced, Saving saving, const char* label) {
                                 row_of(saving).label, row_of(saving).help));
 }
 
-void measure_button(const EditorFrame& frame, EditorActions& actions) {
+void measure_button(const EditorFrame& frame, EditorRequests& requests) {
     if (frame.measuring_saved) {
         const std::string text =
             fmt::format("{:.0f} %  {}", 100 * frame.measuring_saved->progress, frame.measuring_saved->about);
         progress_bar(frame.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##saved")) actions.cancel_saved = true;
+        if (ImGui::Button("Cancel##saved")) requests.cancel_saved = true;
         return;
     }
-    if (ImGui::Button("Measure what is saved")) actions.measure_saved = true;
+    if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
     wrapped_tooltip(
         "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
         "difference in milliseconds with its interval.");
 }
 
-void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    measure_button(frame, actions);
+void tools(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    measure_button(frame, requests);
     SavingSet& forced = state.effects.forced;
     int count = 0;
     for (std::size_t i = 0; i < kSavings; ++i) count += forced.contains(Saving(i));
@@ -283,13 +283,13 @@ void clock_line(const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    actions.want_effects = true;
+void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    requests.want_effects = true;
     if (!frame.result) {
         ImGui::TextDisabled("No frame yet.");
         return;
     }
-    tools(state, frame, actions);
+    tools(state, frame, requests);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
                                       ImGuiTableFlags_NoSavedSettings;

@@ -143,7 +143,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
     ImGui::PopID();
 }
 
-void save_button(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const bool there = frame.error != nullptr;
     ImGui::BeginDisabled(!there);
     if (ImGui::Button("Save…")) ImGui::OpenPopup("save error");
@@ -156,7 +156,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorActions& ac
         ImGui::InputTextWithHint("##file", "file.json", &state.error_path, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if ((ImGui::Button("Write") || entered) && !state.error_path.empty()) {
-        actions.save_error = state.error_path;
+        requests.save_error = state.error_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -164,7 +164,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorActions& ac
 
 }  // namespace
 
-void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     Settings& s = state.settings;
     if (!frame.truth) {
@@ -183,9 +183,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
     labelled("Every n-th pixel", "truth.step", em * 4);
     flow(em * 4);
-    save_button(state, frame, actions);
+    save_button(state, frame, requests);
     flow(em * 6);
-    cures_button(frame.cures, actions, {}, frame.result && frame.scene,
+    cures_button(frame.cures, requests, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     const std::string tour = artefact_tour_text(state), status = truth_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -197,9 +197,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     ImGui::TextDisabled("%s", status.c_str());
     if (busy && !frame.truth->current) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
+        if (ImGui::SmallButton("Cancel")) requests.cancel_truth = true;
     }
-    cures_table(s, frame.cures, actions, {});
+    cures_table(s, frame.cures, requests, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

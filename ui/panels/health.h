@@ -8,12 +8,12 @@
 
 namespace si {
 
-struct HealthShown {
+struct HealthFacts {
     const NumericHealth* health = nullptr;  ///< of the frame shown; null: not asked for, or not there yet
     const MemoryFacts* memory = nullptr;    ///< of the process; null: not asked for, or not there yet
 };
 
-struct HealthActions {
+struct HealthRequests {
     bool want_health = false;  ///< the panel is shown: the frame's numbers are searched
     bool want_memory = false;  ///< the panel is shown: memory and its holders are asked for
     bool search_all = false;   ///< no picture is left out, whatever is shown

@@ -93,8 +93,8 @@ void draw_memory(const MemoryFacts& memory) {
 
 }  // namespace
 
-void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    actions.want_health = actions.want_memory = true;
+void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    requests.want_health = requests.want_memory = true;
     if (frame.memory) draw_memory(*frame.memory);
     if (!frame.result) {
         ImGui::TextDisabled("No frame yet.");

@@ -20,15 +20,15 @@ struct ShimmerShown {
     Shimmer shimmer;
 };
 
-struct LabShown {
-    std::optional<TuneFacts> comparing_pipelines, measuring_shimmer;  ///< under way
-    std::span<const PipelineError> pipelines;                         ///< measured last, of this scene; empty: none
+struct LabFacts {
+    std::optional<SearchProgress> comparing_pipelines, measuring_shimmer;  ///< under way
+    std::span<const PipelineError> pipelines;  ///< measured last, of this scene; empty: none
     std::span<const ShimmerShown> shimmer;
     ShimmerOptions shimmer_of;                                ///< what `shimmer` was measured with
     bool pipelines_current = false, shimmer_current = false;  ///< of the present settings and picture
 };
 
-struct LabActions {
+struct LabRequests {
     bool compare_pipelines = false, cancel_pipelines = false;
     std::optional<ShimmerOptions> measure_shimmer;
     bool cancel_shimmer = false;

@@ -61,7 +61,7 @@ void place_rows(EditorState& state) {
 }
 
 /// A button that starts a measurement, or how far it is and one that ends it.
-bool measure_button(const char* label, const char* about, const std::optional<TuneFacts>& running, bool ready,
+bool measure_button(const char* label, const char* about, const std::optional<SearchProgress>& running, bool ready,
                     bool& cancel) {
     bool pressed = false;
     if (running) {
@@ -99,13 +99,13 @@ std::string choice_label(std::string_view key, int value) {
     return std::string(find_setting(key)->param->choices()[std::size_t(value)].label);
 }
 
-void pipelines_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     heading("Single precision against double");
     if (measure_button("Compare ways",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
                        "each pixel's with double precision.",
-                       frame.comparing_pipelines, frame.scene != nullptr, actions.cancel_pipelines))
-        actions.compare_pipelines = true;
+                       frame.comparing_pipelines, frame.scene != nullptr, requests.cancel_pipelines))
+        requests.compare_pipelines = true;
     if (frame.result && frame.result->precision && !frame.comparing_pipelines) {
         const Precision& p = *frame.result->precision;
         ImGui::SameLine();
@@ -164,14 +164,14 @@ void motion_widgets(ShimmerOptions& options) {
     options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
 }
 
-void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void shimmer_part(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     heading("Shimmer");
     motion_widgets(state.lab.shimmer);
     if (measure_button("Measure shimmer",
                        "Moves the camera that maps are made for, or the light, by parts of a texel while the picture "
                        "stands still, and counts the pixels whose visibility crosses one half.",
-                       frame.measuring_shimmer, frame.scene != nullptr, actions.cancel_shimmer))
-        actions.measure_shimmer = state.lab.shimmer;
+                       frame.measuring_shimmer, frame.scene != nullptr, requests.cancel_shimmer))
+        requests.measure_shimmer = state.lab.shimmer;
     if (frame.shimmer.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("shimmer", {{"Map", "The present settings, and the fit stabilised with and without light.snap"},
                                    {"Flips a step", "Pixels whose visibility crosses one half, mean over steps"},
@@ -200,7 +200,7 @@ void shimmer_part(EditorState& state, const EditorFrame& frame, EditorActions& a
 
 }  // namespace
 
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float gap = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x - 2 * gap;
     const auto part = [&](const char* id, float share, const auto& draw) {
         ImGui::BeginChild(id, {share * width, 0}, false);
@@ -209,9 +209,9 @@ void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actio
     };
     part("place", 0.28f, [&] { place_rows(state); });
     ImGui::SameLine(0, gap);
-    part("ways", 0.40f, [&] { pipelines_part(state, frame, actions); });
+    part("ways", 0.40f, [&] { pipelines_part(state, frame, requests); });
     ImGui::SameLine(0, gap);
-    part("crawling", 0.32f, [&] { shimmer_part(state, frame, actions); });
+    part("crawling", 0.32f, [&] { shimmer_part(state, frame, requests); });
 }
 
 }  // namespace si

@@ -137,7 +137,7 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
     return runs;
 }
 
-void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     const GuideNote& guide = state.guide;
     if (guide.about.empty() || state.hidden_guide == guide.key) return;
     const std::span<const PresetEntry> walk = open_walk(state, frame);
@@ -156,31 +156,31 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorActions& act
         if (built_in) {
             if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
                             at != walk.begin()))
-                actions.load_preset = neighbour_preset(state, frame, -1);
+                requests.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
             if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
                             std::next(at) != walk.end()))
-                actions.load_preset = neighbour_preset(state, frame, +1);
+                requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
         if (hint_button("Hide", "Until another preset is opened")) state.hidden_guide = guide.key;
     });
 }
 
-void draw_lost(const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_lost(const EditorFrame& frame, EditorRequests& requests, float width) {
     if (!frame.lost) return;
     const std::string text =
         fmt::format("The last session has unsaved changes: {}, {}.", scene_label(frame.lost->scene), frame.lost->when);
     strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, 0,
           [&] {
               if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
-                  actions.restore_lost = true;
+                  requests.restore_lost = true;
               ImGui::SameLine();
-              if (hint_button("Discard", "Forgets it for good")) actions.discard_lost = true;
+              if (hint_button("Discard", "Forgets it for good")) requests.discard_lost = true;
           });
 }
 
-void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     if (!frame.driver_reset) return;
     constexpr const char* kText =
         "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
@@ -188,7 +188,7 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorActions& act
     strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
           0, [&] {
               if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
-                  actions.save_preset = state.preset_path;
+                  requests.save_preset = state.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))
                   ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
@@ -214,11 +214,11 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
     return walk[std::size_t(to)].key;
 }
 
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width) {
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     ImGui::BeginGroup();
-    draw_reset(state, frame, actions, width);
-    draw_lost(frame, actions, width);
-    draw_guide(state, frame, actions, width);
+    draw_reset(state, frame, requests, width);
+    draw_lost(frame, requests, width);
+    draw_guide(state, frame, requests, width);
     ImGui::EndGroup();
 }
 

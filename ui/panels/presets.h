@@ -23,14 +23,14 @@ struct Replacement {
     std::optional<std::string> about;
 };
 
-struct PresetsShown {
+struct PresetsFacts {
     std::span<const PresetEntry> presets, hard_cases;            ///< two walks, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
     bool unsaved = false;  ///< state.preset_path does not hold the present settings
     std::optional<LostFacts> lost;
 };
 
-struct PresetActions {
+struct PresetRequests {
     std::optional<std::string> load_scene, load_preset, save_preset;
     std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
     std::optional<std::string> save_about;  ///< the sentence to save along

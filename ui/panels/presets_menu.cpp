@@ -36,7 +36,7 @@ float presets_menu_width() {
 }
 
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorActions& actions) {
+                       EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
     ImGui::SetNextWindowSize({presets_menu_width(), height});
@@ -51,7 +51,7 @@ void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, con
             ImGui::Separator();
         }
         if (entry(preset, preset.key == state.guide.key, ImGui::GetContentRegionAvail().x)) {
-            actions.load_preset = preset.key;
+            requests.load_preset = preset.key;
             ImGui::CloseCurrentPopup();
         }
     }

@@ -283,7 +283,7 @@ float section_width(const Sections& sections, std::size_t light, float room) {
 
 }  // namespace
 
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     if (!state.probe_pixel) {
         ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
         return;
@@ -320,11 +320,11 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         reasons(
             light, dossier, state.settings, frame.result ? frame.result->map_resolution : 0,
             [&] {
-                if (judged) cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+                if (judged) cures_button(frame.cures, requests, state.probe_pixel, frame.result && frame.scene, wrong);
                 return judged;
             },
             [&] {
-                if (judged) cures_table(state.settings, frame.cures, actions, state.probe_pixel);
+                if (judged) cures_table(state.settings, frame.cures, requests, state.probe_pixel);
             });
     };
     if (probe->lights.empty()) return;

@@ -16,7 +16,7 @@ struct Dossier;
 /// Cross-sections of the probed pixel, one for each of its lights.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
-struct ProbeShown {
+struct ProbeFacts {
     const Probe* probe = nullptr;  ///< of state.probe_pixel
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::span<const Dossier> dossiers;  ///< one for each light of the probe, once the truth is there

@@ -157,7 +157,7 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
     ImGui::GetWindowDrawList()->AddText({from, corner.y + padding}, theme::muted(), text.c_str());
 }
 
-void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Group& group) {
+void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Group& group) {
     const Rows rows = rows_of(state, group.prefix);
     if (rows.shown.empty() && rows.folded.empty()) return;
     const bool filtered = !state.search.empty() || state.only_changed;
@@ -188,7 +188,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorActions& act
         const std::string why_not = frame.result && frame.scene
                                         ? why_nothing_to_tune(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
-        draw_tune_controls(state.tune, state.settings, frame, why_not, actions);
+        draw_tune_controls(state.tune, state.settings, frame, why_not, requests);
     }
     ImGui::PopID();
 }
@@ -201,7 +201,7 @@ std::string_view setting_group_label(std::string_view prefix) {
     return prefix;
 }
 
-void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     search_field("search", "Search settings", state.search, em * 7.2f, "; other engines' names count too");
     ImGui::SameLine();
@@ -215,7 +215,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& 
     nearest_first(shown, state);
     for (const Group& group : shown) {
         any |= !rows_of(state, group.prefix).shown.empty();
-        draw_group(state, frame, actions, group);
+        draw_group(state, frame, requests, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
     if (!any)

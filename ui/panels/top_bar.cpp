@@ -31,24 +31,24 @@ bool button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
-void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& wish) {
+void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& request) {
     if (!ImGui::BeginMenu(label, !paths.empty())) return;
     for (const std::string& path : paths) {
-        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) wish = path;
+        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) request = path;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
     }
     ImGui::EndMenu();
 }
 
-void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
     if (!ImGui::BeginPopup("file")) return;
     const auto item = [&](const char* label, Command command) {
-        if (ImGui::MenuItem(label, key_text(command))) run(command, state, frame, actions);
+        if (ImGui::MenuItem(label, key_text(command))) run(command, state, frame, requests);
     };
     item("Open…", Command::OpenFile);
-    recent_menu("Recent scenes", frame.recent_scenes, actions.load_scene);
-    recent_menu("Recent presets", frame.recent_presets, actions.load_preset);
+    recent_menu("Recent scenes", frame.recent_scenes, requests.load_scene);
+    recent_menu("Recent presets", frame.recent_presets, requests.load_preset);
     ImGui::Separator();
     item("Save the preset", Command::SavePreset);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
@@ -57,7 +57,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reads %s again; undo gives all back", state.preset_path.c_str());
     ImGui::Separator();
     if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
-    if (ImGui::MenuItem("Reset all to the scene's own settings")) actions.reset_all = true;
+    if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
     item("Copy command line", Command::CopyCommandLine);
@@ -79,12 +79,12 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorActions& acti
     ImGui::EndPopup();
 }
 
-void scene_combo(EditorState& state, EditorActions& actions, float width) {
+void scene_combo(EditorState& state, EditorRequests& requests, float width) {
     ImGui::SetNextItemWidth(width);
     if (!begin_combo("##scene", scene_label(state.scene_name), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::string key(scene.key), label(scene.label);
-        if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) actions.load_scene = key;
+        if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) requests.load_scene = key;
         if (ImGui::IsItemHovered() && !scene.help.empty()) ImGui::SetTooltip("%s", std::string(scene.help).c_str());
     }
     ImGui::Separator();
@@ -93,29 +93,29 @@ void scene_combo(EditorState& state, EditorActions& actions, float width) {
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
     if ((ImGui::Button("Open") || entered) && !state.scene_input.empty()) {
-        actions.load_scene = state.scene_input;
+        requests.load_scene = state.scene_input;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndCombo();
 }
 
-void guided_presets(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
-    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
+    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) requests.load_preset = before;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset before", Command::PreviousPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
                 presets_menu_width());
-    draw_presets_menu("guided presets", frame.presets, state, actions);
+    draw_presets_menu("guided presets", frame.presets, state, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;
+    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset after", Command::NextPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Hard cases", "hard cases", "Corners in which shadow maps break, with and without what mends them",
                 presets_menu_width());
-    draw_presets_menu("hard cases", frame.hard_cases, state, actions);
+    draw_presets_menu("hard cases", frame.hard_cases, state, requests);
 }
 
 /// How the window looks.
@@ -197,18 +197,18 @@ std::string scene_label(const std::string& name) {
     return last_part(name);
 }
 
-void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;
     const char *help = "Help", *view = "View";
     const float right = button_width(view) + close + button_width(help);
     const float edge = ImGui::GetWindowWidth() - right - ImGui::GetStyle().WindowPadding.x;
     Toolbar bar("top bar", right + em * 0.5f);
-    bar.item("", button_width("File"), [&](float) { file_menu(state, frame, actions); });
+    bar.item("", button_width("File"), [&](float) { file_menu(state, frame, requests); });
     bar.space(em);
-    bar.item("", em * 11, [&](float room) { scene_combo(state, actions, room); });
+    bar.item("", em * 11, [&](float room) { scene_combo(state, requests, room); });
     bar.space(em);
     const float arrows = 2 * (ImGui::GetFrameHeight() + close) + button_width("Guided presets") + close;
-    bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, actions); });
+    bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, requests); });
     bar.space(em);
     bar.item("", button_width("Undo"), [&](float) {
         if (button("Undo", key_text(Command::Undo), state.history.can_undo() || state.playback.playing)) undo(state);
@@ -226,7 +226,7 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& a
     bar.space(em);
     bar.item("", button_width("Save"), [&](float) {
         if (button("Save", with_key("Writes " + state.preset_path, Command::SavePreset).c_str()))
-            actions.save_preset = state.preset_path;
+            requests.save_preset = state.preset_path;
     });
     bar.end();
     ImGui::SameLine();

@@ -21,7 +21,7 @@ struct TruthFacts {
     int width = 0, height = 0;  ///< in pixels
 };
 
-struct TruthActions {
+struct TruthRequests {
     bool want_error = false;  ///< the error panel is shown
     bool cancel_truth = false;
     std::optional<std::string> save_error;  ///< all metrics as JSON into this file

@@ -19,13 +19,13 @@ struct TunePanel {
 };
 
 /// A search for the least bias, under way.
-struct TuneFacts {
+struct SearchProgress {
     std::string about;    ///< what is being tried
     double progress = 0;  ///< 0..1
 };
 
 /// What a search is to find: without limits the least bias that leaves no acne.
-struct TuneWish {
+struct TuneRequest {
     std::optional<double> most_error, most_ms;  ///< then kernel and resolution are searched, too
     bool area = false;                          ///< against a light of its size
     CostCase cost = kDefaultCost;               ///< which frames most_ms bounds
@@ -40,14 +40,14 @@ struct TunedFamily {
     bool chosen = false;
 };
 
-struct TuneShown {
-    std::optional<TuneFacts> tuning;
+struct TunePanelFacts {
+    std::optional<SearchProgress> tuning;
     std::span<const TunedFamily> tuned;  ///< all that the last search for the least bias tried, for this scene
     bool tuned_current = false;          ///< the present settings, whatever their bias, would give the same
 };
 
-struct TuneActions {
-    std::optional<TuneWish> tune;
+struct TuneRequests {
+    std::optional<TuneRequest> tune;
     bool cancel_tune = false;
 };
 

@@ -26,7 +26,7 @@ void limit(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, step);
 }
 
-void limits_popup(TunePanel& panel, TuneActions& actions) {
+void limits_popup(TunePanel& panel, TuneRequests& requests) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
@@ -44,9 +44,9 @@ void limits_popup(TunePanel& panel, TuneActions& actions) {
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
-        actions.tune = TuneWish{.area = panel.area, .cost = panel.cost};
-        if (panel.bound_error) actions.tune->most_error = panel.most_error;
-        if (panel.bound_ms) actions.tune->most_ms = panel.most_ms;
+        requests.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
+        if (panel.bound_error) requests.tune->most_error = panel.most_error;
+        if (panel.bound_ms) requests.tune->most_ms = panel.most_ms;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndDisabled();
@@ -97,8 +97,8 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 
 }  // namespace
 
-void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& shown, const std::string& why_not,
-                        TuneActions& actions) {
+void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
+                        TuneRequests& requests) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
         const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
@@ -106,14 +106,14 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
                            text.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", shown.tuning->about.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) actions.cancel_tune = true;
+        if (ImGui::Button("Cancel")) requests.cancel_tune = true;
         return;
     }
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
     const bool narrow = room - others < button_width("Auto bias");
-    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) actions.tune = TuneWish{};
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
@@ -131,7 +131,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TuneShown& s
     ImGui::EndDisabled();
     if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", why_not.c_str());
-    limits_popup(panel, actions);
+    limits_popup(panel, requests);
     families_table(shown.tuned, shown.tuned_current, settings);
 }
 

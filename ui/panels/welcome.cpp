@@ -8,7 +8,7 @@
 
 namespace si {
 
-void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     constexpr const char* kTitle = "Welcome";
     constexpr const char* kSentences[] = {
         "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",
@@ -20,7 +20,7 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& a
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal(kTitle, &state.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
-    actions.welcomed = true;
+    requests.welcomed = true;
     ImGui::PushTextWrapPos(em * 32);
     for (const char* sentence : kSentences) ImGui::TextUnformatted(sentence);
     ImGui::PopTextWrapPos();
@@ -37,14 +37,14 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& a
     if (button("Guided tour",
                fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&
         !frame.presets.empty())
-        actions.load_preset = frame.presets.front().key;
+        requests.load_preset = frame.presets.front().key;
     constexpr const char* kStage = "stage";
     const bool open = state.scene_name == kStage;
     if (button("Look at the stage",
                (open ? with_key("It is open: closes this", Command::CloseOverview) : "Opens it in place of this scene")
                    .c_str()) &&
         !open)
-        actions.load_scene = kStage;
+        requests.load_scene = kStage;
     if (!state.show_welcome) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }

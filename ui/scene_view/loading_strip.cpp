@@ -42,7 +42,7 @@ void progress_bar(double share, const std::string& text, float width) {
     ImGui::PopClipRect();
 }
 
-void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width) {
+void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width) {
     if (!frame.loading) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 28);
@@ -56,7 +56,7 @@ void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, 
     const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     progress_bar(frame.loading->progress, loading_text(*frame.loading), std::max(bar, em));
     ImGui::SameLine();
-    if (ImGui::Button("Cancel")) actions.cancel_load = true;
+    if (ImGui::Button("Cancel")) requests.cancel_load = true;
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();

@@ -134,7 +134,7 @@ struct Panorama {
 };
 
 /// Mouse and keys over the panes. The pane in which a press began keeps it to the end.
-void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions, const Panorama& panes) {
+void steer(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Panorama& panes) {
     const bool hovered = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsItemActive() || ImGui::IsItemActivated())
@@ -164,7 +164,7 @@ void steer(EditorState& state, const EditorFrame& frame, EditorActions& actions,
         state.open_tab = BottomTab::Probe;
     }
     state.hovered_pixel = pixel;
-    actions.want_links = actions.want_overlay_values = !state.dragging;
+    requests.want_links = requests.want_overlay_values = !state.dragging;
 }
 
 /// The probe sticks to its surface: where that lies now is the probed pixel. @param wanted size of the picture
@@ -249,7 +249,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
     return std::clamp(settings.view.face, 0, std::max(0, int(result.lights[std::size_t(light)].views.size()) - 1));
 }
 
-void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     state.hovered_pixel.reset();
     state.loupe_pixel.reset();
     header(state, frame);
@@ -263,8 +263,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
                                                                  : int(Panes::One);
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
-    actions.scene_width = panes.grid.width;
-    actions.scene_height = panes.grid.height;
+    requests.scene_width = panes.grid.width;
+    requests.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
     state.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
@@ -272,7 +272,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
-        draw_loading(frame, actions, origin.x, origin.y, size.x);
+        draw_loading(frame, requests, origin.x, origin.y, size.x);
         return;
     }
     ImGui::InvisibleButton(
@@ -282,7 +282,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     // What was clicked last has the arrow keys.
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.probe_has_arrows = ImGui::IsItemHovered();
     follow_probe(state, frame, {panes.grid.width, panes.grid.height});
-    steer(state, frame, actions, panes);
+    steer(state, frame, requests, panes);
     if (state.scene_view) open_scene_menu(state, frame, *state.scene_view);
     draw_scene_menu(state, frame);
     state.loupe_pixel = loupe_pixel(state, frame);
@@ -305,10 +305,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
     for (int i = 0; i < pictures; ++i)
         if (frame.result->panes[std::size_t(i)].lacks_truth || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
-            draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
+            draw_tracing(frame, requests, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
             ImGui::PopID();
         }
-    draw_loading(frame, actions, origin.x, origin.y, size.x);
+    draw_loading(frame, requests, origin.x, origin.y, size.x);
 }
 
 }  // namespace si

@@ -38,14 +38,14 @@ bool popup_is_open() {
 }
 
 /// A picture of this frame, which shows what is to be seen in it.
-void take_shot(EditorState& state, EditorActions& actions, Shot of) {
+void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const ScreenRect rect = of == Shot::Scene     ? state.scene_rect
                             : of == Shot::Map     ? state.map_rect
                             : of == Shot::Drawing ? state.drawing_rect
                                                   : ScreenRect{{0, 0}, {all.x, all.y}};
     if (rect.size.x >= 1 && rect.size.y >= 1)
-        actions.shot = ShotWish{of, rect};
+        requests.shot = ShotRequest{of, rect};
     else
         state.log.add(LogKind::Info,
                       of == Shot::Map ? with_key("The map is hidden", Command::NextMapPlace) + ": no screenshot of it"
@@ -102,31 +102,31 @@ bool double_click_on_tabs() {
            bar->BarRect.Contains(ImGui::GetIO().MousePos);
 }
 
-void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
         flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("bottom", flags)) return;
     const auto asked = state.open_tab;
-    tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, actions); });
-    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
-    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
+    tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, requests); });
+    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
+    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });
-    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, actions); });
-    tab(state, BottomTab::Advice, "Advice", [&] { draw_advice_panel(state, frame, actions); });
-    tab(state, BottomTab::Lab, "Lab", [&] { draw_lab(state, frame, actions); });
-    tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, actions); });
+    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, requests); });
+    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
+    tab(state, BottomTab::Advice, "Advice", [&] { draw_advice_panel(state, frame, requests); });
+    tab(state, BottomTab::Lab, "Lab", [&] { draw_lab(state, frame, requests); });
+    tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, requests); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
     if (errors > 0) ImGui::PopStyleColor();
     if (asked == state.tab) state.open_tab.reset();
-    actions.redraw |= state.open_tab.has_value();
-    actions.want_timing = state.tab == BottomTab::Effects;
-    actions.want_error = state.tab == BottomTab::Error;
+    requests.redraw |= state.open_tab.has_value();
+    requests.want_timing = state.tab == BottomTab::Effects;
+    requests.want_error = state.tab == BottomTab::Error;
     if (double_click_on_tabs()) maximise(state, Panel::Tabs);
     ImGui::EndTabBar();
 }
@@ -154,66 +154,66 @@ void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const a
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.hovered_panel = which;
 }
 
-void scene_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
-    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, actions); });
+void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, requests); });
 }
 
-void map_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
-    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, actions); });
+void map_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, requests); });
 }
 
-void tabs_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size) {
-    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, actions); });
+void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, requests); });
 }
 
 /// The panel that fills the window.
-void one_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
     switch (*state.maximised) {
         case Panel::Scene:
-            scene_panel(state, frame, actions, rest);
+            scene_panel(state, frame, requests, rest);
             break;
         case Panel::Map:
-            map_panel(state, frame, actions, rest);
+            map_panel(state, frame, requests, rest);
             break;
         case Panel::Tabs:
-            tabs_panel(state, frame, actions, rest);
+            tabs_panel(state, frame, requests, rest);
             break;
     }
     child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 /// The scene and, where it stands there, the map beside or in it.
-void pictures_row(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     if (layout.map_place == MapSpot::BesideScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
-        scene_panel(state, frame, actions, {size.x - map - bar, size.y});
+        scene_panel(state, frame, requests, {size.x - map - bar, size.y});
         ImGui::SameLine();
         if (const Dragged d = splitter("map splitter", true, {bar, size.y}); d.reset)
             layout.map_share = EditorLayout{}.map_share;
         else if (d.by != 0)
             layout.map_share = std::clamp((map - d.by) / size.x, 0.1f, 0.85f);
         ImGui::SameLine();
-        map_panel(state, frame, actions, {map, size.y});
+        map_panel(state, frame, requests, {map, size.y});
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    scene_panel(state, frame, actions, size);
+    scene_panel(state, frame, requests, size);
     if (layout.map_place != MapSpot::Inset) return;
     const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::panel());
-    map_panel(state, frame, actions, {side, side});
+    map_panel(state, frame, requests, {side, side});
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos(after);
 }
 
 /// The settings and, where it stands there, the map above them.
-void right_column(EditorState& state, const EditorFrame& frame, EditorActions& actions, ImVec2 size, float bar) {
+void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
@@ -223,14 +223,14 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorActions& a
         const float square = size.x + em * (layout.map_plots ? kMapTexts + kMapPlots : kMapTexts);
         const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
         const float map = std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kEveryday : 10)));
-        map_panel(state, frame, actions, {size.x, map});
+        map_panel(state, frame, requests, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
         else if (d.by != 0)
             layout.map_height = std::clamp((map + d.by) / size.y, 0.1f, 0.9f);
         size.y -= map + bar;
     }
-    child("settings", size, spaced([&] { draw_settings(state, frame, actions); }));
+    child("settings", size, spaced([&] { draw_settings(state, frame, requests); }));
     ImGui::EndGroup();
 }
 
@@ -245,10 +245,10 @@ float needed_height(BottomTab tab) {
     return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
 }
 
-void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
-    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
+    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, requests); }));
 
     EditorLayout& layout = state.layout;
     const float status = status_bar_height();
@@ -259,20 +259,20 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
     const float left = std::max(rest.x - settings - bar, em * 10);
 
     ImGui::BeginGroup();
-    draw_strips(state, frame, actions, left);
+    draw_strips(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // Where there is little room the tabs below give way to the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
     const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.fitted_tab);
     const float bottom = std::clamp(wanted * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
-    pictures_row(state, frame, actions, {left, pictures}, bar);
+    pictures_row(state, frame, requests, {left, pictures}, bar);
     if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
     if (const Dragged d = splitter("bottom splitter", false, {left, bar}); d.reset)
         layout.bottom_height = EditorLayout{}.bottom_height;
     else if (d.by != 0)
         layout.bottom_height = std::max((bottom - d.by) / em, 2.0f);
-    tabs_panel(state, frame, actions, {left, bottom});
+    tabs_panel(state, frame, requests, {left, bottom});
     ImGui::EndGroup();
     ImGui::SameLine();
     if (const Dragged d = splitter("settings splitter", true, {bar, rest.y}); d.reset)
@@ -280,7 +280,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorActions& act
     else if (d.by != 0)
         layout.settings_width = (settings - d.by) / em;
     ImGui::SameLine();
-    right_column(state, frame, actions, {settings, rest.y}, bar);
+    right_column(state, frame, requests, {settings, rest.y}, bar);
     child("status", {0, status}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
@@ -297,8 +297,8 @@ void maximise(EditorState& state, Panel panel) {
         state.maximised = panel;
 }
 
-EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
-    EditorActions actions;
+EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
+    EditorRequests requests;
     const std::optional<Shot> shot = std::exchange(state.shot_next, {});
     state.scene_rect = state.map_rect = state.drawing_rect = {};
     state.dragging = false;
@@ -310,7 +310,7 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (!keys_wait) dispatch_shortcuts(state, frame, actions);
+    if (!keys_wait) dispatch_shortcuts(state, frame, requests);
     state.lights_listed = false;
     follow_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
@@ -332,42 +332,42 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     ImGui::PopStyleVar();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
     if (state.maximised)
-        one_panel(state, frame, actions);
+        one_panel(state, frame, requests);
     else
-        all_panels(state, frame, actions);
+        all_panels(state, frame, requests);
     ImGui::PopStyleVar();
-    draw_welcome(state, frame, actions);
+    draw_welcome(state, frame, requests);
     draw_shortcuts(state);
-    draw_file_dialog(state, frame, actions);
-    draw_replace_dialog(state, actions);
+    draw_file_dialog(state, frame, requests);
+    draw_replace_dialog(state, requests);
     ImGui::End();
 
     if (keys_wait) {
-        dispatch_shortcuts(state, frame, actions);
-        actions.redraw = true;
+        dispatch_shortcuts(state, frame, requests);
+        requests.redraw = true;
     }
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
-    actions.want_error |= shows_artefacts(state.settings) || waits;
+    requests.want_error |= shows_artefacts(state.settings) || waits;
     share_arrow_keys(state);
     share_page_keys(state);
     state.had_popup = popup_is_open();
-    if (shot) take_shot(state, actions, *shot);
-    actions.redraw |= state.shot_next.has_value();
+    if (shot) take_shot(state, requests, *shot);
+    requests.redraw |= state.shot_next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
-    actions.hold_cursor =
+    requests.hold_cursor =
         state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
-    actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
-    actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
-                      io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    requests.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
+    requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
+                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     use_driver(nullptr);  // facts of this frame
     use_scene(nullptr);
     use_result(nullptr);
-    return actions;
+    return requests;
 }
 
 }  // namespace si

@@ -88,7 +88,7 @@ struct PictureState {
     std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
     std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
     LoupeMode loupe = LoupeMode::Probed;
-    ArtefactWish artefacts;
+    ArtefactRequest artefacts;
     int active_pane = 0;  ///< under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
     std::optional<FrozenCamera> frozen;
@@ -188,7 +188,14 @@ struct DrawingFacts {
 };
 
 /// What the last frame found out. Pointers may be null: the editor draws without them.
-struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown, AdviceShown, LabShown, HealthShown {
+struct EditorFrame : ProbeFacts,
+                     TunePanelFacts,
+                     MapPanelFacts,
+                     PresetsFacts,
+                     EffectsFacts,
+                     AdvicePanelFacts,
+                     LabFacts,
+                     HealthFacts {
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
@@ -210,16 +217,16 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
 };
 
-struct EditorActions : MapActions,
-                       TruthActions,
-                       PresetActions,
-                       SweepActions,
-                       TuneActions,
-                       CureActions,
-                       EffectsActions,
-                       AdviceActions,
-                       LabActions,
-                       HealthActions {
+struct EditorRequests : MapRequests,
+                        TruthRequests,
+                        PresetRequests,
+                        SweepRequests,
+                        TuneRequests,
+                        CureRequests,
+                        EffectsRequests,
+                        AdviceRequests,
+                        LabRequests,
+                        HealthRequests {
     int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
     bool want_overlay_values = false;       ///< a scene picture is hovered
     bool want_timing = false;
@@ -229,7 +236,7 @@ struct EditorActions : MapActions,
     bool welcomed = false;     ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
     bool redraw = false;       ///< something still moves: draw another frame soon
-    std::optional<ShotWish> shot;
+    std::optional<ShotRequest> shot;
     bool at_rest = false;  ///< nobody touches anything: the picture may be made smooth (view.smooth)
 };
 
@@ -237,6 +244,6 @@ struct EditorActions : MapActions,
 inline constexpr float kLeastWidth = 640, kLeastHeight = 360;
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
-EditorActions draw_editor(EditorState& state, const EditorFrame& frame);
+EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

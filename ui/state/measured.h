@@ -84,15 +84,15 @@ struct SweepPanel {
     std::string folder = "sweep";                                    ///< that results are saved to and opened from
 };
 
-struct SweepWish {
+struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
     bool area = false;
     CostCase timed = kDefaultCost;
 };
 
-struct SweepActions {
-    std::optional<SweepWish> start_sweep;
+struct SweepRequests {
+    std::optional<SweepRequest> start_sweep;
     bool cancel_sweep = false;
     std::optional<std::string> save_sweep, open_sweep;  ///< folders
     bool take_sweep_base = false;                       ///< the settings that the sweep's cases share

@@ -9,38 +9,38 @@
 
 namespace si {
 
-void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_settings(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What the frame simulates, keeps and leaves out, each with why and what that saves; what its passes cost.
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorActions& actions);
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What is wrong with the shadows of the shown light, in numbers.
-void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_objects(EditorState& state, const EditorFrame& frame);
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What accuracy costs in time.
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What the scene advises, and the autopilot.
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Where the scene is put, what single precision makes of it, and how much edges crawl.
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Which numbers of the frame are none, and where.
-void draw_health(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 /// Three sentences and three ways to begin, while state.show_welcome.
-void draw_welcome(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Only where time_bar_height() is not 0: the scene has animations.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
 float time_bar_height(const EditorFrame& frame);
 /// The popup `id` of presets by topic, while it is open.
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorActions& actions);
+                       EditorRequests& requests);
 float presets_menu_width();
 /// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorActions& actions, float width);
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
 /// The walk that the open preset belongs to: the hard cases, or (also while none is open) the guided presets.
 std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame);
@@ -64,7 +64,7 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
 std::string truth_status(const EditorFrame& frame);
 
 /// Over a picture whose overlay waits for rays: what is done about it, and how far.
-void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width);
+void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
 /// How the picture is compared with another one; and with which. @param width of the combo, pixels
 void against_view_widget(EditorState& state, float width);
@@ -84,7 +84,7 @@ void begin_flicker(EditorState& state);
 void end_flicker(EditorState& state);
 
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
-void draw_loading(const EditorFrame& frame, EditorActions& actions, float left, float top, float width);
+void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
 /// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
 int shown_light(const Settings& settings);

@@ -121,7 +121,7 @@ void forget_probe(const CommandContext& c) {
 }
 
 void load_neighbour(const CommandContext& c, int step) {
-    c.actions.load_preset = neighbour_preset(c.state, c.frame, step);
+    c.requests.load_preset = neighbour_preset(c.state, c.frame, step);
 }
 
 using C = const CommandContext&;
@@ -337,7 +337,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::SavePreset,
      .chord = with_ctrl(letter("S"), Modifier::Up),
      .label = "save the preset",
-     .action = [](C c) { c.actions.save_preset = c.state.preset_path; }},
+     .action = [](C c) { c.requests.save_preset = c.state.preset_path; }},
     {.command = Command::SavePresetAs,
      .chord = with_ctrl(letter("S"), Modifier::Down),
      .label = "save it as",
@@ -349,7 +349,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::RevertPreset,
      .chord = with_ctrl(letter("R")),
      .label = "back to the preset as it was saved",
-     .action = [](C c) { c.actions.load_preset = c.state.preset_path; }},
+     .action = [](C c) { c.requests.load_preset = c.state.preset_path; }},
     {.command = Command::NextPreset,
      .chord = mapped("Page down", ImGuiKey_PageDown),
      .label = "the next guided preset",
@@ -375,7 +375,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::CopyCommandLine,
      .chord = with_ctrl(letter("C"), Modifier::Down),
      .label = "copy the command line",
-     .action = [](C c) { c.actions.copy_command_line = true; }},
+     .action = [](C c) { c.requests.copy_command_line = true; }},
     {.command = Command::SceneScreenshot,
      .chord = with_shift(key("F12", kF12), Modifier::Up),
      .label = "screenshot of the scene, as PNG and in the clipboard",
@@ -404,7 +404,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::Quit,
      .chord = with_ctrl(letter("Q")),
      .label = "quit",
-     .action = [](C c) { c.actions.quit = true; }},
+     .action = [](C c) { c.requests.quit = true; }},
 
     {.chord = gesture("Ctrl+click on a slider"), .label = "type a value", .section = "Settings"},
     {.chord = gesture("Right-click"), .label = "reset a setting, or copy it as --set"},
@@ -516,15 +516,15 @@ bool is_held(Command command) {
     return ImGui::IsKeyDown(chord.mapped ? ImGui::GetKeyIndex(chord.first) : chord.first);
 }
 
-void run(Command command, EditorState& state, const EditorFrame& frame, EditorActions& actions) {
-    row_of(command).action({state, frame, actions});
+void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    row_of(command).action({state, frame, requests});
 }
 
-void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     if (state.flicker && !is_held(Command::ShowPinned)) end_flicker(state);
     const ImGuiIO& io = ImGui::GetIO();
     const std::optional<When> mode = present_mode(state);
-    // An action may change the situation: first all keys, then all actions.
+    // An action may change the situation: first all keys, then all requests.
     std::vector<std::pair<const Shortcut*, int>> pressed;
     for (const Shortcut& row : kShortcutTable) {
         const Chord& chord = row.chord;
@@ -536,7 +536,7 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorActi
             if (code >= 0 && ImGui::IsKeyPressed(code, row.repeats)) pressed.emplace_back(&row, k);
         }
     }
-    for (const auto& [row, k] : pressed) row->action({state, frame, actions, k});
+    for (const auto& [row, k] : pressed) row->action({state, frame, requests, k});
 }
 
 void share_arrow_keys(EditorState& state) {

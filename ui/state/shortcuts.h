@@ -9,7 +9,7 @@ namespace si {
 
 struct EditorState;
 struct EditorFrame;
-struct EditorActions;
+struct EditorRequests;
 
 /// Something that a person triggers by a key. Most have a menu item or a button, too.
 enum class Command {
@@ -105,7 +105,7 @@ struct Chord {
 struct CommandContext {
     EditorState& state;
     const EditorFrame& frame;
-    EditorActions& actions;
+    EditorRequests& requests;
     int key = 0;  ///< code of the pressed key, in the chord's terms
 };
 
@@ -134,9 +134,9 @@ std::string with_key(std::string_view tooltip, Command command);
 /// Returns true while the command's key is down.
 bool is_held(Command command);
 /// Performs the command's action, as its key does.
-void run(Command command, EditorState& state, const EditorFrame& frame, EditorActions& actions);
-/// Performs the actions of all keys that were pressed in this frame. Call once a frame.
-void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorActions& actions);
+void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Performs the requests of all keys that were pressed in this frame. Call once a frame.
+void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
 /// Gives the arrow keys to the probe or to ImGui's navigation, for the next frame.
 void share_arrow_keys(EditorState& state);

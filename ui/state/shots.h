@@ -13,7 +13,7 @@ struct ScreenRect {
     glm::vec2 lo{0}, size{0};
 };
 
-struct ShotWish {
+struct ShotRequest {
     Shot of = Shot::Window;
     ScreenRect rect;  ///< of what is drawn in this frame
 };

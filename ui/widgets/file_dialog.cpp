@@ -165,7 +165,7 @@ int complete(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-void choose(EditorState& state, EditorActions& actions) {
+void choose(EditorState& state, EditorRequests& requests) {
     FileDialog& d = state.file_dialog;
     fs::path path = d.folder / d.name;
     std::error_code error;
@@ -175,10 +175,10 @@ void choose(EditorState& state, EditorActions& actions) {
         return;
     }
     if (d.job == FileDialog::Job::Open) {
-        actions.open_file = path.string();
+        requests.open_file = path.string();
     } else {
-        actions.save_preset = preset_path(path).string();
-        actions.save_about = d.about;
+        requests.save_preset = preset_path(path).string();
+        requests.save_about = d.about;
     }
     ImGui::CloseCurrentPopup();
 }
@@ -224,11 +224,11 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
     return any ? lead + common : typed;
 }
 
-void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     FileDialog& d = state.file_dialog;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
         d.asked = false;
-        actions.ask_desktop = {d.job, d.kind, d.folder, d.name};
+        requests.ask_desktop = {d.job, d.kind, d.folder, d.name};
     }
     const bool saving = d.job == FileDialog::Job::SavePreset;
     const char* title = saving ? kSaveTitle : kOpenTitle;
@@ -267,11 +267,11 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorAction
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
         ImGui::CloseCurrentPopup();
-    if (done && !d.name.empty()) choose(state, actions);
+    if (done && !d.name.empty()) choose(state, requests);
     ImGui::EndPopup();
 }
 
-void draw_replace_dialog(EditorState& state, EditorActions& actions) {
+void draw_replace_dialog(EditorState& state, EditorRequests& requests) {
     constexpr const char* kTitle = "Replace the file?";
     if (state.replace && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -291,9 +291,9 @@ void draw_replace_dialog(EditorState& state, EditorActions& actions) {
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace", {em * 6, 0}) ||
         (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
-        actions.save_preset = state.replace->path;
-        actions.save_about = state.replace->about;
-        actions.replace = true;
+        requests.save_preset = state.replace->path;
+        requests.save_about = state.replace->about;
+        requests.replace = true;
         state.replace.reset();
         ImGui::CloseCurrentPopup();
     }

@@ -15,10 +15,10 @@ inline void report(EditorState& state, const std::string& error) {
 }
 
 /// Does it; reports what it throws. Returns true: the editor is to be drawn again.
-template <typename Wish>
-bool attempt(EditorState& state, const Wish& wish) {
+template <typename Work>
+bool attempt(EditorState& state, const Work& work) {
     try {
-        wish();
+        work();
     } catch (const std::exception& e) {
         report(state, e.what());
     }
