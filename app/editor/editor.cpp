@@ -119,7 +119,7 @@ bool take_file(FilePortal& portal, EditorModel& model) {
     if (!answer) return false;
     if (answer->kind == FilePortal::Answer::Kind::NoDialog) {
         model.asks_desktop = false;
-        model.state.file_dialog.asked = true;  // the editor's own
+        model.state.files.dialog.asked = true;  // the editor's own
     } else if (answer->kind == FilePortal::Answer::Kind::Chosen) {
         if (answer->job == FileDialog::Job::Open)
             model.open(answer->file);

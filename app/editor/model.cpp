@@ -52,18 +52,18 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     scenes_.begin(plan.settings);
     state.layout = memory_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
-    state.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
-                         !memory_.workspace().welcomed && !memory_.lost();
-    if (!options.preset.empty()) state.preset_path = options.preset.string();
+    state.window.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
+                                !memory_.workspace().welcomed && !memory_.lost();
+    if (!options.preset.empty()) state.files.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
-        state.open_tab = state.fitted_tab = BottomTab::Probe;
+        state.window.open_tab = state.window.fitted_tab = BottomTab::Probe;
     }
-    if (!options.tab.empty()) state.open_tab = state.fitted_tab = tab_named(options.tab);
+    if (!options.tab.empty()) state.window.open_tab = state.window.fitted_tab = tab_named(options.tab);
     if (!options.sweep.empty()) {
         state.sweep.folder = options.sweep.string();
         work_.open_sweep(options.sweep);
-        state.open_tab = BottomTab::Frontier;
+        state.window.open_tab = BottomTab::Frontier;
     }
     presets_.start(std::move(plan), {});
 }
@@ -101,12 +101,12 @@ void EditorModel::open(const std::filesystem::path& path) {
 }
 
 void EditorModel::save_as(const std::filesystem::path& path) {
-    attempt(state, [&] { presets_.save(preset_path(path).string(), state.file_dialog.about, false); });
+    attempt(state, [&] { presets_.save(preset_path(path).string(), state.files.dialog.about, false); });
 }
 
 void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window, float pixels) {
     attempt(state, [&] {
-        const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
+        const std::filesystem::path folder = std::filesystem::path(state.files.preset_path).parent_path();
         std::string svg;
         if (const Section* const section = judged_section(); request.of == Shot::Drawing && section)
             svg = section_svg(*section);

@@ -22,7 +22,7 @@ void PresetWork::start(SessionPlan plan, std::string remark) {
 
 void PresetWork::open(const std::string& name_or_path) {
     std::error_code error;
-    if (name_or_path == state_.preset_path && !desk_.is_built_in(name_or_path) &&
+    if (name_or_path == state_.files.preset_path && !desk_.is_built_in(name_or_path) &&
         !std::filesystem::exists(name_or_path, error))
         throw Error(fmt::format(
             "{}: nothing is saved there yet. Save it first ({}); from then on {} goes back to what was saved",
@@ -37,7 +37,7 @@ void PresetWork::open(const std::string& name_or_path) {
     if (has_own_scene && !shown) return start(std::move(plan), remark);
     if (has_own_scene) scenes_.cancel_loading();  // it belongs to the scene that is shown
     const std::vector<std::string> left_out = scenes_.take(plan.settings, name_or_path);
-    state_.guide = note(name_or_path, *plan.preset, plan.scene_name);
+    state_.files.guide = note(name_or_path, *plan.preset, plan.scene_name);
     state_.log.add(LogKind::Info, remark);
     for (const std::string& text : left_out) report(state_, text);
 }
@@ -45,18 +45,18 @@ void PresetWork::open(const std::string& name_or_path) {
 void PresetWork::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
     if (!desk_.save(path, state_.scene_name, state_.settings, about, replace)) {
-        state_.replace = Replacement{path, about};
+        state_.files.replace = Replacement{path, about};
         return;
     }
-    state_.preset_path = path;
+    state_.files.preset_path = path;
     memory_.note_preset(path);
     state_.log.add(LogKind::Info, "Saved " + path);
 }
 
 GuideNote PresetWork::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
-    state_.hidden_guide.clear();
+    state_.files.hidden_guide.clear();
     if (!desk_.is_built_in(name_or_path)) {
-        state_.preset_path = name_or_path;
+        state_.files.preset_path = name_or_path;
         memory_.note_preset(name_or_path);
     }
     if (!preset.scene.empty()) preset.scene = scene_name;  // as the editor calls it
@@ -65,8 +65,8 @@ GuideNote PresetWork::note(const std::string& name_or_path, Preset preset, const
 
 bool PresetWork::compare() {
     const Scene* scene = scenes_.scene();
-    const bool known = desk_.knows(state_.preset_path);
-    const bool unsaved = scene && (known ? !desk_.holds(state_.preset_path, state_.scene_name, state_.settings)
+    const bool known = desk_.knows(state_.files.preset_path);
+    const bool unsaved = scene && (known ? !desk_.holds(state_.files.preset_path, state_.scene_name, state_.settings)
                                          : state_.settings != scenes_.given());
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     const bool against = state_.against.view != AgainstView::Off && !state_.against.truth;
@@ -78,7 +78,7 @@ bool PresetWork::compare() {
 }
 
 bool PresetWork::would_be_lost() const {
-    if (!unsaved_ || desk_.knows(state_.preset_path)) return unsaved_;
+    if (!unsaved_ || desk_.knows(state_.files.preset_path)) return unsaved_;
     Settings work = state_.settings;
     work.camera = scenes_.given().camera, work.view = scenes_.given().view;
     return work != scenes_.given();

@@ -11,7 +11,7 @@ namespace si {
 /// Tells a person: a line in the log, which comes to the front.
 inline void report(EditorState& state, const std::string& error) {
     state.log.add(LogKind::Error, error);
-    state.open_tab = BottomTab::Log;
+    state.window.open_tab = BottomTab::Log;
 }
 
 /// Does it; reports what it throws. Returns true: the editor is to be drawn again.

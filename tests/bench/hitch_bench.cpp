@@ -127,11 +127,11 @@ struct Hands {
     /// Of the shown light's, which take presses.
     std::vector<PlacedHandle> handles() {
         const FittedLight& fitted = editor->model().facts().result->lights[0];
-        return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().scene_view);
+        return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().viewport.view);
     }
     /// A place in the lower half of the scene's picture, where surfaces are, as far from handles as there is one.
     glm::vec2 free_place() {
-        const PictureView& view = *state().scene_view;
+        const PictureView& view = *state().viewport.view;
         const std::vector<PlacedHandle> taken = handles();
         glm::dvec2 best(0);
         double farthest = -1;
@@ -159,7 +159,7 @@ void over_scene(Hands& h) {
     h.editor->mouse.at = h.free_place();
 }
 void over_map(Hands& h) {
-    const ScreenRect& map = h.state().map_rect;
+    const ScreenRect& map = h.state().shots.map_rect;
     h.editor->mouse.at = map.lo + 0.5f * map.size;
 }
 Tool::Step left_button(bool down) {
@@ -190,7 +190,7 @@ void pin_and_change(Hands& h) {
 }
 /// As a click on a tab does, which may make the pictures smaller.
 Tool::Step open_tab(BottomTab tab) {
-    return [tab](Hands& h) { h.state().open_tab = h.state().fitted_tab = tab; };
+    return [tab](Hands& h) { h.state().window.open_tab = h.state().window.fitted_tab = tab; };
 }
 
 constexpr std::pair<const char*, BottomTab> kTabs[] = {
@@ -337,7 +337,7 @@ void editor_overhead(benchmark::State& state) {
     for (auto _ : state) {
         Renderer alone;
         for (const auto& [name, tab] : kTabs) {
-            hands.state().open_tab = tab;
+            hands.state().window.open_tab = tab;
             hands.state().probe_pixel = tab == BottomTab::Probe ? std::optional(glm::ivec2(300, 200)) : std::nullopt;
             hands.settle();
             idle.push_back(taken([&] { hands.frame(); }));

@@ -44,7 +44,7 @@ protected:
     AdviceReport report = made_up_advice();
 
     void SetUp() override {
-        ui.state.open_tab = BottomTab::Advice;
+        ui.state.window.open_tab = BottomTab::Advice;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
         ASSERT_EQ(ui.state.tab, BottomTab::Advice);
@@ -126,7 +126,7 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     o.width = 1280, o.height = 720, o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Advice;
+    model.state.window.open_tab = BottomTab::Advice;
     model.state.layout.bottom_height = 27;
     editor.settle();
     EditorRequests request;

@@ -41,7 +41,7 @@ std::string printed(const UiHarness& ui) {
 TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const CureTable table = made_up_cures();
     UiHarness ui(1600, 900);
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.open_tab = BottomTab::Error;
     ui.truth = TruthFacts{.current = true, .wanted = true};
     ui.error = LiveError();
     ui.error->metrics.counted = 5000, ui.error->metrics.false_shadow = 0.2;
@@ -107,9 +107,9 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     constant.name = "constant bias", constant.bias.normal = 0, constant.bias.constant = 9, constant.wrong = 654,
     constant.shift_p95_m = 0, constant.chosen = false;
     ui.tuned = {normal, constant};
-    ui.state.search = "bias.";
+    ui.state.settings_panel.search = "bias.";
     ui.frames(5);
-    ui.state.search.clear();
+    ui.state.settings_panel.search.clear();
     ui.frames(5);
     const std::string text = printed(ui);
     for (const char* part : {"normal offset", "constant bias", "321", "654", "34 mm"})
@@ -128,7 +128,7 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Error;
+    model.state.window.open_tab = BottomTab::Error;
     model.state.layout.bottom_height = 27;
     editor.settle();
     ASSERT_TRUE(model.facts().error);

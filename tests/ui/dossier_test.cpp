@@ -26,7 +26,7 @@ Dossier acne_dossier() {
 TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.open_tab = BottomTab::Probe;
+    ui.state.window.open_tab = BottomTab::Probe;
     ui.dossiers = {acne_dossier()};
     ui.frames(5);
     const Settings before = ui.state.settings;
@@ -52,7 +52,7 @@ TEST(DossierPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.open_tab = BottomTab::Probe;
+    ui.state.window.open_tab = BottomTab::Probe;
     ui.dossiers = {d};
     ui.dossiers[0].remedy = worth;
     ui.frames(5);
@@ -64,7 +64,7 @@ TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.open_tab = BottomTab::Probe;
+        ui.state.window.open_tab = BottomTab::Probe;
         ui.tracing_probe = true;
         ui.frames(4);
         ui.tracing_probe = false;

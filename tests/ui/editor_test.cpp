@@ -48,7 +48,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     const auto [width, height] = GetParam();
     HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
-    editor.model().state.open_tab = BottomTab::Probe;
+    editor.model().state.window.open_tab = BottomTab::Probe;
     editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
     editor.settle();
     const ByteImage picture = editor.picture();

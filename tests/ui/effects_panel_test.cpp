@@ -32,7 +32,7 @@ const std::vector<Effect>& made_up_effects() {
 
 TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
     std::string text = letters(ui);
@@ -69,7 +69,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
 
 TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
     const auto shown = [](UiHarness& ui) {
-        ui.state.open_tab = BottomTab::Effects;
+        ui.state.window.open_tab = BottomTab::Effects;
         ui.effects.effects = made_up_effects();
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7"));
@@ -99,7 +99,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
     for (const int width : {1280, 1600}) {
         UiHarness ui(width, 2600);
         ui.state.layout = {.bottom_height = 130};
-        ui.state.open_tab = BottomTab::Effects;
+        ui.state.window.open_tab = BottomTab::Effects;
         std::vector<Effect> effects = made_up_effects();
         const std::string longest =
             "Its maps are as they were, since nothing that they depend on has changed: neither casters nor the light, "
@@ -116,7 +116,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
 
 TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
     ui.effects.effects = effects;
     ui.state.times = {.scene = ui.scene.name, .pass_ms = {{"shading", 7.75}}};
@@ -161,7 +161,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     EXPECT_TRUE(times.pass_ms.empty());
 
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Log;
+    ui.state.window.open_tab = BottomTab::Log;
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, no map drawn"));
     EXPECT_FALSE(ui.drawn().shows("last timed"));
@@ -169,7 +169,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
 
 TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const Settings before = ui.state.settings;
@@ -196,7 +196,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
 
 TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.frames(4);
     const auto measure = ui.find("bottom", "", "Measure what is saved");
     ASSERT_TRUE(measure);
@@ -233,10 +233,10 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     const Effect* objects = shown_effect(editor.model().facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
     EXPECT_EQ(objects->state, EffectState::NotCalledFor);
-    editor.model().state.open_tab = BottomTab::Log;
+    editor.model().state.window.open_tab = BottomTab::Log;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().effects.empty());
-    editor.model().state.open_tab = BottomTab::Effects;
+    editor.model().state.window.open_tab = BottomTab::Effects;
     editor.settle();
     EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";

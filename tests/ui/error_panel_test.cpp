@@ -48,7 +48,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     for (const auto& [width, height, scale] :
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.25f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
-        ui.state.open_tab = BottomTab::Error;
+        ui.state.window.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
             ui.truth = made_up_truth();
@@ -74,7 +74,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
 TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
     for (const int width : {1280, 1920}) {
         UiHarness ui(width, 900);
-        ui.state.open_tab = BottomTab::Error;
+        ui.state.window.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         ui.truth = made_up_truth();
         ui.error = made_up_error();
@@ -95,9 +95,9 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
 TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.open_tab = BottomTab::Error;
     EXPECT_TRUE(ui.frames(3).want_error);
-    ui.state.open_tab = BottomTab::Log;
+    ui.state.window.open_tab = BottomTab::Log;
     EXPECT_FALSE(ui.frames(3).want_error);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
     EXPECT_TRUE(ui.frames(2).want_error) << "for the legend";
@@ -144,8 +144,8 @@ TEST(Against, TheLineIsDraggedAndNothingElse) {
     UiHarness ui(1280, 720);
     ui.state.against = {.view = AgainstView::Swipe};
     ui.frames(3);
-    ASSERT_TRUE(ui.state.scene_view);
-    const PictureView view = *ui.state.scene_view;
+    ASSERT_TRUE(ui.state.viewport.view);
+    const PictureView view = *ui.state.viewport.view;
     const auto at = [&](double x) {
         return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y);
     };

@@ -158,11 +158,11 @@ TEST(FilePortal, FilesAreThoseOfThisMachine) {
 TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     UiHarness ui(1280, 720);
     const auto ask = [&] {
-        ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
+        ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
         const EditorRequests first = ui.frame();
         ui.frames(2);
         const bool own = ui.drawn().shows("Save the preset as");
-        ui.state.file_dialog.asked = false;
+        ui.state.files.dialog.asked = false;
         return std::pair(first.ask_desktop, own);
     };
     ui.desktop_dialogs = true;

@@ -162,7 +162,7 @@ TEST(FrameDesk, WhenAllIsForeseenTheEditorRests) {
 TEST(FrameDesk, AMapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;
-    state.maximised = Panel::Map;
+    state.window.maximised = Panel::Map;
     editor->settle();
     state.settings.map.resolution = 64;
     editor->settle();

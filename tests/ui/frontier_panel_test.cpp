@@ -64,7 +64,7 @@ struct Panel {
     UiHarness ui;
     explicit Panel(int width = 1280, int height = 720, float scale = 1) : ui(width, height, scale) {
         ui.sweep = made_up_sweep();
-        ui.state.open_tab = BottomTab::Frontier;
+        ui.state.window.open_tab = BottomTab::Frontier;
         ui.frames(4);
     }
 };
@@ -234,7 +234,7 @@ TEST(FrontierPanel, PresentSettingsAreMeasuredOnlyWhileShown) {
     p.ui.state.sweep.follow = false;
     EXPECT_FALSE(p.ui.frame().want_present);
     p.ui.state.sweep.follow = true;
-    p.ui.state.open_tab = BottomTab::Log;
+    p.ui.state.window.open_tab = BottomTab::Log;
     p.ui.frames(3);
     EXPECT_FALSE(p.ui.frame().want_present);
 }

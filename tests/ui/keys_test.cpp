@@ -84,7 +84,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     // A click chooses another pixel, of which nothing was wished.
     ui.verdict_follows = true;
     key('C');
-    ui.click(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size);
+    ui.click(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size);
     ui.verdict_follows = false;
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1);
@@ -194,10 +194,10 @@ TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) 
     ui.press(false);
     ImGui::GetIO().KeysDown['L'] = false;
     ui.frames(2);
-    EXPECT_EQ(ui.state.search, "l");
+    EXPECT_EQ(ui.state.settings_panel.search, "l");
     EXPECT_EQ(settings(), before) << "the view went through the light";
     // Beside any field the key acts, with a press or without.
-    ui.state.search.clear();
+    ui.state.settings_panel.search.clear();
     ui.click({4, 4});  // which leaves the field
     ui.frames(2);
     ui.press(true);

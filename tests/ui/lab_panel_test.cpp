@@ -21,7 +21,7 @@ protected:
     UiHarness ui{1900, 1000};
 
     void SetUp() override {
-        ui.state.open_tab = BottomTab::Lab;
+        ui.state.window.open_tab = BottomTab::Lab;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
         ASSERT_EQ(ui.state.tab, BottomTab::Lab);
@@ -69,7 +69,7 @@ TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     o.width = 1280, o.height = 720, o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Lab;
+    model.state.window.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
     EditorRequests request;

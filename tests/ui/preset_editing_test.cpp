@@ -85,21 +85,21 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
     ASSERT_GT(all.size(), 30u);
-    state().maximised = Panel::Tabs;  // each is drawn by tests of its own
+    state().window.maximised = Panel::Tabs;  // each is drawn by tests of its own
     int walked = 0;
     for (const BuiltinPreset& p : all) {
         press(kPageDown);
-        ASSERT_EQ(state().guide.key, p.key);
-        EXPECT_EQ(state().guide.about, p.about);
+        ASSERT_EQ(state().files.guide.key, p.key);
+        EXPECT_EQ(state().files.guide.about, p.about);
         EXPECT_EQ(state().scene_name, p.scene);
         EXPECT_EQ(state().settings, load_preset(p.key).settings) << p.key;
         ++walked;
     }
     EXPECT_EQ(walked, int(all.size()));
     press(kPageDown);
-    EXPECT_EQ(state().guide.key, all.back().key) << "the walk ends";
+    EXPECT_EQ(state().files.guide.key, all.back().key) << "the walk ends";
     press(kPageUp);
-    EXPECT_EQ(state().guide.key, all[all.size() - 2].key);
+    EXPECT_EQ(state().files.guide.key, all[all.size() - 2].key);
     expect_no_errors();
 }
 
@@ -108,10 +108,10 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     state().settings.bias.constant = 3;
     std::ofstream(path("mine.json")) << "precious";
     request({.save_preset = path("mine.json"), .save_about = "Mine."});
-    ASSERT_TRUE(state().replace) << "nobody was asked";
+    ASSERT_TRUE(state().files.replace) << "nobody was asked";
     EXPECT_EQ(file_bytes(path("mine.json")), "precious");
-    EXPECT_EQ(state().replace->path, path("mine.json"));
-    state().replace.reset();  // cancelled
+    EXPECT_EQ(state().files.replace->path, path("mine.json"));
+    state().files.replace.reset();  // cancelled
     editor_->settle();
     EXPECT_EQ(file_bytes(path("mine.json")), "precious");
     request({.save_preset = path("mine.json"), .save_about = "Mine.", .replace = true});
@@ -124,7 +124,7 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     editor_->settle();
     EXPECT_TRUE(model().facts().unsaved);
     request({.save_preset = path("mine.json")});
-    EXPECT_FALSE(state().replace);
+    EXPECT_FALSE(state().files.replace);
     EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 4);
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     expect_no_errors();
@@ -187,7 +187,7 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
 
 TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {
     open();
-    state().preset_path = path("unsaved.json");
+    state().files.preset_path = path("unsaved.json");
     state().settings.bias.constant = 3;
     request({.load_preset = path("unsaved.json")});
     ASSERT_FALSE(state().log.lines().empty());
@@ -205,10 +205,10 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
     save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
     open();
     request({.open_file = path("told.json")});
-    EXPECT_EQ(state().preset_path, path("told.json"));
-    EXPECT_EQ(state().guide, (GuideNote{path("told.json"), "T", "Look here."}));
+    EXPECT_EQ(state().files.preset_path, path("told.json"));
+    EXPECT_EQ(state().files.guide, (GuideNote{path("told.json"), "T", "Look here."}));
     state().settings.map.resolution = 64;
-    request({.save_preset = state().preset_path});
+    request({.save_preset = state().files.preset_path});
     const Preset saved = load_preset(path("told.json"));
     EXPECT_EQ(saved.title, "T");
     EXPECT_EQ(saved.topic, "P");
@@ -237,7 +237,7 @@ TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     large.width = 1280, large.height = 720;
     open(large);
     state().compare = {CompareKind::Preset, "acne"};
-    state().open_tab = BottomTab::Compare;
+    state().window.open_tab = BottomTab::Compare;
     editor_->settle();
     const EditorFrame facts = model().facts();
     ASSERT_TRUE(facts.comparison);
@@ -270,10 +270,10 @@ TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
     const Settings acne = state().settings;
     request({.reset_all = true});
     EXPECT_EQ(state().settings, base_settings(load_scene("boxes")));
-    EXPECT_TRUE(state().guide.about.empty());
+    EXPECT_TRUE(state().files.guide.about.empty());
     undo();
     EXPECT_EQ(state().settings, acne);
-    EXPECT_EQ(state().guide.key, "acne") << "what was said of it comes back too";
+    EXPECT_EQ(state().files.guide.key, "acne") << "what was said of it comes back too";
 }
 
 TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
@@ -288,12 +288,12 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
     undo();
     EXPECT_EQ(state().scene_name, "boxes");
     EXPECT_EQ(state().settings, first);
-    EXPECT_TRUE(state().guide.key.empty());
+    EXPECT_TRUE(state().files.guide.key.empty());
     EXPECT_FALSE(state().history.can_undo());
     redo();
     EXPECT_EQ(state().scene_name, "figures");
     EXPECT_EQ(state().settings, load_preset("constant-bias").settings);
-    EXPECT_EQ(state().guide.key, "constant-bias");
+    EXPECT_EQ(state().files.guide.key, "constant-bias");
     redo();
     EXPECT_EQ(state().settings.bias.constant, 0.2);
     EXPECT_FALSE(state().history.can_redo());

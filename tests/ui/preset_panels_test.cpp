@@ -77,7 +77,7 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     all.insert(all.end(), ui.hard_cases.begin(), ui.hard_cases.end());
     std::optional<int> guided_height;
     for (const PresetEntry& p : all) {
-        ui.state.guide = {p.key, p.title, p.about};
+        ui.state.files.guide = {p.key, p.title, p.about};
         const EditorRequests requests = ui.frames(3);
         // The view in which presets are compared stays where it is while one walks through them.
         if (&p < &all[ui.presets.size()]) {
@@ -94,8 +94,8 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
         EXPECT_EQ(requests.scene_width, bare.scene_width);
         EXPECT_GT(requests.scene_height, h / 8) << p.key;
     }
-    ui.state.file_dialog = {};
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    ui.state.files.dialog = {};
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     ui.frames(3);
     const ImGuiWindow* dialog = window_of("Save the preset as");
     ASSERT_TRUE(dialog);
@@ -112,7 +112,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     const PresetEntry& second = ui.presets[1];
-    ui.state.guide = {second.key, second.title, second.about};
+    ui.state.files.guide = {second.key, second.title, second.about};
     ui.frames(3);
     const auto row = [](const char* name) {
         const ImGuiWindow* w = window_of(name);
@@ -125,8 +125,8 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_EQ(*before->load_preset, ui.presets[0].key);
     const auto loads_third = [&](const EditorRequests& a) { return a.load_preset == ui.presets[2].key; };
     EXPECT_TRUE(click_along(ui, at.x, at.y, at.z, loads_third));
-    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorRequests&) { return !ui.state.hidden_guide.empty(); });
-    EXPECT_EQ(ui.state.hidden_guide, second.key);
+    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorRequests&) { return !ui.state.files.hidden_guide.empty(); });
+    EXPECT_EQ(ui.state.files.hidden_guide, second.key);
     ui.frames(2);
     EXPECT_FALSE(window_of("guide")) << "hidden";
 
@@ -140,7 +140,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
 
 TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
     UiHarness ui(1280, 720);
-    ui.state.preset_path = "mine.json";
+    ui.state.files.preset_path = "mine.json";
     ui.frames(3);
     EXPECT_FALSE(window_of("driver reset"));
     ui.driver_reset = true;
@@ -158,7 +158,7 @@ TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
 
 TEST(PresetStrips, AFileWithoutASentenceHasNone) {
     UiHarness ui(1280, 720);
-    ui.state.guide = {"/a/b.json", "Title", ""};
+    ui.state.files.guide = {"/a/b.json", "Title", ""};
     ui.frames(3);
     EXPECT_FALSE(window_of("guide"));
 }
@@ -177,10 +177,10 @@ TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     };
     EXPECT_EQ(press(ImGuiKey_PageDown), ui.presets.front().key);
     EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets.back().key) << "from nowhere backwards: the last";
-    ui.state.guide.key = ui.presets.back().key;
+    ui.state.files.guide.key = ui.presets.back().key;
     EXPECT_EQ(press(ImGuiKey_PageDown), std::nullopt);
     EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets[ui.presets.size() - 2].key);
-    ui.state.show_shortcuts = true;
+    ui.state.window.show_shortcuts = true;
     ui.frames(2);
     EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
 }
@@ -222,12 +222,12 @@ TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     }
     ASSERT_TRUE(chosen) << "the button was not found";
     EXPECT_EQ(*chosen->load_preset, ui.hard_cases.front().key);
-    ui.state.guide.key = ui.hard_cases[1].key;
+    ui.state.files.guide.key = ui.hard_cases[1].key;
     press_key(ImGuiKey_PageDown);
     EXPECT_EQ(ui.frame().load_preset, ui.hard_cases[2].key);
     release_key(ImGuiKey_PageDown);
     ui.frame();
-    ui.state.guide.key = ui.hard_cases.back().key;
+    ui.state.files.guide.key = ui.hard_cases.back().key;
     press_key(ImGuiKey_PageDown);
     EXPECT_EQ(ui.frame().load_preset, std::nullopt) << "the walk ends";
     release_key(ImGuiKey_PageDown);
@@ -249,7 +249,7 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
             if (is_text(p)) set_value(other, ref, "key");
         }
         ui.comparison = ComparisonFacts{ui.state.compare, other, "plane", {}};
-        ui.state.open_tab = BottomTab::Compare;
+        ui.state.window.open_tab = BottomTab::Compare;
         ui.frames(3);
         ASSERT_EQ(ui.state.tab, BottomTab::Compare);
         EXPECT_EQ(ui.state.settings, Settings{}) << "drawing changed something";
@@ -265,7 +265,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     fs::create_directory(folder / "below");
     for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
     UiHarness ui(1280, 720);
-    FileDialog& dialog = ui.state.file_dialog;
+    FileDialog& dialog = ui.state.files.dialog;
     ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
     ASSERT_EQ(dialog.entries.size(), 3u);
     EXPECT_TRUE(dialog.entries[0].folder && dialog.entries[0].name == "below");
@@ -304,14 +304,14 @@ TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
     fs::create_directory(folder / "below");
     std::ofstream(folder / "below" / "b.json") << "x";
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type((folder / "below").string());
     press_key(ImGuiKey_Enter);
     ui.frame();
     release_key(ImGuiKey_Enter);
     ui.frames(3);
-    ASSERT_EQ(ui.state.file_dialog.folder, folder / "below");
+    ASSERT_EQ(ui.state.files.dialog.folder, folder / "below");
     ui.type("b.json");
     press_key(ImGuiKey_Enter);
     std::optional<std::string> opened = ui.frame().open_file;
@@ -326,7 +326,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
     for (const char* name : {"b.json", "a.glb", "elsewhere/c.gltf"}) std::ofstream(folder / name) << "x";
     UiHarness ui(1280, 720);
     ui.recent_scenes = {(folder / "elsewhere/c.gltf").string()};
-    FileDialog& dialog = ui.state.file_dialog;
+    FileDialog& dialog = ui.state.files.dialog;
     ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(4);
     ASSERT_EQ(dialog.entries.size(), 3u);
@@ -371,7 +371,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
     EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
     // By the key, in the dialog.
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type("models/for");
     press_key(ImGuiKey_Tab);
@@ -388,7 +388,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
 
 TEST(FileDialogs, ReplacingAsksFirst) {
     UiHarness ui(1280, 720);
-    ui.state.replace = Replacement{"/a/b.json", "Look."};
+    ui.state.files.replace = Replacement{"/a/b.json", "Look."};
     ui.frames(3);
     const ImGuiWindow* question = window_of("Replace the file?");
     ASSERT_TRUE(question);
@@ -400,14 +400,14 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     EXPECT_EQ(*agreed->save_preset, "/a/b.json");
     EXPECT_EQ(agreed->save_about, "Look.");
     EXPECT_TRUE(agreed->replace);
-    EXPECT_FALSE(ui.state.replace);
-    ui.state.replace = Replacement{"/a/b.json", {}};
+    EXPECT_FALSE(ui.state.files.replace);
+    ui.state.files.replace = Replacement{"/a/b.json", {}};
     ui.frames(3);
     press_key(ImGuiKey_Escape);
     const EditorRequests cancelled = ui.frame();
     release_key(ImGuiKey_Escape);
     EXPECT_FALSE(cancelled.save_preset);
-    EXPECT_FALSE(ui.state.replace);
+    EXPECT_FALSE(ui.state.files.replace);
 }
 
 }  // namespace

@@ -70,14 +70,14 @@ TEST(Shortcuts, TheOverviewListsAll) {
     ui.frame();
     ImGui::GetIO().KeysDown[290] = false;
     ui.frames(4);
-    EXPECT_TRUE(ui.state.show_shortcuts);
+    EXPECT_TRUE(ui.state.window.show_shortcuts);
     for (const Shortcut& row : shortcuts()) {
         EXPECT_TRUE(ui.drawn().shows(without_spaces(chord_text(row.chord)))) << chord_text(row.chord);
         EXPECT_TRUE(row.label[0] == '\0' || ui.drawn().shows(without_spaces(row.label))) << row.label;
     }
     ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
     ui.frames(2);
-    EXPECT_FALSE(ui.state.show_shortcuts);
+    EXPECT_FALSE(ui.state.window.show_shortcuts);
 }
 
 TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
@@ -96,7 +96,7 @@ TEST(Shortcuts, OverlaysNameKeysOfTheTable) {
 TEST(Shortcuts, NoTextNamesAKeyByHand) {
     const std::regex literal(R"re("(?:\\.|[^"\\\n])*")re");
     const std::regex key(
-        R"re(\b(Ctrl|Shift|Alt)\+[A-Z0-9]|\bF[0-9]+\b|\bPage (up|down)\b|\((Esc|Space|Home|[A-Z])\)|^"(Esc|Space|[A-Z])"$|\b[Kk]ey [A-Z]\b|\b[B-HJ-Z] (pins|shows|compares|takes|changes|hides)\b)re");
+        R"re(\b(Ctrl|Shift|Alt)\+[A-Z0-9]|\bF[0-9]+\b|\bPage (up|down)\b|\((Esc|Space|Home|[A-Z])\)|^"(Esc|Space|[A-Z])"$|\b[Kk]ey [A-Z]\b|\b[B-HJ-Z] (pins|shows|compares|takes|changes|hides|frames)\b)re");
     const fs::path root = SI_SOURCE_DIR;
     std::size_t read = 0;
     for (const char* folder : {"ui", "app/editor"})
@@ -130,13 +130,13 @@ TEST(Shortcuts, MenusPrintKeysOfTheTable) {
 TEST(Shortcuts, EscapeGivesTheMaximisedPanelItsPlaceAndKeepsTheProbe) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.maximised = Panel::Scene;
+    ui.state.window.maximised = Panel::Scene;
     ui.frames(3);
     ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
     ui.frames(2);
     ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = false;
     ui.frames(2);
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
     EXPECT_TRUE(ui.state.probe_pixel);
     ImGui::GetIO().KeysDown[256 + ImGuiKey_Escape] = true;
     ui.frames(2);

@@ -41,7 +41,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().truth->wanted);
 
     EditorState& state = editor.model().state;
-    state.open_tab = BottomTab::Error;
+    state.window.open_tab = BottomTab::Error;
     editor.settle();
     const auto error = [&] { return editor.model().facts().error; };
     ASSERT_TRUE(error());
@@ -77,7 +77,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().truth->current);
     editor.settle();
     EXPECT_TRUE(error());
-    state.open_tab = BottomTab::Effects;
+    state.window.open_tab = BottomTab::Effects;
     editor.settle();
     EXPECT_FALSE(error());
     expect_calm(editor);
@@ -89,7 +89,7 @@ TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
-    editor.model().state.open_tab = BottomTab::Error;
+    editor.model().state.window.open_tab = BottomTab::Error;
     for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
         editor.model().finish_loading();
         editor.frame();
@@ -140,7 +140,7 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     const std::size_t others = receivers();
     HeadlessEditor editor(options(kNoBias));
     EditorState& state = editor.model().state;
-    state.open_tab = BottomTab::Error;
+    state.window.open_tab = BottomTab::Error;
     state.against = {.view = AgainstView::SideBySide, .truth = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
@@ -149,7 +149,7 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     state.settings.camera.azimuth += 5;
     editor.settle();
     EXPECT_EQ(receivers(), others + 1);
-    state.open_tab = BottomTab::Effects;
+    state.window.open_tab = BottomTab::Effects;
     state.settings.view.light = 1;
     state.settings.light_count = 2;
     editor.settle();
@@ -161,7 +161,7 @@ TEST(EditorTruth, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(kNoBias));
-    editor.model().state.open_tab = BottomTab::Error;
+    editor.model().state.window.open_tab = BottomTab::Error;
     editor.settle();
     EditorRequests save = editor.frame();
     save.save_error = file.string();
@@ -196,8 +196,8 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
     state.against = {.view = AgainstView::Swipe, .truth = true, .at = 1};
     editor.settle();
     ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
-    ASSERT_TRUE(state.scene_view);
-    const PictureView view = *state.scene_view;
+    ASSERT_TRUE(state.viewport.view);
+    const PictureView view = *state.viewport.view;
     const auto left_a = part(editor, view, 0.05, 0.4), right_a = part(editor, view, 0.6, 0.95);
     state.against.at = 0;
     editor.settle();
@@ -304,7 +304,7 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
         ImGui::GetIO().KeysDown[code] = down;
         for (int i = 0; i < 3; ++i) editor.frame();
     };
-    const auto seen = [&] { return part(editor, *state.scene_view, 0.05, 0.95); };
+    const auto seen = [&] { return part(editor, *state.viewport.view, 0.05, 0.95); };
     key('A', true);
     EXPECT_FALSE(state.flicker) << "nothing is pinned";
     key('A', false);
@@ -333,16 +333,16 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     state.compare = {CompareKind::Pinned, {}};
     state.against = {.view = AgainstView::Swipe, .truth = false, .at = 0};
     editor.settle();
-    EXPECT_EQ(part(editor, *state.scene_view, 0.05, 0.9), [&] {
+    EXPECT_EQ(part(editor, *state.viewport.view, 0.05, 0.9), [&] {
         key('A', true);
-        const auto alone = part(editor, *state.scene_view, 0.05, 0.9);
+        const auto alone = part(editor, *state.viewport.view, 0.05, 0.9);
         key('A', false);
         return alone;
     }());
     state.against.at = 0.5f;
     editor.settle();
     write_png(kOut / "editor_pin_swipe.png", editor.picture());
-    state.open_tab = BottomTab::Compare;
+    state.window.open_tab = BottomTab::Compare;
     editor.settle();
     ASSERT_TRUE(editor.model().facts().comparison);
     EXPECT_EQ(editor.model().facts().comparison->settings.map.resolution, 128);

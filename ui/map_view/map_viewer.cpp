@@ -44,11 +44,11 @@ void save_menu(EditorState& state, EditorRequests& requests) {
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map_path,
+    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map.save_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.map_path.empty()) {
-        requests.save_map = state.map_path;
+    if ((ImGui::Button("Write") || entered) && !state.map.save_path.empty()) {
+        requests.save_map = state.map.save_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -57,7 +57,7 @@ void save_menu(EditorState& state, EditorRequests& requests) {
 /// Whether the texels that are read are found exactly.
 void exact_choice(EditorState& state) {
     ImGui::BeginDisabled(state.frozen.has_value());
-    ImGui::Checkbox("Texels read", &state.exact_texels);
+    ImGui::Checkbox("Texels read", &state.map.exact_texels);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", state.frozen
@@ -234,7 +234,7 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
 
 /// The texel of a finding that was clicked, in the map that it is of.
 void mark_finding(const EditorState& state, const FrameResult& result, const MapRect& shown) {
-    const auto& mark = state.marked_texel;
+    const auto& mark = state.map.marked_texel;
     if (!mark || mark->light != shown_light(state.settings) || mark->view != shown_face(state.settings, result)) return;
     if (mark->level == result.shown_map.mip && shown.holds(mark->texel))
         outline_texels(shown, mark->texel, {1, 1}, theme::error());
@@ -243,7 +243,7 @@ void mark_finding(const EditorState& state, const FrameResult& result, const Map
 /// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
 const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
     const Image& marks = frame.result->texels_read;
-    return state.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
+    return state.map.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
 }
 
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
@@ -284,7 +284,7 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
 }  // namespace
 
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    state.hovered_texel.reset();
+    state.map.hovered_texel.reset();
     header(state, frame.result, requests);
     requests.want_map = true;
     if (!frame.result) return;
@@ -299,7 +299,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, end, theme::well());
-    state.map_rect = {{origin.x, origin.y}, {size.x, size.y}};
+    state.shots.map_rect = {{origin.x, origin.y}, {size.x, size.y}};
     if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
         ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
@@ -311,14 +311,14 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
     const glm::ivec2 n = result.map_view_size;
     requests.want_map_facts = plots;
-    requests.want_exact_texels = !camera && state.exact_texels && !state.frozen && !state.dragging;
-    requests.want_frozen_usage = !camera && state.frozen && !state.dragging;
+    requests.want_exact_texels = !camera && state.map.exact_texels && !state.frozen && !state.viewport.dragging;
+    requests.want_frozen_usage = !camera && state.frozen && !state.viewport.dragging;
 
     ImGui::InvisibleButton("map picture", size);
     const bool hovered = ImGui::IsItemHovered();
-    if (ImGui::IsItemActive()) state.dragging = true;
-    steer(state.map_window, origin, size, n);
-    const MapRect rect = place(state.map_window, origin, size, n);
+    if (ImGui::IsItemActive()) state.viewport.dragging = true;
+    steer(state.map.window, origin, size, n);
+    const MapRect rect = place(state.map.window, origin, size, n);
     const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
     list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
@@ -335,8 +335,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     if (camera) {
         if (state.probe_pixel)
             outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, {1, 1}, theme::kProbed);
-        if (state.hovered_pixel)
-            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, {1, 1}, IM_COL32_WHITE);
+        if (state.viewport.hovered_pixel)
+            outline_texels(rect, {state.viewport.hovered_pixel->x, n.y - 1 - state.viewport.hovered_pixel->y}, {1, 1},
+                           IM_COL32_WHITE);
     } else {
         // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
@@ -352,7 +353,8 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                     p.where == "inside")
                     mark_taps(rect, p);
         mark_finding(state, result, shown);
-        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
+        if (state.viewport.hovered_pixel)
+            mark_pixels_texels(state, frame, rect, *state.viewport.hovered_pixel, theme::kLinked);
     }
     auto text = title(state.settings, result, fitted);
     std::optional<double> marked_m;
@@ -363,7 +365,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         const glm::dvec2 uv = rect.uv(ImGui::GetIO().MousePos);
         const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
         if (rect.holds(texel)) {
-            state.hovered_texel = texel;
+            state.map.hovered_texel = texel;
             outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
             text =
                 texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),

@@ -152,11 +152,11 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& r
         ImGui::SetTooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered =
-        ImGui::InputTextWithHint("##file", "file.json", &state.error_path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint("##file", "file.json", &state.error_panel.save_path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.error_path.empty()) {
-        requests.save_error = state.error_path;
+    if ((ImGui::Button("Write") || entered) && !state.error_panel.save_path.empty()) {
+        requests.save_error = state.error_panel.save_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

@@ -26,9 +26,9 @@ void show_texel(EditorState& state, const FrameResult& result, const NumberFindi
     const bool moments = f.image == Result::Moments && filter_of(state.settings).samples == Samples::Moments;
     v.map_channel = moments ? std::max(v.map_channel, 1) : 0;
     if (moments) v.map_mip = f.level;
-    state.marked_texel = MarkedTexel{f.light, f.view, f.worst, f.level};
+    state.map.marked_texel = MarkedTexel{f.light, f.view, f.worst, f.level};
     const float across = float(std::max(result.map_resolution >> f.level, 1));
-    state.map_window = {.zoom = std::max(1.0f, across / kTexelsShown), .centre = (glm::vec2(f.worst) + 0.5f) / across};
+    state.map.window = {.zoom = std::max(1.0f, across / kTexelsShown), .centre = (glm::vec2(f.worst) + 0.5f) / across};
 }
 
 void show(EditorState& state, const FrameResult& result, const NumberFinding& f) {
@@ -44,8 +44,8 @@ void finding_row(EditorState& state, const FrameResult& result, const NumberFind
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     const std::string label(fault_label(f.fault));
-    const bool marked =
-        state.marked_texel && is_of_map(f) && *state.marked_texel == MarkedTexel{f.light, f.view, f.worst, f.level};
+    const bool marked = state.map.marked_texel && is_of_map(f) &&
+                        *state.map.marked_texel == MarkedTexel{f.light, f.view, f.worst, f.level};
     if (ImGui::Selectable(fmt::format("{}###finding {}", label, id).c_str(), marked,
                           ImGuiSelectableFlags_SpanAllColumns))
         show(state, result, f);

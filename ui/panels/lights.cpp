@@ -42,7 +42,8 @@ bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
     return pressed;
 }
 
-void swatch(LightSettings& light) {
+/// @param number of the light, for its keys
+void swatch(LightSettings& light, int number) {
     float rgb[] = {shown(light.red), shown(light.green), shown(light.blue)};
     if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip)) {
         // A part that was not moved keeps all of its digits.
@@ -50,13 +51,14 @@ void swatch(LightSettings& light) {
         for (int i = 0; i < 3; ++i)
             if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
     }
-    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}", light.red, light.green,
-                                light.blue));
+    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}\n{}, .green, .blue",
+                                light.red, light.green, light.blue,
+                                setting_key(*find_setting(fmt::format("light.{}.red", number)))));
 }
 
 /// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
 void rename_field(EditorState& state) {
-    LightRename& rename = *state.light_rename;
+    LightRename& rename = *state.lights.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##name", "name", &rename.name, ImGuiInputTextFlags_AutoSelectAll);
@@ -69,7 +71,7 @@ void rename_field(EditorState& state) {
             state.log.add(LogKind::Error, e.what());
         }
     }
-    state.light_rename.reset();
+    state.lights.rename.reset();
 }
 
 void light_name(EditorState& state, int i) {
@@ -96,20 +98,21 @@ void light_row(EditorState& state, int i, bool intensities) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(i);
-    if (state.light_rename && state.light_rename->light == i)
+    if (state.lights.rename && state.lights.rename->light == i)
         rename_field(state);
     else
         light_name(state, i);
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
-    wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
+    wrapped_tooltip(fmt::format("On: it shines. Off it keeps its settings, and no map is drawn for it\n{}",
+                                setting_key(*find_setting(fmt::format("light.{}.on", i)))));
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(s.light_count < 2);
     if (toggle("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all others off; again: all on");
     ImGui::TableNextColumn();
-    swatch(light);
+    swatch(light, i);
     if (intensities) {
         ImGui::TableNextColumn();
         setting_widget(s, fmt::format("light.{}.intensity", i));
@@ -171,7 +174,7 @@ void cube_cross(Settings& s, const FrameResult& result) {
 }  // namespace
 
 void begin_light_rename(EditorState& state, int light) {
-    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+    state.lights.rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
 }
 
 void draw_lights(EditorState& state, const FrameResult* result) {
@@ -188,7 +191,7 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
         for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
         ImGui::EndTable();
-        state.lights_listed = true;
+        state.lights.listed = true;
     }
     list_buttons(s);
     if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);

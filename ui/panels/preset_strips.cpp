@@ -138,8 +138,8 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
 }
 
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
-    const GuideNote& guide = state.guide;
-    if (guide.about.empty() || state.hidden_guide == guide.key) return;
+    const GuideNote& guide = state.files.guide;
+    if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
     const std::span<const PresetEntry> walk = open_walk(state, frame);
     const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
     const bool built_in = at != walk.end();
@@ -163,7 +163,7 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
                 requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
-        if (hint_button("Hide", "Until another preset is opened")) state.hidden_guide = guide.key;
+        if (hint_button("Hide", "Until another preset is opened")) state.files.hidden_guide = guide.key;
     });
 }
 
@@ -187,18 +187,20 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& re
         "here.";
     strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
           0, [&] {
-              if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
-                  requests.save_preset = state.preset_path;
+              if (hint_button("Save now", fmt::format("Writes {}", state.files.preset_path).c_str()))
+                  requests.save_preset = state.files.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))
-                  ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+                  ask_for_file(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
+                               state.files.guide.about);
           });
 }
 
 }  // namespace
 
 std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
-    const bool hard = std::ranges::find(frame.hard_cases, state.guide.key, &PresetEntry::key) != frame.hard_cases.end();
+    const bool hard =
+        std::ranges::find(frame.hard_cases, state.files.guide.key, &PresetEntry::key) != frame.hard_cases.end();
     return hard ? frame.hard_cases : frame.presets;
 }
 
@@ -208,7 +210,7 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
     if (count == 0) return {};
     int at = -1;
     for (int i = 0; i < count; ++i)
-        if (walk[std::size_t(i)].key == state.guide.key) at = i;
+        if (walk[std::size_t(i)].key == state.files.guide.key) at = i;
     const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
     if (to < 0 || to >= count) return {};
     return walk[std::size_t(to)].key;

@@ -50,7 +50,7 @@ void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, con
             ImGui::TextDisabled("%s", topic.c_str());
             ImGui::Separator();
         }
-        if (entry(preset, preset.key == state.guide.key, ImGui::GetContentRegionAvail().x)) {
+        if (entry(preset, preset.key == state.files.guide.key, ImGui::GetContentRegionAvail().x)) {
             requests.load_preset = preset.key;
             ImGui::CloseCurrentPopup();
         }

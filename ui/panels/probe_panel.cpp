@@ -335,13 +335,13 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float drawn = section_width(frame.sections, first, room.x);
     if (drawn > 0) {
         const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
-        draw_section_view(state.section_views, frame.sections, first, size);
-        state.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
+        draw_section_view(state.probe_panel.section_views, frame.sections, first, size);
+        state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
         if (ImGui::IsItemClicked()) maximise(state, Panel::Tabs);
         if (ImGui::BeginPopupContextItem("drawing")) {
-            if (ImGui::MenuItem(state.maximised ? "Small again (click)" : "As large as the window (click)"))
+            if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
                 maximise(state, Panel::Tabs);
-            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shot_next = Shot::Drawing;
+            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
             ImGui::EndPopup();
         }
         ImGui::SameLine(0, ImGui::GetFontSize());
@@ -359,7 +359,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
             ImGui::Separator();
             const float width = section_width(frame.sections, i, 1e6f);
             if (width > 0 && drawn > 0)
-                draw_section_view(state.section_views, frame.sections, i,
+                draw_section_view(state.probe_panel.section_views, frame.sections, i,
                                   {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
             heading(light, dossier_of(light), frame.tracing_probe, state.settings);
         }

@@ -100,11 +100,11 @@ void column(std::size_t first, std::size_t end, float keys, float meanings) {
 
 void draw_shortcuts(EditorState& state) {
     constexpr const char* kTitle = "Mouse and keyboard";
-    if (state.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (state.window.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
-    if (!ImGui::BeginPopupModal(kTitle, &state.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(kTitle, &state.window.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 padding = style.CellPadding;
     const float em = ImGui::GetFontSize();
@@ -127,7 +127,7 @@ void draw_shortcuts(EditorState& state) {
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();
-    if (!state.show_shortcuts) ImGui::CloseCurrentPopup();
+    if (!state.window.show_shortcuts) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

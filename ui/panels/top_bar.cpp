@@ -51,12 +51,13 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     recent_menu("Recent presets", frame.recent_presets, requests.load_preset);
     ImGui::Separator();
     item("Save the preset", Command::SavePreset);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.files.preset_path.c_str());
     item("Save the preset as…", Command::SavePresetAs);
     item("Back to the saved preset", Command::RevertPreset);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reads %s again; undo gives all back", state.preset_path.c_str());
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Reads %s again; undo gives all back", state.files.preset_path.c_str());
     ImGui::Separator();
-    if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
+    if (ImGui::MenuItem("Compare with a preset…")) state.window.open_tab = BottomTab::Compare;
     if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
@@ -66,7 +67,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
         item("of the scene", Command::SceneScreenshot);
         item("of the map", Command::MapScreenshot);
         item("of the window", Command::WindowScreenshot);
-        if (ImGui::MenuItem("of the probe's drawing")) state.shot_next = Shot::Drawing;
+        if (ImGui::MenuItem("of the probe's drawing")) state.shots.next = Shot::Drawing;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("As a PNG, and as an SVG of any size");
         ImGui::EndMenu();
     }
@@ -89,11 +90,11 @@ void scene_combo(EditorState& state, EditorRequests& requests, float width) {
     }
     ImGui::Separator();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.scene_input,
+    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.files.scene_input,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Open") || entered) && !state.scene_input.empty()) {
-        requests.load_scene = state.scene_input;
+    if ((ImGui::Button("Open") || entered) && !state.files.scene_input.empty()) {
+        requests.load_scene = state.files.scene_input;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndCombo();
@@ -148,7 +149,7 @@ void view_menu(EditorState& state, const char* label) {
                   .map_plots = layout.map_plots,
                   .light_theme = layout.light_theme,
                   .desktop_dialogs = layout.desktop_dialogs};
-    if (ImGui::MenuItem("Welcome")) state.show_welcome = true;
+    if (ImGui::MenuItem("Welcome")) state.window.show_welcome = true;
     ImGui::EndPopup();
 }
 
@@ -172,10 +173,10 @@ void steps_menu(EditorState& state) {
 /// Draws the name of the file that SavePreset writes, with a dot while the settings differ from it.
 void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", end_that_fits(scene_label(state.preset_path), width, ImGui::GetFont()).c_str());
+    ImGui::TextDisabled("%s", end_that_fits(scene_label(state.files.preset_path), width, ImGui::GetFont()).c_str());
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "%s\n%s", state.preset_path.c_str(),
+            "%s\n%s", state.files.preset_path.c_str(),
             frame.unsaved ? fmt::format("{} saves the present settings there", key_text(Command::SavePreset)).c_str()
                           : "It holds the present settings");
     if (!frame.unsaved) return;
@@ -221,12 +222,12 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
     bar.space(em);
     bar.item("", button_width("Compare"), [&](float) {
         if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
-            state.open_tab = BottomTab::Compare;
+            state.window.open_tab = BottomTab::Compare;
     });
     bar.space(em);
     bar.item("", button_width("Save"), [&](float) {
-        if (button("Save", with_key("Writes " + state.preset_path, Command::SavePreset).c_str()))
-            requests.save_preset = state.preset_path;
+        if (button("Save", with_key("Writes " + state.files.preset_path, Command::SavePreset).c_str()))
+            requests.save_preset = state.files.preset_path;
     });
     bar.end();
     ImGui::SameLine();
@@ -234,7 +235,8 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::SameLine(std::max(edge, 0.0f));
     view_menu(state, view);
     ImGui::SameLine(0, close);
-    if (button(help, with_key("Mouse and keyboard", Command::ToggleOverview).c_str())) state.show_shortcuts = true;
+    if (button(help, with_key("Mouse and keyboard", Command::ToggleOverview).c_str()))
+        state.window.show_shortcuts = true;
 }
 
 }  // namespace si

@@ -15,11 +15,11 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
         "Click a pixel: it says why it is lit or in shadow, and whether that is right.",
         "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage, a scene "
         "that has something of everything."};
-    if (state.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (state.window.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const float em = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(kTitle, &state.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(kTitle, &state.window.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
     requests.welcomed = true;
     ImGui::PushTextWrapPos(em * 32);
     for (const char* sentence : kSentences) ImGui::TextUnformatted(sentence);
@@ -29,11 +29,11 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const bool pressed = ImGui::Button(label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
         ImGui::SameLine();
-        if (pressed) state.show_welcome = false;
+        if (pressed) state.window.show_welcome = false;
         return pressed;
     };
     if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
-        ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
+        ask_for_file(state.files.dialog, FileDialog::Job::Open, state.files.preset_path);
     if (button("Guided tour",
                fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&
         !frame.presets.empty())
@@ -45,7 +45,7 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
                    .c_str()) &&
         !open)
         requests.load_scene = kStage;
-    if (!state.show_welcome) ImGui::CloseCurrentPopup();
+    if (!state.window.show_welcome) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -29,14 +29,15 @@ glm::dvec3 wanted_way() {
 }
 
 void fly_on(EditorState& state, const EditorFrame& frame) {
-    Flight& flight = state.flight;
+    Flight& flight = state.viewport.flight;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
         flight.speed = std::clamp(flight.speed * std::pow(kSpeedPerStep, double(io.MouseWheel)), 1e-3, 1e3);
     const glm::dvec3 way = wanted_way();
     const bool moving = way != glm::dvec3(0);
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || moving) take_camera(state, frame);
-    state.flew |= moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
+    state.viewport.flew |=
+        moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
     look_around(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
     // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
     if (moving && flight.moving) {
@@ -66,15 +67,15 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const bool moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left, kClickPixels) ||
                        ImGui::IsMouseDragging(ImGuiMouseButton_Middle, kClickPixels);
-    state.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
-    if (ImGui::IsItemActivated()) state.flew = false;
-    if (state.flight.on) {
-        state.dragging = state.press_moved = true;
+    state.viewport.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    if (ImGui::IsItemActivated()) state.viewport.flew = false;
+    if (state.viewport.flight.on) {
+        state.viewport.dragging = state.viewport.press_moved = true;
         return fly_on(state, frame);
     }
-    state.flight.moving = false;
+    state.viewport.flight.moving = false;
     if (ImGui::IsItemActive() && moved) {
-        state.dragging = state.press_moved = true;
+        state.viewport.dragging = state.viewport.press_moved = true;
         const int light = shown_light(state.settings);
         if (left && io.KeyCtrl && light >= 0) {
             turn_light(state.settings.lights[std::size_t(light)], view.camera, d.x, d.y);
@@ -89,7 +90,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     if (ImGui::IsItemHovered() && io.MouseWheel != 0 && !io.KeyCtrl) {
         take_camera(state, frame);
         zoom(state.settings.camera, view.camera, view.ray({io.MousePos.x, io.MousePos.y}), io.MouseWheel);
-        state.wheel_until = ImGui::GetTime() + kWheelSeconds;
+        state.viewport.wheel_until = ImGui::GetTime() + kWheelSeconds;
     }
 }
 
@@ -117,13 +118,13 @@ void toggle_light_camera(EditorState& state) {
     CameraSettings& camera = state.settings.camera;
     if (camera.source != int(CameraSource::Light)) {
         if (shown_light(state.settings) < 0) return;
-        state.camera_before_light = camera;
+        state.viewport.camera_before_light = camera;
         camera.source = int(CameraSource::Light);
         return;
     }
-    camera = state.camera_before_light.value_or(CameraSettings{});
+    camera = state.viewport.camera_before_light.value_or(CameraSettings{});
     if (camera.source == int(CameraSource::Light)) camera.source = int(CameraSource::Automatic);
-    state.camera_before_light.reset();
+    state.viewport.camera_before_light.reset();
 }
 
 FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {

@@ -68,7 +68,7 @@ void header(EditorState& state, const EditorFrame& frame) {
     });
     bar.item("", button_width("Through light"), [&](float) {
         if (toggle("Through light", s.camera.source == int(CameraSource::Light),
-                   with_key("Look through the shown light", Command::ToggleLightCamera).c_str()))
+                   (with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source").c_str()))
             toggle_light_camera(state);
     });
     bar.item("", button_width("Freeze view"), [&](float) {
@@ -86,13 +86,13 @@ void header(EditorState& state, const EditorFrame& frame) {
 
 /// A double click chooses the object that its probe finds; the background chooses none.
 void select_probed(EditorState& state, const EditorFrame& frame) {
-    if (!state.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!state.viewport.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
     if (frame.probe->hit)
         select_objects(state, std::array{frame.probe->object});
     else
         select_objects(state, {});
-    state.select_probed = false;
+    state.viewport.select_probed = false;
 }
 
 /// What stands where there is no picture.
@@ -144,33 +144,33 @@ void steer(EditorState& state, const EditorFrame& frame, EditorRequests& request
     const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     const ImVec2 lo = panes.lo(state.active_pane), size = panes.size();
     const PictureView view{frame.result->camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
-    state.scene_view = view;
-    if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    state.viewport.view = view;
+    if (ImGui::IsItemActivated()) state.viewport.press_moved = state.viewport.press_taken = false;
     if (steer_swipe(state, view)) {
-        state.press_taken = state.press_moved = true;
+        state.viewport.press_taken = state.viewport.press_moved = true;
         return;
     }
     steer_gnomon(state, frame, view);
     steer_lights(state, frame, view);
-    const bool taken = state.press_taken;
+    const bool taken = state.viewport.press_taken;
     if (!taken) steer_camera(state, frame, view);
-    if (!ImGui::IsItemActive()) state.press_taken = false;
+    if (!ImGui::IsItemActive()) state.viewport.press_taken = false;
     const glm::ivec2 pixel = panes.pixel(state.active_pane, mouse);
     if (!hovered || !panes.holds(pixel)) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.select_probed = true;
-    if (released && !state.press_moved && !taken) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.viewport.select_probed = true;
+    if (released && !state.viewport.press_moved && !taken) {
         state.probe_pixel = pixel;
-        state.probe_has_arrows = true;
-        state.open_tab = BottomTab::Probe;
+        state.keyboard.probe_has_arrows = true;
+        state.window.open_tab = BottomTab::Probe;
     }
-    state.hovered_pixel = pixel;
-    requests.want_links = requests.want_overlay_values = !state.dragging;
+    state.viewport.hovered_pixel = pixel;
+    requests.want_links = requests.want_overlay_values = !state.viewport.dragging;
 }
 
 /// The probe sticks to its surface: where that lies now is the probed pixel. @param wanted size of the picture
 void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wanted) {
-    const bool settled = state.wanted_picture == wanted;
-    state.wanted_picture = wanted;
+    const bool settled = state.viewport.wanted_size == wanted;
+    state.viewport.wanted_size = wanted;
     if (state.probe_anchor &&
         (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
         state.probe_anchor.reset();
@@ -191,7 +191,7 @@ void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wante
 /// Whose pixels the loupe shows.
 std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFrame& frame) {
     if (state.loupe == LoupeMode::Off) return {};
-    if (state.loupe == LoupeMode::Mouse && state.hovered_pixel) return state.hovered_pixel;
+    if (state.loupe == LoupeMode::Mouse && state.viewport.hovered_pixel) return state.viewport.hovered_pixel;
     return frame.anchor_place == AnchorPlace::Outside ? std::nullopt : state.probe_pixel;
 }
 
@@ -226,11 +226,11 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
-    if (state.hovered_pixel && index == state.active_pane) {
+    if (state.viewport.hovered_pixel && index == state.active_pane) {
         // Above it stands which overlay the pane has, or which side of a comparison it is.
         const bool named = panes.grid.count() > 1 || state.against.view != AgainstView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
-        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
+        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
@@ -250,7 +250,7 @@ int shown_face(const Settings& settings, const FrameResult& result) {
 }
 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    state.hovered_pixel.reset();
+    state.viewport.hovered_pixel.reset();
     state.loupe_pixel.reset();
     header(state, frame);
     const float em = ImGui::GetFontSize();
@@ -267,7 +267,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     requests.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
-    state.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
+    state.shots.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
     // After a change of view.panes the pictures are there with the next frame.
     const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
@@ -280,10 +280,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     // What was clicked last has the arrow keys.
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.probe_has_arrows = ImGui::IsItemHovered();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.keyboard.probe_has_arrows = ImGui::IsItemHovered();
     follow_probe(state, frame, {panes.grid.width, panes.grid.height});
     steer(state, frame, requests, panes);
-    if (state.scene_view) open_scene_menu(state, frame, *state.scene_view);
+    if (state.viewport.view) open_scene_menu(state, frame, *state.viewport.view);
     draw_scene_menu(state, frame);
     state.loupe_pixel = loupe_pixel(state, frame);
     select_probed(state, frame);

@@ -40,9 +40,9 @@ bool popup_is_open() {
 /// A picture of this frame, which shows what is to be seen in it.
 void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const ScreenRect rect = of == Shot::Scene     ? state.scene_rect
-                            : of == Shot::Map     ? state.map_rect
-                            : of == Shot::Drawing ? state.drawing_rect
+    const ScreenRect rect = of == Shot::Scene     ? state.shots.scene_rect
+                            : of == Shot::Map     ? state.shots.map_rect
+                            : of == Shot::Drawing ? state.shots.drawing_rect
                                                   : ScreenRect{{0, 0}, {all.x, all.y}};
     if (rect.size.x >= 1 && rect.size.y >= 1)
         requests.shot = ShotRequest{of, rect};
@@ -79,10 +79,10 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
 }
 
 void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
-    const bool asked = state.open_tab == which;
+    const bool asked = state.window.open_tab == which;
     if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
-    if (!state.open_tab && state.tab != which) state.fitted_tab = which;
-    if (!state.open_tab || asked) state.tab = which;
+    if (!state.window.open_tab && state.tab != which) state.window.fitted_tab = which;
+    if (!state.window.open_tab || asked) state.tab = which;
     ImGui::BeginChild(label, {0, 0}, false);
     draw();
     ImGui::EndChild();
@@ -108,7 +108,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
         flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("bottom", flags)) return;
-    const auto asked = state.open_tab;
+    const auto asked = state.window.open_tab;
     tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, requests); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
@@ -123,8 +123,8 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
     if (errors > 0) ImGui::PopStyleColor();
-    if (asked == state.tab) state.open_tab.reset();
-    requests.redraw |= state.open_tab.has_value();
+    if (asked == state.tab) state.window.open_tab.reset();
+    requests.redraw |= state.window.open_tab.has_value();
     requests.want_timing = state.tab == BottomTab::Effects;
     requests.want_error = state.tab == BottomTab::Error;
     if (double_click_on_tabs()) maximise(state, Panel::Tabs);
@@ -151,7 +151,7 @@ auto spaced(const auto& draw) {
 
 void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const auto& draw) {
     child(id, size, spaced(draw));
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.hovered_panel = which;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
 }
 
 void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
@@ -170,7 +170,7 @@ void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
-    switch (*state.maximised) {
+    switch (*state.window.maximised) {
         case Panel::Scene:
             scene_panel(state, frame, requests, rest);
             break;
@@ -263,7 +263,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // Where there is little room the tabs below give way to the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.fitted_tab);
+    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.window.fitted_tab);
     const float bottom = std::clamp(wanted * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
     pictures_row(state, frame, requests, {left, pictures}, bar);
@@ -291,17 +291,17 @@ bool text_is_typed() {
 }
 
 void maximise(EditorState& state, Panel panel) {
-    if (state.maximised == panel)
-        state.maximised.reset();
+    if (state.window.maximised == panel)
+        state.window.maximised.reset();
     else
-        state.maximised = panel;
+        state.window.maximised = panel;
 }
 
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     EditorRequests requests;
-    const std::optional<Shot> shot = std::exchange(state.shot_next, {});
-    state.scene_rect = state.map_rect = state.drawing_rect = {};
-    state.dragging = false;
+    const std::optional<Shot> shot = std::exchange(state.shots.next, {});
+    state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
+    state.viewport.dragging = false;
     theme::use(state.layout.light_theme);
     use_driver(frame.driver);
     use_scene(frame.scene);
@@ -311,7 +311,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
-    state.lights_listed = false;
+    state.lights.listed = false;
     follow_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
@@ -331,7 +331,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
                      (cramped ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar));
     ImGui::PopStyleVar();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    if (state.maximised)
+    if (state.window.maximised)
         one_panel(state, frame, requests);
     else
         all_panels(state, frame, requests);
@@ -346,22 +346,22 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         dispatch_shortcuts(state, frame, requests);
         requests.redraw = true;
     }
-    if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
-        state.hovered_object.clear();  // no list that says it
+    if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
+        state.objects.hovered.clear();  // no list that says it
     requests.want_error |= shows_artefacts(state.settings) || waits;
     share_arrow_keys(state);
     share_page_keys(state);
-    state.had_popup = popup_is_open();
+    state.window.had_popup = popup_is_open();
     if (shot) take_shot(state, requests, *shot);
-    requests.redraw |= state.shot_next.has_value();
-    const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
-    const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
-    state.history.set_place({state.scene_name, state.guide});
+    requests.redraw |= state.shots.next.has_value();
+    const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
+    const bool gesture = ImGui::IsAnyItemActive() || state.viewport.dragging || turning_wheel;
+    state.history.set_place({state.scene_name, state.files.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
-    requests.hold_cursor =
-        state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
-    requests.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
+    requests.hold_cursor = state.viewport.flight.on &&
+                           (state.viewport.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
+    requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     use_driver(nullptr);  // facts of this frame

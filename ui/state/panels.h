@@ -30,7 +30,7 @@ void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& requ
 void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
-/// Three sentences and three ways to begin, while state.show_welcome.
+/// Three sentences and three ways to begin, while state.window.show_welcome.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Only where time_bar_height() is not 0: the scene has animations.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);

@@ -20,7 +20,7 @@ double middle(double at, int texels) {
 
 std::optional<TexelPlace> hovered_place(const EditorState& state, const EditorFrame& frame) {
     const FloatImage* c = frame.map_coordinates;
-    const auto& at = state.hovered_pixel;
+    const auto& at = state.viewport.hovered_pixel;
     if (!c || !at || at->x < 0 || at->y < 0 || at->x >= c->width || at->y >= c->height) return {};
     const int n = frame.result->map_resolution;
     const double u = c->at(at->x, at->y, 0), v = c->at(at->x, at->y, 1);
@@ -69,8 +69,8 @@ bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
 }  // namespace
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
-    state.fix_waits = frame.result && verdict_follows(state, frame);
-    if (state.fix_waits) {
+    state.probe_panel.fix_waits = frame.result && verdict_follows(state, frame);
+    if (state.probe_panel.fix_waits) {
         state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
         return;
     }
@@ -86,9 +86,9 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
 }
 
 void follow_fix(EditorState& state, const EditorFrame& frame) {
-    if (!state.fix_waits) return;
+    if (!state.probe_panel.fix_waits) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
-        state.fix_waits = false;
+        state.probe_panel.fix_waits = false;
     else if (!verdict_follows(state, frame))
         apply_fix(state, frame);
 }

@@ -117,7 +117,7 @@ void move_swipe(EditorState& state, float step) {
 void forget_probe(const CommandContext& c) {
     if (!c.state.probe_pixel) select_objects(c.state, {});
     c.state.probe_pixel.reset();
-    c.state.show_shortcuts = false;
+    c.state.window.show_shortcuts = false;
 }
 
 void load_neighbour(const CommandContext& c, int step) {
@@ -177,13 +177,16 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::MaximisePanel,
      .chord = key("F11", kF11),
      .label = "the panel under the mouse alone, and back",
-     .action = [](C c) { maximise(c.state, c.state.maximised ? *c.state.maximised : c.state.hovered_panel); }},
+     .action =
+         [](C c) {
+             maximise(c.state, c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
+         }},
     {.chord = gesture("double-click a title"), .joined = true},
     {.command = Command::RestorePanels,
      .chord = mapped("Esc", ImGuiKey_Escape),
      .when = When::OnePanel,
      .label = "all panels",
-     .action = [](C c) { c.state.maximised.reset(); },
+     .action = [](C c) { c.state.window.maximised.reset(); },
      .joined = true},
     {.command = Command::NextMapPlace,
      .chord = letter("N"),
@@ -212,7 +215,7 @@ constexpr Shortcut kShortcutTable[] = {
      .chord = mapped("Tab", ImGuiKey_Tab),
      .when = When::ProbeHasArrows,
      .label = "give the arrows to widgets",
-     .action = [](C c) { c.state.probe_has_arrows = false; },
+     .action = [](C c) { c.state.keyboard.probe_has_arrows = false; },
      .joined = true},
     {.command = Command::NextLoupeMode,
      .chord = letter("G"),
@@ -331,25 +334,26 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::OpenFile,
      .chord = with_ctrl(letter("O")),
      .label = "open a .gltf or .glb scene, or a preset",
-     .action = [](C c) { ask_for_file(c.state.file_dialog, FileDialog::Job::Open, c.state.preset_path); },
+     .action = [](C c) { ask_for_file(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); },
      .section = "Files and steps"},
     {.chord = gesture("or drop a file"), .joined = true},
     {.command = Command::SavePreset,
      .chord = with_ctrl(letter("S"), Modifier::Up),
      .label = "save the preset",
-     .action = [](C c) { c.requests.save_preset = c.state.preset_path; }},
+     .action = [](C c) { c.requests.save_preset = c.state.files.preset_path; }},
     {.command = Command::SavePresetAs,
      .chord = with_ctrl(letter("S"), Modifier::Down),
      .label = "save it as",
      .action =
          [](C c) {
-             ask_for_file(c.state.file_dialog, FileDialog::Job::SavePreset, c.state.preset_path, c.state.guide.about);
+             ask_for_file(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
+                          c.state.files.guide.about);
          },
      .joined = true},
     {.command = Command::RevertPreset,
      .chord = with_ctrl(letter("R")),
      .label = "back to the preset as it was saved",
-     .action = [](C c) { c.requests.load_preset = c.state.preset_path; }},
+     .action = [](C c) { c.requests.load_preset = c.state.files.preset_path; }},
     {.command = Command::NextPreset,
      .chord = mapped("Page down", ImGuiKey_PageDown),
      .label = "the next guided preset",
@@ -379,27 +383,27 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::SceneScreenshot,
      .chord = with_shift(key("F12", kF12), Modifier::Up),
      .label = "screenshot of the scene, as PNG and in the clipboard",
-     .action = [](C c) { c.state.shot_next = Shot::Scene; }},
+     .action = [](C c) { c.state.shots.next = Shot::Scene; }},
     {.command = Command::MapScreenshot,
      .chord = with_shift(key("F12", kF12), Modifier::Down),
      .label = "of the map",
-     .action = [](C c) { c.state.shot_next = Shot::Map; },
+     .action = [](C c) { c.state.shots.next = Shot::Map; },
      .joined = true},
     {.command = Command::WindowScreenshot,
      .chord = with_ctrl(key("F12", kF12)),
      .label = "of the window",
-     .action = [](C c) { c.state.shot_next = Shot::Window; },
+     .action = [](C c) { c.state.shots.next = Shot::Window; },
      .joined = true},
     {.command = Command::ToggleOverview,
      .chord = with_any(key("F1", kF1)),
      .when = When::Always,
      .label = "this overview",
-     .action = [](C c) { c.state.show_shortcuts = !c.state.show_shortcuts; }},
+     .action = [](C c) { c.state.window.show_shortcuts = !c.state.window.show_shortcuts; }},
     {.command = Command::CloseOverview,
      .chord = with_any(mapped("Esc", ImGuiKey_Escape)),
      .when = When::PopupOpen,
      .label = "close it",
-     .action = [](C c) { c.state.show_shortcuts = c.state.show_welcome = false; },
+     .action = [](C c) { c.state.window.show_shortcuts = c.state.window.show_welcome = false; },
      .joined = true},
     {.command = Command::Quit,
      .chord = with_ctrl(letter("Q")),
@@ -419,10 +423,10 @@ bool popup_open() {
 /// The one situation of Ready, PopupOpen, Flying and HandleDragged that holds; none while a text is typed.
 std::optional<When> present_mode(const EditorState& state) {
     if (text_is_typed()) return {};
-    if (state.flight.on) return When::Flying;
-    if (state.handle_drag) return When::HandleDragged;
+    if (state.viewport.flight.on) return When::Flying;
+    if (state.viewport.handle_drag) return When::HandleDragged;
     // ImGui closes a menu on Escape before this is asked in the same frame.
-    if (popup_open() || state.had_popup) return When::PopupOpen;
+    if (popup_open() || state.window.had_popup) return When::PopupOpen;
     return When::Ready;
 }
 
@@ -444,17 +448,17 @@ bool holds(When when, std::optional<When> mode, const EditorState& state) {
     if (mode != mode_of(when)) return false;
     switch (when) {
         case When::OnePanel:
-            return state.maximised.has_value();
+            return state.window.maximised.has_value();
         case When::AllPanels:
-            return !state.maximised;
+            return !state.window.maximised;
         case When::ProbeHasArrows:
-            return state.probe_has_arrows;
+            return state.keyboard.probe_has_arrows;
         case When::NoWidgetFocused:
             return !ImGui::GetIO().NavVisible;
         case When::SwipeShown:
             return state.against.view == AgainstView::Swipe;
         case When::LightsListed:
-            return state.lights_listed;
+            return state.lights.listed;
         default:
             return true;
     }
@@ -468,8 +472,8 @@ bool matches(Modifier wanted, bool down) {
 int window_code(const Chord& chord, int key, const EditorState& state) {
     if (!chord.mapped) return key;
     // ImGui does not know these while they open presets.
-    if (key == ImGuiKey_PageUp) return state.page_keys[0];
-    if (key == ImGuiKey_PageDown) return state.page_keys[1];
+    if (key == ImGuiKey_PageUp) return state.keyboard.page_keys[0];
+    if (key == ImGuiKey_PageDown) return state.keyboard.page_keys[1];
     return ImGui::GetKeyIndex(key);
 }
 
@@ -541,22 +545,22 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
 
 void share_arrow_keys(EditorState& state) {
     ImGuiIO& io = ImGui::GetIO();
-    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup_open();
+    const bool mine = state.keyboard.probe_has_arrows && state.probe_pixel && !popup_open();
     if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
         io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = true;
-    } else if (!mine && state.took_navigation) {
+        state.keyboard.took_navigation = true;
+    } else if (!mine && state.keyboard.took_navigation) {
         io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = false;
+        state.keyboard.took_navigation = false;
     }
 }
 
 void share_page_keys(EditorState& state) {
     int* const keys = ImGui::GetIO().KeyMap;
-    if (keys[ImGuiKey_PageUp] >= 0) state.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
+    if (keys[ImGuiKey_PageUp] >= 0) state.keyboard.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
     const bool theirs = popup_open();
-    keys[ImGuiKey_PageUp] = theirs ? state.page_keys[0] : -1;
-    keys[ImGuiKey_PageDown] = theirs ? state.page_keys[1] : -1;
+    keys[ImGuiKey_PageUp] = theirs ? state.keyboard.page_keys[0] : -1;
+    keys[ImGuiKey_PageDown] = theirs ? state.keyboard.page_keys[1] : -1;
 }
 
 }  // namespace si

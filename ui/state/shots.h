@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace si {
 
@@ -16,6 +17,14 @@ struct ScreenRect {
 struct ShotRequest {
     Shot of = Shot::Window;
     ScreenRect rect;  ///< of what is drawn in this frame
+};
+
+/// Screenshots that are due, and the places of the pictures in the window.
+struct ShotState {
+    std::optional<Shot> next;  ///< taken in the next frame, once the menu that requested it is closed
+    ScreenRect scene_rect;     ///< scene picture in the last frame
+    ScreenRect map_rect;       ///< map in the last frame
+    ScreenRect drawing_rect;   ///< cross-section in the last frame
 };
 
 }  // namespace si

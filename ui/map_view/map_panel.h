@@ -1,4 +1,4 @@
-// The map viewer: where it looks, what it is told, what it wishes for.
+// The map viewer: its state, facts and requests.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,6 +8,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/inspect/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
+#include "ui/panels/health.h"
 
 namespace si {
 
@@ -17,7 +18,16 @@ struct MapWindow {
     glm::vec2 centre{0.5f};
 };
 
-/// What the depth image in the map viewer holds.
+/// State of the map viewer.
+struct MapPanel {
+    MapWindow window;
+    bool exact_texels = false;                 ///< marks the texels that kernels fetch
+    std::optional<MarkedTexel> marked_texel;   ///< texel of a finding of the panel Numbers, outlined
+    std::string save_path = "shadow-map.pfm";  ///< file that its Save button writes
+    std::optional<glm::ivec2> hovered_texel;   ///< texel under the mouse, y up
+};
+
+/// Statistics of the depth image in the map viewer.
 struct MapPlots {
     DepthStatistics statistics;
     DepthHistogram histogram;  ///< of the values that view.map shows
