@@ -1,4 +1,3 @@
-// What the scene advises, each change measured before it is shown, and the autopilot.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,9 +7,10 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/autopilot.h"
 #include "renderer/settings/param.h"
-#include "ui/state/panels.h"
+#include "ui/panels/advice.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -48,16 +48,15 @@ void bound(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, least);
 }
 
-void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorRequests& requests) {
-    if (frame.advising) {
+void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts& facts, AdviceRequests& requests) {
+    if (facts.advising) {
         if (ImGui::Button("Cancel")) requests.cancel_advice = true;
-        progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
-        wrapped_tooltip(frame.advising->about);
-        ImGui::TextWrapped("%s", frame.advising->about.c_str());
+        progress_bar(facts.advising->progress, fmt::format("{:.0f} %", 100 * facts.advising->progress));
+        wrapped_tooltip(facts.advising->about);
+        ImGui::TextWrapped("%s", facts.advising->about.c_str());
         return;
     }
     choose_cost("Times", panel.cost);
-    const bool ready = frame.scene != nullptr;
     ImGui::BeginDisabled(!ready);
     if (ImGui::Button("Run")) requests.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
@@ -164,18 +163,19 @@ void show_flight(Settings& settings, const AutopilotResult& r, bool current, Cha
 
 }  // namespace
 
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
+                       AdviceRequests& requests) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
-    draw_advice_controls(state.advice, frame, requests);
+    draw_advice_controls(panel, ready, facts, requests);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);
-    if (frame.advice)
-        show_report(state.settings, *frame.advice, frame.advice_current);
-    else if (frame.autopilot)
-        show_flight(state.settings, *frame.autopilot, frame.advice_current, frame.autopilot_changes);
-    else if (!frame.advising)
+    if (facts.advice)
+        show_report(settings, *facts.advice, facts.advice_current);
+    else if (facts.autopilot)
+        show_flight(settings, *facts.autopilot, facts.advice_current, facts.autopilot_changes);
+    else if (!facts.advising)
         ImGui::TextDisabled("Run says which settings this scene could do without, and what each change is worth.");
     ImGui::EndChild();
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "renderer/settings/overlays.h"
+#include "ui/panels/log_panel.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/frame_times.h"
 #include "ui/state/panels.h"
@@ -31,6 +32,7 @@ constexpr float kEveryday = 24.6f;     ///< height in which the settings of ever
 constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
 constexpr float kMapPlots = 6.5f;      ///< of its plots
 constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
+constexpr float kFindingTexels = 24;   ///< width of the map viewer about a texel of a finding, texels
 constexpr float kSplitter = 5;         ///< at scale 1, pixels
 
 bool popup_is_open() {
@@ -102,6 +104,17 @@ bool double_click_on_tabs() {
            bar->BarRect.Contains(ImGui::GetIO().MousePos);
 }
 
+void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    draw_health(state.settings, state.map.marked_texel, frame.result, frame, requests);
+    if (requests.probe_pixel) state.probe_pixel = requests.probe_pixel;
+    if (const auto& marked = requests.show_texel) {
+        state.map.marked_texel = marked;
+        const float across = float(std::max(frame.result->map_resolution >> marked->level, 1));
+        state.map.window = {.zoom = std::max(1.0f, across / kFindingTexels),
+                            .centre = (glm::vec2(marked->texel) + 0.5f) / across};
+    }
+}
+
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
@@ -109,19 +122,22 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
         flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("bottom", flags)) return;
     const auto asked = state.window.open_tab;
-    tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, requests); });
+    tab(state, BottomTab::Effects, "Effects",
+        [&] { draw_effects(state.effects, state.times, frame.result, frame.driver, frame, requests); });
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
     tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, requests); });
     tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
-    tab(state, BottomTab::Advice, "Advice", [&] { draw_advice_panel(state, frame, requests); });
-    tab(state, BottomTab::Lab, "Lab", [&] { draw_lab(state, frame, requests); });
-    tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, requests); });
+    tab(state, BottomTab::Advice, "Advice",
+        [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
+    tab(state, BottomTab::Lab, "Lab",
+        [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
+    tab(state, BottomTab::Numbers, "Numbers", [&] { numbers_tab(state, frame, requests); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
+    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state.log, frame.shader_log); });
     if (errors > 0) ImGui::PopStyleColor();
     if (asked == state.tab) state.window.open_tab.reset();
     requests.redraw |= state.window.open_tab.has_value();

@@ -6,6 +6,8 @@
 #include "renderer/base/lengths_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
+#include "ui/state/shown_light.h"
+#include "ui/widgets/progress_bar.h"
 
 namespace si {
 
@@ -13,8 +15,6 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
 void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// What the frame simulates, keeps and leaves out, each with why and what that saves; what its passes cost.
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What is wrong with the shadows of the shown light, in numbers.
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
@@ -22,13 +22,6 @@ void draw_objects(EditorState& state, const EditorFrame& frame);
 void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// What accuracy costs in time.
 void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// What the scene advises, and the autopilot.
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Where the scene is put, what single precision makes of it, and how much edges crawl.
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Which numbers of the frame are none, and where.
-void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-void draw_log(EditorState& state, const EditorFrame& frame);
 void draw_shortcuts(EditorState& state);
 /// Three sentences and three ways to begin, while state.window.show_welcome.
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
@@ -86,11 +79,6 @@ void end_flicker(EditorState& state);
 /// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
 void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
-/// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
-int shown_light(const Settings& settings);
-/// The face of the shown light, clamped.
-int shown_face(const Settings& settings, const FrameResult& result);
-
 /// True while a text field takes the keys, in this frame or from the next one on.
 bool text_is_typed();
 
@@ -103,11 +91,5 @@ float status_bar_height();
 
 /// A built-in scene's label; a file without its folders; "No scene" when there is none.
 std::string scene_label(const std::string& name_or_path);
-
-/// "12 s", "3 min".
-std::string seconds_text(double seconds);
-
-/// A bar filled from the left to this share, with a text that can be read on either part. @param width 0: all there is
-void progress_bar(double share, const std::string& text, float width = 0);
 
 }  // namespace si

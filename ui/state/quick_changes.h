@@ -4,9 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "ui/state/editor_ui.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
+
+struct EditorFrame;
+struct EditorState;
 
 /// All bias away, as when an engine's numbers are looked for anew.
 void remove_bias(Settings& settings);
