@@ -23,7 +23,7 @@ bool BackgroundWork::poll(const Scene* scene) {
     return poll_found(saved_) || shimmered || compared || advised || cured || tuned;
 }
 
-bool BackgroundWork::fulfil_saved(const SceneDesk& scenes, const FrameRequest& request,
+bool BackgroundWork::fulfil_saved(const SceneLoader& scenes, const FrameRequest& request,
                                   const EditorRequests& requests) {
     if (requests.cancel_saved) saved_.cancel();
     if (!requests.measure_saved) return requests.cancel_saved;
@@ -72,7 +72,7 @@ void BackgroundWork::take_sweep_base() {
     state_.settings.view.light = light;
 }
 
-bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
                             const EditorRequests& requests) {
     bool changed = false;
     const auto request = [&](bool requested, const auto& what) {

@@ -9,7 +9,7 @@
 #include "app/editor/cures.h"
 #include "app/editor/lab.h"
 #include "app/editor/saved.h"
-#include "app/editor/scene_desk.h"
+#include "app/editor/scene_loader.h"
 #include "app/editor/sweep.h"
 #include "app/editor/tuner.h"
 #include "ui/state/editor_ui.h"
@@ -26,10 +26,10 @@ public:
     bool poll(const Scene* scene);
     /// Does what was wished for; errors go to the log. Returns whether anything was.
     /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
-    bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+    bool fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
                 const EditorRequests& requests);
     /// Measures what savings are worth, as wished for. Returns whether anything was. @param request of the frame shown
-    bool fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorRequests& requests);
+    bool fulfil_saved(const SceneLoader& scenes, const FrameRequest& request, const EditorRequests& requests);
     /// Follows sweeps, and the present settings' place among their cases. Returns whether there are news.
     bool follow(const Scene* scene, const EditorRequests& requests);
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }

@@ -15,7 +15,7 @@
 namespace si {
 
 /// Numbers read back from it, each only while a panel shows it.
-struct ReadingFacts {
+struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
@@ -33,9 +33,9 @@ struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;
     FrameRequest request;
-    ReadingFacts readings;
+    ReadBackFacts readings;
     std::optional<TruthFacts> truth;
-    std::optional<AgainstFacts> against;
+    std::optional<PictureComparisonFacts> picture_comparison;
     std::vector<Effect> effects;                  ///< empty unless asked for
     std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
     ArtefactSpots artefacts;                      ///< as EditorFrame has them

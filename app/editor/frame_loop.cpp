@@ -20,14 +20,14 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
-        if (result_.smooth.texture != 0 && !against_.facts() && !pinned_)  // the other side is not smooth
+        if (result_.smooth.texture != 0 && !picture_comparison_.facts() && !pinned_)  // the other side is not smooth
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
         f.truth = truth_.facts(result_, drawn_settings_.view.light);
     }
     f.request = request_;
-    f.readings = readings_.facts();
-    f.against = against_.facts();
+    f.readings = read_back_.facts();
+    f.picture_comparison = picture_comparison_.facts();
     f.effects = effects_;
     f.health = health_;
     f.artefacts = artefacts_;
@@ -39,9 +39,9 @@ FrameFacts FrameLoop::facts() const {
 
 void FrameLoop::clear() {
     drawn_ = false;
-    readings_.clear();
+    read_back_.clear();
     truth_.clear();
-    against_.clear();
+    picture_comparison_.clear();
     frame_effects_.clear(), effects_.clear();
     health_.reset();
 }
@@ -51,7 +51,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
     news_ = {};
     pinned_ = state.pinned.has_value();
     try {
-        news_.changed |= readings_.update_frozen(renderer_, scene, state, requests);
+        news_.changed |= read_back_.update_frozen(renderer_, scene, state, requests);
     } catch (const std::exception& e) {
         report(e.what());
         news_.thaw = true;
@@ -59,7 +59,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
     const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
     if (!drawn) news_.changed |= smooth(scene, state, requests);
-    news_.changed |= follow_readings(scene, state, requests, drawn);
+    news_.changed |= follow_read_back(scene, state, requests, drawn);
     try {
         news_.changed |= follow_truth(scene, state, requests, drawn, comparison);
     } catch (const std::exception& e) {
@@ -117,7 +117,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.texels_read = requests.want_exact_texels;
     wanted.outputs.error = requests.want_error;
     wanted.outputs.health = requests.want_health || requests.search_all;
-    wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
+    wanted.outputs.true_colour = state.comparison.view != ComparisonView::Off && state.comparison.truth;
     wanted.timing = requests.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};
@@ -126,7 +126,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.light_maps = truth_.light_maps();
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
-    if (state.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
+    if (state.comparison.view != ComparisonView::Off) settings.view.panes = int(Panes::One);
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.forced == request_.forced &&
@@ -134,8 +134,8 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !requests.want_map)) return false;
-    if (rehearsals_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
-        rehearsals_->forget(), foreseen_.clear();
+    if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
+        warmup_->forget(), foreseen_.clear();
         drawn_rig_ = scene.rig;
     }
     request_ = wanted;
@@ -175,7 +175,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
 bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !requests.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
-    if (view.slabs != int(Slabs::None) || state.against.view != AgainstView::Off || state.pinned) return false;
+    if (view.slabs != int(Slabs::None) || state.comparison.view != ComparisonView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
     request.timing = false;
@@ -204,25 +204,25 @@ void FrameLoop::tell_of_smoothing(const FrameResult& more) {
 }
 
 void FrameLoop::foresee_programs(const Scene& scene) {
-    if (!rehearsals_) return;
+    if (!warmup_) return;
     if (!foreseen_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
     // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.
-    Rehearsal next{.scene = {}, .settings = drawn_settings_, .request = request_};
+    WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = request_};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
     next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
-    rehearsals_->foresee(std::move(next));
+    warmup_->foresee(std::move(next));
 }
 
-bool FrameLoop::follow_readings(const Scene& scene, const PictureState& state, const EditorRequests& requests,
-                                bool drawn) {
+bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests,
+                                 bool drawn) {
     if (!drawn_) {
-        readings_.clear();
+        read_back_.clear();
         return false;
     }
     try {
-        return readings_.update(renderer_, scene, state, requests, request_, result_, drawn);
+        return read_back_.update(renderer_, scene, state, requests, request_, result_, drawn);
     } catch (const std::exception& e) {
-        readings_.clear();
+        read_back_.clear();
         report(e.what());
         return true;
     }
@@ -232,7 +232,7 @@ bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, cons
                              const ComparisonFacts* comparison) {
     if (!drawn_) {
         truth_.clear();
-        against_.clear();
+        picture_comparison_.clear();
         return false;
     }
     const EditorTruth::Requests truth_requests{requests.cancel_truth, requests.save_error};
@@ -244,7 +244,7 @@ bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, cons
         artefacts_found_ = changed = true;
     }
     if (const std::string remark = truth_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
-    changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);
+    changed |= picture_comparison_.update(renderer_, scene, state, request_, result_, drawn, comparison);
     return changed;
 }
 

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/against.h"
 #include "app/editor/frame_facts.h"
-#include "app/editor/readings.h"
-#include "app/editor/rehearsals.h"
+#include "app/editor/picture_comparison.h"
+#include "app/editor/read_back.h"
+#include "app/editor/shader_warmup.h"
 #include "app/editor/truth.h"
 #include "renderer/frame/effects.h"
 #include "renderer/frame/renderer.h"
@@ -31,7 +31,7 @@ class FrameLoop {
 public:
     /// @param foresee programs that are likely to be asked for next are made in the background
     explicit FrameLoop(bool foresee) {
-        if (foresee) rehearsals_ = std::make_unique<Rehearsals>();
+        if (foresee) warmup_ = std::make_unique<ShaderWarmup>();
     }
 
     /// Draws the scene when anything changed, and whatever follows from it. Errors are remarks.
@@ -52,14 +52,14 @@ public:
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
 
     /// The truth of the probed pixel was sought; the next update() has it.
-    bool probe_moved() const { return readings_.has_news(); }
-    void finish_probe() const { readings_.finish_tracing(); }
+    bool probe_moved() const { return read_back_.has_news(); }
+    void finish_probe() const { read_back_.finish_tracing(); }
     /// Rays of the picture are being traced, or something is made of them; update() has news of it.
     bool tracing() const { return truth_.busy(); }
     bool tracing_moved() const { return truth_.moved(); }
     void finish_tracing() const { truth_.wait(); }
     /// Null: nothing is foreseen.
-    const Rehearsals* rehearsals() const { return rehearsals_.get(); }
+    const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:
     bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
@@ -70,7 +70,7 @@ private:
     void tell_of_smoothing(const FrameResult& more);
     /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
     void foresee_programs(const Scene& scene);
-    bool follow_readings(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
+    bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
     /// Traces and compares what is shown.
     bool follow_truth(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                       const ComparisonFacts* comparison);
@@ -92,9 +92,9 @@ private:
     bool pinned_ = false;
     int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
     std::string problem_, shader_log_;
-    EditorReadings readings_;
+    EditorReadBack read_back_;
     EditorTruth truth_;
-    EditorAgainst against_;
+    EditorPictureComparison picture_comparison_;
     std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
     ArtefactSpots artefacts_;                      ///< of the last wish that was fulfilled
     bool artefacts_found_ = false;                 ///< since the frame drawn last
@@ -102,7 +102,7 @@ private:
     std::vector<Effect> effects_;                  ///< these, and what stands behind panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
     std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose followers are
-    std::unique_ptr<Rehearsals> rehearsals_;
+    std::unique_ptr<ShaderWarmup> warmup_;
 };
 
 }  // namespace si

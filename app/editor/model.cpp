@@ -43,17 +43,17 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     : check_numeric_(options.check_numeric),
       offers_pictures_(!options.headless),
       session_(options.report),
-      memory_(options.state_folder),
-      scenes_(state, memory_, std::move(read), options.headless),
-      presets_(state, memory_, scenes_),
+      persistence_(options.state_folder),
+      scenes_(state, persistence_, std::move(read), options.headless),
+      presets_(state, persistence_, scenes_),
       frames_(state, std::move(thread), session_),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
     scenes_.begin(plan.settings);
-    state.layout = memory_.workspace().layout;
+    state.layout = persistence_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
     state.window.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
-                                !memory_.workspace().welcomed && !memory_.lost();
+                                !persistence_.workspace().welcomed && !persistence_.lost();
     if (!options.preset.empty()) state.files.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
@@ -80,7 +80,7 @@ EditorFrame EditorModel::facts() const {
     f.verdict_follows = frames_.busy();
     work_.fill(f, scenes_.scene(), picture_size());
     presets_.fill(f);
-    memory_.fill(f);
+    persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
     f.desktop_dialogs = asks_desktop;
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
@@ -146,7 +146,7 @@ void EditorModel::copy_command_line() {
 }
 
 void EditorModel::keep() {
-    memory_.follow(state, steady_seconds());
+    persistence_.follow(state, steady_seconds());
     try {
         session_.follow(steady_seconds(), state.log);
     } catch (const std::exception& e) {
@@ -167,7 +167,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     EditorRequests requests = asked;
     requests.search_all = check_numeric_;
     session_.note_frame();
-    if (requests.welcomed) memory_.note_welcome();
+    if (requests.welcomed) persistence_.note_welcome();
     follow_memory(requests.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.
@@ -183,7 +183,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.save_preset.has_value(),
             [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
     request(requests.restore_lost, [&] { presets_.restore_lost(); });
-    request(requests.discard_lost, [&] { memory_.forget_lost(); });
+    request(requests.discard_lost, [&] { persistence_.forget_lost(); });
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     request(scenes_.has_step(), [&] { scenes_.follow_step(); });
     changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, requests);

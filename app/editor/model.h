@@ -10,10 +10,10 @@
 #include "app/context/imgui_session.h"
 #include "app/editor/background_work.h"
 #include "app/editor/editor.h"
-#include "app/editor/frame_desk.h"
-#include "app/editor/memory.h"
-#include "app/editor/preset_work.h"
-#include "app/editor/scene_desk.h"
+#include "app/editor/frame_loader.h"
+#include "app/editor/persistence.h"
+#include "app/editor/preset_requests.h"
+#include "app/editor/scene_loader.h"
 #include "app/editor/session_report.h"
 #include "ui/state/editor_ui.h"
 
@@ -74,7 +74,7 @@ public:
     /// Waits for it. Returns whether the next frame of the editor looks different.
     bool finish_drawing() { return frames_.wait(), frames_.poll(); }
     /// Null without a thread for frames.
-    const Rehearsals* rehearsals() const { return frames_.rehearsals(); }
+    const ShaderWarmup* warmup() const { return frames_.warmup(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() { frames_.wait(), scenes_.finish(); }
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
@@ -84,11 +84,11 @@ public:
     /// Call now and then, also while nothing is drawn: keeps what a crash would lose.
     void keep();
     /// At once, before an end that is not clean.
-    void keep_now() { memory_.follow(state, std::numeric_limits<double>::infinity()); }
+    void keep_now() { persistence_.follow(state, std::numeric_limits<double>::infinity()); }
     /// The window has this size in screen coordinates at scale 1.
-    void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
+    void keep_window(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
     /// The end: what no preset holds is kept and offered again.
-    void end() { memory_.end(state, presets_.would_be_lost()), session_.write(state.log); }
+    void end() { persistence_.end(state, presets_.would_be_lost()), session_.write(state.log); }
     /// What became of this session.
     SessionReport& session() { return session_; }
 
@@ -107,10 +107,10 @@ private:
     SessionReport session_;
     std::optional<MemoryFacts> held_;
     double held_at_s_ = 0;
-    EditorMemory memory_;
-    SceneDesk scenes_;
-    PresetWork presets_;
-    FrameDesk frames_;
+    EditorPersistence persistence_;
+    SceneLoader scenes_;
+    PresetRequestHandler presets_;
+    FrameLoader frames_;
     BackgroundWork work_;
 };
 

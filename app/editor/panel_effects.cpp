@@ -50,7 +50,7 @@ constexpr PanelRow kPanels[] = {
      "The loupe is shown: the pixels under it are read back where they change.", "No loupe is shown",
      Command::NextLoupeMode},
     {"panel: other side of the comparison",
-     [](const PictureState& s, const EditorRequests&) { return s.against.view != AgainstView::Off; },
+     [](const PictureState& s, const EditorRequests&) { return s.comparison.view != ComparisonView::Off; },
      "The picture is compared with another, which is drawn where it changes.", "Nothing is compared",
      Command::NextComparison},
     {"panel: objects lost to culling",

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "app/sweep/results.h"
-#include "ui/state/measured.h"
+#include "ui/panels/frontier_panel.h"
 
 namespace si {
 

@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "app/editor/headless_editor.h"
-#include "app/editor/rehearsals.h"
+#include "app/editor/shader_warmup.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/settings/param.h"
@@ -77,7 +77,7 @@ struct Hands {
     }
     void settle() {
         editor->settle();
-        if (const Rehearsals* r = editor->model().rehearsals()) r->wait();
+        if (const ShaderWarmup* r = editor->model().warmup()) r->wait();
         for (int i = 0; i < 4; ++i) frame();
     }
     /// The longest frame until what `act` changed is shown, while a mouse moves. @param until adds how long that took
@@ -220,7 +220,7 @@ std::vector<Tool> all_tools() {
         press_key("compare_with_truth", 'B'),
         {.name = "compare_with_a",
          .steps = {[](Hands& h) {
-             h.state().against = {.view = AgainstView::SideBySide, .truth = false};
+             h.state().comparison = {.view = ComparisonView::SideBySide, .truth = false};
              h.state().compare = {CompareKind::Pinned, {}};
          }},
          .before = pin_and_change},

@@ -252,9 +252,9 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
     };
     EXPECT_EQ(state_of("panel: loupe"), EffectState::NotCalledFor);
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
-    state.against.view = AgainstView::SideBySide;
+    state.comparison.view = ComparisonView::SideBySide;
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::Simulated);
-    state.against.view = AgainstView::Off;
+    state.comparison.view = ComparisonView::Off;
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
     state.probe_pixel = glm::ivec2(300, 200);
     EXPECT_EQ(state_of("panel: loupe"), EffectState::Simulated);

@@ -116,21 +116,22 @@ TEST(ErrorPanel, TheLegendHasEveryColour) {
     ui.frames(2);
 }
 
-TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
+TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
         ui.truth = made_up_truth();
-        for (const AgainstView view : {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference,
-                                       AgainstView::Alone, AgainstView::Off}) {
-            ui.state.against.view = view;
+        for (const ComparisonView view : {ComparisonView::Swipe, ComparisonView::SideBySide, ComparisonView::Difference,
+                                          ComparisonView::Alone, ComparisonView::Off}) {
+            ui.state.comparison.view = view;
             for (int variant = 0; variant < 3; ++variant) {
-                ui.state.against.truth = variant != 1;
-                ui.against.reset();
+                ui.state.comparison.truth = variant != 1;
+                ui.picture_comparison.reset();
                 if (variant > 0) {
-                    ui.against = AgainstFacts{.label = "x", .mae = 0.01};
+                    ui.picture_comparison = PictureComparisonFacts{.label = "x", .mae = 0.01};
                     const FrameResult made_up = made_up_frame(ui.scene, ui.state.settings);
-                    if (variant == 2) ui.against->picture = ui.against->difference = made_up.colour;
-                    if (variant == 1) ui.against->problem = "no such preset";
+                    if (variant == 2)
+                        ui.picture_comparison->picture = ui.picture_comparison->difference = made_up.colour;
+                    if (variant == 1) ui.picture_comparison->problem = "no such preset";
                 }
                 const EditorRequests requests = ui.frames(3);
                 EXPECT_GT(requests.scene_width, 100);
@@ -140,9 +141,9 @@ TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
     }
 }
 
-TEST(Against, TheLineIsDraggedAndNothingElse) {
+TEST(PictureComparison, TheLineIsDraggedAndNothingElse) {
     UiHarness ui(1280, 720);
-    ui.state.against = {.view = AgainstView::Swipe};
+    ui.state.comparison = {.view = ComparisonView::Swipe};
     ui.frames(3);
     ASSERT_TRUE(ui.state.viewport.view);
     const PictureView view = *ui.state.viewport.view;
@@ -151,11 +152,11 @@ TEST(Against, TheLineIsDraggedAndNothingElse) {
     };
     const Settings before = ui.state.settings;
     ui.drag(at(0.5), at(0.2));
-    EXPECT_NEAR(ui.state.against.at, 0.2, 0.01);
+    EXPECT_NEAR(ui.state.comparison.at, 0.2, 0.01);
     EXPECT_EQ(ui.state.settings, before);
     EXPECT_FALSE(ui.state.probe_pixel);
     ui.drag(at(0.2), glm::vec2(5, 300));
-    EXPECT_GE(ui.state.against.at, 0.f) << "not beyond the picture";
+    EXPECT_GE(ui.state.comparison.at, 0.f) << "not beyond the picture";
     ui.drag(at(0.7), at(0.8));
     EXPECT_NE(ui.state.settings, before) << "elsewhere the camera turns";
 }

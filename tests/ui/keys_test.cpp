@@ -128,11 +128,11 @@ TEST_F(Keys, XSaysThatItLooks) {
 TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_FALSE(ui.state.comparison.truth);
     key('P');  // off
-    ui.state.against.view = AgainstView::Swipe, ui.state.against.truth = true;
+    ui.state.comparison.view = ComparisonView::Swipe, ui.state.comparison.truth = true;
     key('P');
-    EXPECT_TRUE(ui.state.against.truth) << "what is compared stays";
+    EXPECT_TRUE(ui.state.comparison.truth) << "what is compared stays";
 }
 
 TEST_F(Keys, UTakesAllBiasAway) {

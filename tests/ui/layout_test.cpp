@@ -60,9 +60,9 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
         unmoved("its scale");
         ui.state.settings.light_count = 3;
         unmoved("three lights");
-        ui.state.against.view = AgainstView::Swipe;
+        ui.state.comparison.view = ComparisonView::Swipe;
         unmoved("a comparison");
-        ui.state.against.view = AgainstView::Off;
+        ui.state.comparison.view = ComparisonView::Off;
         set_setting(ui.state.settings, "filter.kernel", "evsm4");
         unmoved("moments in the map");
         ui.state.log.add(LogKind::Error, "Something long that has happened to be said, " + std::string(300, 'x'));
@@ -239,7 +239,7 @@ TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
     ui.state.settings.view.panes = int(Panes::Four);
     ui.frames(3);
     EXPECT_EQ(places(), before) << "several panes";
-    ui.state.against.view = AgainstView::Swipe;
+    ui.state.comparison.view = ComparisonView::Swipe;
     ui.frames(3);
     EXPECT_EQ(places(), before) << "a comparison";
 }
@@ -252,8 +252,8 @@ TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
     const auto defaults = ui.find("##Combo", "", "the program's defaults");
     ASSERT_TRUE(defaults);
     ui.click(*defaults);
-    EXPECT_EQ(ui.state.against.view, AgainstView::Swipe);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
+    EXPECT_FALSE(ui.state.comparison.truth);
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
 }
 
@@ -309,7 +309,7 @@ TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
     ui.key('2');
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_EQ(ui.state.settings.view.overlay_4, 2);
-    ui.state.against.view = AgainstView::Swipe;
+    ui.state.comparison.view = ComparisonView::Swipe;
     ui.frames(2);
     ui.key('3');
     EXPECT_EQ(ui.state.settings.view.overlay, 3) << "compared, the picture is one pane";

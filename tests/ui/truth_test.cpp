@@ -141,11 +141,11 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     HeadlessEditor editor(options(kNoBias));
     EditorState& state = editor.model().state;
     state.window.open_tab = BottomTab::Error;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.comparison = {.view = ComparisonView::SideBySide, .truth = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
     // The other side is not shown any more when the truth about another view comes.
-    state.against.view = AgainstView::Off;
+    state.comparison.view = ComparisonView::Off;
     state.settings.camera.azimuth += 5;
     editor.settle();
     EXPECT_EQ(receivers(), others + 1);
@@ -188,23 +188,24 @@ std::vector<std::uint8_t> part(const HeadlessEditor& editor, const PictureView& 
     return out;
 }
 
-TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
+TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     HeadlessEditor editor(options({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.frustum=false",
                                    "view.axes=false", "map.resolution=256"}));
     editor.settle();
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::Swipe, .truth = true, .at = 1};
+    state.comparison = {.view = ComparisonView::Swipe, .truth = true, .at = 1};
     editor.settle();
-    ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
+    ASSERT_TRUE(editor.model().facts().picture_comparison &&
+                editor.model().facts().picture_comparison->picture.texture);
     ASSERT_TRUE(state.viewport.view);
     const PictureView view = *state.viewport.view;
     const auto left_a = part(editor, view, 0.05, 0.4), right_a = part(editor, view, 0.6, 0.95);
-    state.against.at = 0;
+    state.comparison.at = 0;
     editor.settle();
     const auto left_b = part(editor, view, 0.05, 0.4), right_b = part(editor, view, 0.6, 0.95);
     EXPECT_NE(left_a, left_b);
     EXPECT_NE(right_a, right_b);
-    state.against.at = 0.3f;
+    state.comparison.at = 0.3f;
 
     // The line is dragged from 0.3 to the middle; the camera stays.
     const CameraSettings camera = state.settings.camera;
@@ -223,7 +224,7 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
     editor.frame();
     editor.mouse.at.reset();
     editor.settle();
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     EXPECT_EQ(state.settings.camera, camera);
     EXPECT_FALSE(state.probe_pixel) << "a drag is no click";
     EXPECT_EQ(part(editor, view, 0.05, 0.4), left_a);
@@ -239,7 +240,7 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
     editor.frame(), editor.frame();
     editor.mouse.left = false;
     editor.frame();
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     EXPECT_NE(state.settings.camera, camera);
 
     const auto press = [&](int key) {
@@ -249,36 +250,36 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
         editor.frame();
     };
     press('.');
-    EXPECT_NEAR(state.against.at, 0.52, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.52, 0.01);
     press(',');
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     press('B');
-    EXPECT_EQ(state.against.view, AgainstView::SideBySide);
+    EXPECT_EQ(state.comparison.view, ComparisonView::SideBySide);
     press('B'), press('B');
-    EXPECT_EQ(state.against.view, AgainstView::Off);
+    EXPECT_EQ(state.comparison.view, ComparisonView::Off);
     expect_calm(editor);
 }
 
-TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
+TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.comparison = {.view = ComparisonView::SideBySide, .truth = false};
     state.compare = {CompareKind::Defaults, {}};
     editor.settle();
-    const auto facts = [&] { return editor.model().facts().against; };
+    const auto facts = [&] { return editor.model().facts().picture_comparison; };
     ASSERT_TRUE(facts() && facts()->picture.texture);
     EXPECT_EQ(facts()->picture.width, editor.model().facts().result->colour.width) << "both sides are of one size";
     write_png(kOut / "editor_beside.png", editor.picture());
-    state.against.view = AgainstView::Difference;
+    state.comparison.view = ComparisonView::Difference;
     editor.settle();
     ASSERT_TRUE(facts()->difference.texture);
     const double different = facts()->mae;
     EXPECT_GT(different, 1e-4);
     write_png(kOut / "editor_difference.png", editor.picture());
-    state.against.view = AgainstView::Off;
+    state.comparison.view = ComparisonView::Off;
     editor.settle();
     EXPECT_FALSE(facts());
-    state.against.view = AgainstView::Difference;
+    state.comparison.view = ComparisonView::Difference;
     editor.settle();
     expect_calm(editor);
     // Light, maps and kernel as the defaults have them: nothing is left to differ but shading by rounding.
@@ -296,7 +297,7 @@ TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
     EXPECT_EQ(facts()->picture.texture, 0u);
 }
 
-TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
+TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     editor.settle();
     EditorState& state = editor.model().state;
@@ -317,21 +318,21 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     const auto changed = seen();
     ASSERT_NE(changed, pinned);
 
-    const Against before = state.against;
+    const PictureComparison before = state.comparison;
     for (int round = 0; round < 2; ++round) {
         key('A', true);
         EXPECT_EQ(seen(), pinned) << "while it is held";
         if (round == 0) write_png(kOut / "editor_flicker.png", editor.picture());
         key('A', false);
         EXPECT_EQ(seen(), changed);
-        EXPECT_EQ(state.against.view, before.view);
-        EXPECT_EQ(state.against.truth, before.truth);
+        EXPECT_EQ(state.comparison.view, before.view);
+        EXPECT_EQ(state.comparison.truth, before.truth);
     }
     EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
     EXPECT_EQ(state.history.at(), 1u);
 
     state.compare = {CompareKind::Pinned, {}};
-    state.against = {.view = AgainstView::Swipe, .truth = false, .at = 0};
+    state.comparison = {.view = ComparisonView::Swipe, .truth = false, .at = 0};
     editor.settle();
     EXPECT_EQ(part(editor, *state.viewport.view, 0.05, 0.9), [&] {
         key('A', true);
@@ -339,7 +340,7 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
         key('A', false);
         return alone;
     }());
-    state.against.at = 0.5f;
+    state.comparison.at = 0.5f;
     editor.settle();
     write_png(kOut / "editor_pin_swipe.png", editor.picture());
     state.window.open_tab = BottomTab::Compare;
@@ -351,7 +352,7 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     editor.settle();
     key('P', true), key('P', false);
     EXPECT_FALSE(state.pinned);
-    EXPECT_EQ(state.against.view, AgainstView::Off) << "with what it was compared is gone";
+    EXPECT_EQ(state.comparison.view, ComparisonView::Off) << "with what it was compared is gone";
     expect_calm(editor);
 }
 

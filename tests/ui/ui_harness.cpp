@@ -113,7 +113,7 @@ EditorRequests UiHarness::frame() {
         facts.driver = &driver_;
         facts.truth = truth;
         facts.error = error ? &*error : nullptr;
-        facts.against = against;
+        facts.picture_comparison = picture_comparison;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;

@@ -40,7 +40,7 @@ public:
     std::optional<LostFacts> lost;
     std::optional<TruthFacts> truth;
     std::optional<LiveError> error;
-    std::optional<AgainstFacts> against;
+    std::optional<PictureComparisonFacts> picture_comparison;
     std::optional<MapPlots> map_facts;
     std::vector<LostCaster> lost_casters;
     std::vector<Dossier> dossiers;

@@ -8,7 +8,7 @@
 #include "renderer/frame/frame.h"
 #include "renderer/inspect/depth_histogram.h"
 #include "renderer/inspect/texel_usage.h"
-#include "ui/panels/health.h"
+#include "ui/panels/health_panel.h"
 
 namespace si {
 

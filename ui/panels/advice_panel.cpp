@@ -1,3 +1,5 @@
+#include "ui/panels/advice_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,7 +9,6 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/measure/autopilot.h"
 #include "renderer/settings/param.h"
-#include "ui/panels/advice.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
 #include "ui/widgets/progress_bar.h"

@@ -1,3 +1,5 @@
+#include "ui/panels/effects_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,7 +11,6 @@
 #include "renderer/frame/frame.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/measure/saved.h"
-#include "ui/panels/effects.h"
 #include "ui/state/frame_times.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"

@@ -5,7 +5,7 @@
 
 #include <optional>
 
-#include "ui/state/measured.h"
+#include "ui/panels/frontier_panel.h"
 
 namespace si {
 

@@ -1,3 +1,5 @@
+#include "ui/panels/health_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,7 +9,6 @@
 #include "renderer/frame/facts.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/settings.h"
-#include "ui/panels/health.h"
 #include "ui/widgets/theme.h"
 
 namespace si {

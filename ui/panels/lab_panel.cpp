@@ -1,3 +1,5 @@
+#include "ui/panels/lab_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -9,7 +11,6 @@
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
 #include "renderer/view/placement.h"
-#include "ui/panels/lab.h"
 #include "ui/state/shown_light.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/progress_bar.h"

@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "ui/panels/probed.h"
+#include "ui/panels/probe_panel.h"
 
 namespace si {
 

@@ -9,7 +9,7 @@
 #include "renderer/measure/tuner.h"
 #include "renderer/settings/owners.h"
 #include "renderer/view/placement.h"
-#include "ui/panels/lights.h"
+#include "ui/panels/lights_panel.h"
 #include "ui/panels/tune_controls.h"
 #include "ui/state/panels.h"
 #include "ui/widgets/button_width.h"

@@ -57,10 +57,10 @@ void header(EditorState& state, const EditorFrame& frame) {
     bar.title("Scene");
     if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
     bar.item("Overlay", em * 9, [&s](float room) { overlay_widget(s, overlay_setting(0), room); });
-    bar.item("Compare", em * 6.5f, [&state](float room) { against_view_widget(state, room); });
-    bar.item("", em * 9, [&](float room) { against_other_widget(state, frame, room); });
+    bar.item("Compare", em * 6.5f, [&state](float room) { comparison_view_widget(state, room); });
+    bar.item("", em * 9, [&](float room) { comparison_other_widget(state, frame, room); });
     bar.item("Panes", em * 4, [&state, &s](float room) {
-        const bool comparing = chosen_view(state) != AgainstView::Off;
+        const bool comparing = chosen_comparison(state) != ComparisonView::Off;
         ImGui::BeginDisabled(comparing);
         setting_widget(s, "view.panes", room);
         ImGui::EndDisabled();
@@ -215,7 +215,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddImage(texture_id(pane.picture.texture), lo, hi, {0, 1}, {1, 0});  // stored bottom row first
     list.PushClipRect(lo, hi, true);
-    draw_against(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
+    draw_comparison(state, frame, {lo.x, lo.y}, {size.x, size.y}, index > 0);
     const PictureView view{result.camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
     draw_scene_marks(PicturePainter(view, list), state, frame);
     if (frame.anchor_place != AnchorPlace::Outside) draw_probe_mark(state, result, lo, size);
@@ -228,7 +228,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
         // Above it stands which overlay the pane has, or which side of a comparison it is.
-        const bool named = panes.grid.count() > 1 || state.against.view != AgainstView::Off;
+        const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
         hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
     }
@@ -246,10 +246,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
-    const AgainstView against = state.against.view;
-    const int shown_panes = against == AgainstView::Off          ? state.settings.view.panes
-                            : against == AgainstView::SideBySide ? int(Panes::Two)
-                                                                 : int(Panes::One);
+    const ComparisonView picture_comparison = state.comparison.view;
+    const int shown_panes = picture_comparison == ComparisonView::Off          ? state.settings.view.panes
+                            : picture_comparison == ComparisonView::SideBySide ? int(Panes::Two)
+                                                                               : int(Panes::One);
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
     requests.scene_width = panes.grid.width;
@@ -258,7 +258,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
     state.shots.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
     // After a change of view.panes the pictures are there with the next frame.
-    const int pictures = against == AgainstView::Off ? panes.grid.count() : 1;
+    const int pictures = picture_comparison == ComparisonView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
         draw_loading(frame, requests, origin.x, origin.y, size.x);

@@ -11,23 +11,24 @@
 #include "renderer/frame/renderer.h"
 #include "renderer/inspect/lost_casters.h"
 #include "ui/map_view/map_panel.h"
-#include "ui/panels/advice.h"
+#include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
-#include "ui/panels/effects.h"
+#include "ui/panels/effects_panel.h"
 #include "ui/panels/error_panel.h"
-#include "ui/panels/health.h"
-#include "ui/panels/lab.h"
-#include "ui/panels/lights.h"
-#include "ui/panels/objects.h"
+#include "ui/panels/frontier_panel.h"
+#include "ui/panels/health_panel.h"
+#include "ui/panels/lab_panel.h"
+#include "ui/panels/lights_panel.h"
+#include "ui/panels/objects_panel.h"
 #include "ui/panels/presets.h"
-#include "ui/panels/probed.h"
+#include "ui/panels/probe_panel.h"
 #include "ui/panels/settings_panel.h"
 #include "ui/panels/truth.h"
 #include "ui/panels/tune.h"
-#include "ui/scene_view/against.h"
 #include "ui/scene_view/cameras.h"
+#include "ui/scene_view/picture_comparison.h"
 #include "ui/scene_view/probe_anchor.h"
 #include "ui/scene_view/scene_panel.h"
 #include "ui/state/files.h"
@@ -35,7 +36,6 @@
 #include "ui/state/history.h"
 #include "ui/state/keyboard.h"
 #include "ui/state/log.h"
-#include "ui/state/measured.h"
 #include "ui/state/object_selection.h"
 #include "ui/state/shots.h"
 #include "ui/state/window_layout.h"
@@ -45,7 +45,7 @@ namespace si {
 
 /// Comparison to go back to when the key is released that shows A alone.
 struct Flicker {
-    Against against;
+    PictureComparison picture_comparison;
     CompareWith compare;
 };
 
@@ -56,7 +56,7 @@ enum class LoupeMode { Probed, Mouse, Off };
 struct PictureState {
     Settings settings;
     CompareWith compare;
-    Against against;
+    PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
     EffectsPanel effects;
     std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
@@ -137,7 +137,7 @@ struct EditorFrame : ProbeFacts,
     const SweepFacts* sweep = nullptr;
     std::optional<TruthFacts> truth;
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known
-    std::optional<AgainstFacts> against;
+    std::optional<PictureComparisonFacts> picture_comparison;
     const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
     bool desktop_dialogs = false;              ///< the desktop's dialog for files can be asked for
     const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled

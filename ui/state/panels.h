@@ -60,14 +60,14 @@ std::string truth_status(const EditorFrame& frame);
 void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
 /// How the picture is compared with another one; and with which. @param width of the combo, pixels
-void against_view_widget(EditorState& state, float width);
-void against_other_widget(EditorState& state, const EditorFrame& frame, float width);
+void comparison_view_widget(EditorState& state, float width);
+void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
 /// What was chosen, which a key may have put aside while it is held.
-AgainstView chosen_view(const EditorState& state);
+ComparisonView chosen_comparison(const EditorState& state);
 /// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
 bool steer_swipe(EditorState& state, const PictureView& view);
 /// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
-void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
+void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
 /// Pins the present settings as what they are compared with; the same settings again: nothing is pinned.
 void pin_settings(EditorState& state);

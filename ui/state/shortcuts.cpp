@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "renderer/settings/overlays.h"
-#include "ui/panels/lights.h"
+#include "ui/panels/lights_panel.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_gizmo.h"
 #include "ui/state/panels.h"
@@ -97,7 +97,7 @@ void isolate_selected(const CommandContext& c) {
 
 /// The overlay of the pane that the mouse was over last. A comparison shows one pane only.
 SettingRef active_overlay(const EditorState& state) {
-    const int pane = state.against.view == AgainstView::Off ? state.active_pane : 0;
+    const int pane = state.comparison.view == ComparisonView::Off ? state.active_pane : 0;
     return *find_setting(overlay_setting(pane));
 }
 
@@ -111,7 +111,7 @@ void toggle_overlay(const CommandContext& c) {
 
 void move_swipe(EditorState& state, float step) {
     const float factor = ImGui::GetIO().KeyShift ? kFastSwipe : 1;
-    state.against.at = std::clamp(state.against.at + step * factor, 0.0f, 1.0f);
+    state.comparison.at = std::clamp(state.comparison.at + step * factor, 0.0f, 1.0f);
 }
 
 void forget_probe(const CommandContext& c) {
@@ -253,7 +253,7 @@ constexpr Shortcut kShortcutTable[] = {
      .label = "with the reference or a preset: swipe, side by side, difference",
      .action =
          [](C c) {
-             if (!c.state.flicker) c.state.against.view = AgainstView((int(c.state.against.view) + 1) % 4);
+             if (!c.state.flicker) c.state.comparison.view = ComparisonView((int(c.state.comparison.view) + 1) % 4);
          },
      .section = "Compare"},
     {.command = Command::MoveSwipeLeft,
@@ -456,7 +456,7 @@ bool holds(When when, std::optional<When> mode, const EditorState& state) {
         case When::NoWidgetFocused:
             return !ImGui::GetIO().NavVisible;
         case When::SwipeShown:
-            return state.against.view == AgainstView::Swipe;
+            return state.comparison.view == ComparisonView::Swipe;
         case When::LightsListed:
             return state.lights.listed;
         default:

@@ -1,4 +1,4 @@
-#include "app/editor/preset_desk.h"
+#include "app/editor/preset_loader.h"
 
 #include <fmt/format.h>
 
@@ -28,23 +28,23 @@ std::string scene_for(const fs::path& preset, const std::string& scene) {
 
 }  // namespace
 
-PresetDesk::PresetDesk() {
+PresetLoader::PresetLoader() {
     for (const BuiltinPreset& p : builtin_presets()) entries_.push_back({p.key, p.title, p.topic, p.about});
     for (const BuiltinPreset& p : hard_case_presets()) hard_cases_.push_back({p.key, p.title, p.topic, p.about});
 }
 
-bool PresetDesk::is_built_in(const std::string& key) const {
+bool PresetLoader::is_built_in(const std::string& key) const {
     const auto named = [&](const PresetEntry& p) { return p.key == key; };
     return std::ranges::any_of(entries_, named) || std::ranges::any_of(hard_cases_, named);
 }
 
-GuideNote PresetDesk::opened(const std::string& name_or_path, const Preset& preset) {
+GuideNote PresetLoader::opened(const std::string& name_or_path, const Preset& preset) {
     if (!is_built_in(name_or_path)) files_[whole_path(name_or_path)] = preset;
     return {name_or_path, preset.title, preset.about};
 }
 
-bool PresetDesk::save(const fs::path& path, const std::string& scene, const Settings& settings,
-                      const std::optional<std::string>& about, bool replace) {
+bool PresetLoader::save(const fs::path& path, const std::string& scene, const Settings& settings,
+                        const std::optional<std::string>& about, bool replace) {
     const std::string key = whole_path(path);
     std::error_code error;
     if (!replace && !files_.contains(key) && fs::is_regular_file(path, error)) return false;
@@ -59,18 +59,18 @@ bool PresetDesk::save(const fs::path& path, const std::string& scene, const Sett
     return true;
 }
 
-bool PresetDesk::knows(const std::string& path) const {
+bool PresetLoader::knows(const std::string& path) const {
     return files_.contains(whole_path(path));
 }
 
-bool PresetDesk::holds(const std::string& path, const std::string& scene, const Settings& settings) const {
+bool PresetLoader::holds(const std::string& path, const std::string& scene, const Settings& settings) const {
     const auto it = files_.find(whole_path(path));
     return it != files_.end() && it->second.settings == settings &&
            (it->second.scene.empty() || it->second.scene == scene);
 }
 
-const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settings& base, const std::string& scene,
-                                           const std::optional<PinnedSettings>& pinned) {
+const ComparisonFacts& PresetLoader::compare(const CompareWith& with, const Settings& base, const std::string& scene,
+                                             const std::optional<PinnedSettings>& pinned) {
     if (with.kind == CompareKind::Pinned) {
         comparison_ = {with, {}, {}, {}};
         if (pinned)

@@ -8,16 +8,16 @@
 namespace si {
 
 /// What the picture shown is held against, and how. Alone: the other one is all that is seen, while a key is held.
-enum class AgainstView { Off, Swipe, SideBySide, Difference, Alone };
-struct Against {
-    AgainstView view = AgainstView::Off;
+enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
+struct PictureComparison {
+    ComparisonView view = ComparisonView::Off;
     bool truth = true;  ///< the ray-traced truth; else what EditorState::compare names
     float at = 0.5f;    ///< where the swipe's line stands: share of the picture's width, what is shown on its left
     bool held = false;  ///< the line is being dragged
 };
 
 /// The picture that the one shown is held against.
-struct AgainstFacts {
+struct PictureComparisonFacts {
     Image picture, difference;  ///< without a texture: not there yet
     std::string label;          ///< what it shows: "Truth", "PCF 5x5"
     std::string problem;        ///< why there is none

@@ -8,11 +8,11 @@
 #include "app/base/job.h"
 #include "renderer/inspect/dossier.h"
 #include "renderer/reference/ray_scenes.h"
-#include "ui/panels/probed.h"
+#include "ui/panels/probe_panel.h"
 
 namespace si {
 
-class EditorDossier {
+class EditorPixelDiagnosis {
 public:
     /// @param probe null: none. `fresh`: it is another one than at the last call. Returns whether dossiers came or
     /// went.

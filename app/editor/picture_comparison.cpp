@@ -1,4 +1,4 @@
-#include "app/editor/against.h"
+#include "app/editor/picture_comparison.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace si {
 
 /// A picture on the GPU for the panels to show.
-struct EditorAgainst::Texture {
+struct EditorPictureComparison::Texture {
     GLuint id = 0;
     int width = 0, height = 0;
 
@@ -47,10 +47,10 @@ constexpr const char* kLacksRays =
 
 }  // namespace
 
-EditorAgainst::EditorAgainst() = default;
-EditorAgainst::~EditorAgainst() = default;
+EditorPictureComparison::EditorPictureComparison() = default;
+EditorPictureComparison::~EditorPictureComparison() = default;
 
-void EditorAgainst::clear() {
+void EditorPictureComparison::clear() {
     hide();
     other_.reset();
     other_scene_ = 0;
@@ -59,13 +59,13 @@ void EditorAgainst::clear() {
     other_light_maps_.clear();
 }
 
-void EditorAgainst::hide() {
+void EditorPictureComparison::hide() {
     facts_.reset();
     difference_.reset();
 }
 
-void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
-                               const ComparisonFacts* comparison) {
+void EditorPictureComparison::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
+                                         const ComparisonFacts* comparison) {
     if (!comparison || comparison->with != state.compare) return;  // read with the next frame
     if (!comparison->problem.empty()) {
         facts_->problem = comparison->problem;
@@ -108,7 +108,7 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
     facts_->problem = other_problem_;
 }
 
-void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame) {
+void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
     const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
     if (a.width != b.width || a.height != b.height) return;
     difference_ = std::make_unique<Texture>(difference(a, b));
@@ -116,11 +116,11 @@ void EditorAgainst::find_difference(Renderer& renderer, const FrameResult& frame
     facts_->mae = mean_difference(a, b);
 }
 
-bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const PictureState& state,
-                           const FrameRequest& request, const FrameResult& frame, bool drawn,
-                           const ComparisonFacts* comparison) {
+bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, const PictureState& state,
+                                     const FrameRequest& request, const FrameResult& frame, bool drawn,
+                                     const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
-    if (state.against.view == AgainstView::Off) {
+    if (state.comparison.view == ComparisonView::Off) {
         // What is pinned is flickered to again and again: its maps are kept.
         if (state.pinned)
             hide();
@@ -128,19 +128,19 @@ bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const Picture
             clear();
         return had;
     }
-    const std::string label = state.against.truth ? "ray-traced truth" : reference_label(state.compare);
+    const std::string label = state.comparison.truth ? "ray-traced truth" : reference_label(state.compare);
     if (!had || facts_->label != label) {
-        if (state.against.truth) other_.reset();
-        facts_ = AgainstFacts{.label = label};
+        if (state.comparison.truth) other_.reset();
+        facts_ = PictureComparisonFacts{.label = label};
     }
     const unsigned before = facts_->picture.texture;
     const bool known = before != 0;
     facts_->problem.clear();
-    if (state.against.truth)
+    if (state.comparison.truth)
         facts_->picture = frame.true_colour;
     else
         draw_other(scene, state, request, comparison);
-    const bool wants_difference = state.against.view == AgainstView::Difference;
+    const bool wants_difference = state.comparison.view == ComparisonView::Difference;
     const bool there = facts_->picture.texture != 0;
     if (!there || !wants_difference) {
         facts_->difference = {};

@@ -1,4 +1,4 @@
-#include "app/editor/preset_work.h"
+#include "app/editor/preset_requests.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 
 namespace si {
 
-void PresetWork::start(SessionPlan plan, std::string remark) {
+void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
     Arrival arrival{
         .scene_name = plan.scene_name, .file_scene = plan.settings.scene.index, .remark = std::move(remark)};
     if (plan.preset) arrival.guide = note(plan.preset_path, *plan.preset, plan.scene_name);
@@ -20,9 +20,9 @@ void PresetWork::start(SessionPlan plan, std::string remark) {
     scenes_.load(std::move(arrival));
 }
 
-void PresetWork::open(const std::string& name_or_path) {
+void PresetRequestHandler::open(const std::string& name_or_path) {
     std::error_code error;
-    if (name_or_path == state_.files.preset_path && !desk_.is_built_in(name_or_path) &&
+    if (name_or_path == state_.files.preset_path && !loader_.is_built_in(name_or_path) &&
         !std::filesystem::exists(name_or_path, error))
         throw Error(fmt::format(
             "{}: nothing is saved there yet. Save it first ({}); from then on {} goes back to what was saved",
@@ -42,50 +42,50 @@ void PresetWork::open(const std::string& name_or_path) {
     for (const std::string& text : left_out) report(state_, text);
 }
 
-void PresetWork::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
+void PresetRequestHandler::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
-    if (!desk_.save(path, state_.scene_name, state_.settings, about, replace)) {
+    if (!loader_.save(path, state_.scene_name, state_.settings, about, replace)) {
         state_.files.replace = Replacement{path, about};
         return;
     }
     state_.files.preset_path = path;
-    memory_.note_preset(path);
+    persistence_.note_preset(path);
     state_.log.add(LogKind::Info, "Saved " + path);
 }
 
-GuideNote PresetWork::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
+GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
     state_.files.hidden_guide.clear();
-    if (!desk_.is_built_in(name_or_path)) {
+    if (!loader_.is_built_in(name_or_path)) {
         state_.files.preset_path = name_or_path;
-        memory_.note_preset(name_or_path);
+        persistence_.note_preset(name_or_path);
     }
     if (!preset.scene.empty()) preset.scene = scene_name;  // as the editor calls it
-    return desk_.opened(name_or_path, preset);
+    return loader_.opened(name_or_path, preset);
 }
 
-bool PresetWork::compare() {
+bool PresetRequestHandler::compare() {
     const Scene* scene = scenes_.scene();
-    const bool known = desk_.knows(state_.files.preset_path);
-    const bool unsaved = scene && (known ? !desk_.holds(state_.files.preset_path, state_.scene_name, state_.settings)
+    const bool known = loader_.knows(state_.files.preset_path);
+    const bool unsaved = scene && (known ? !loader_.holds(state_.files.preset_path, state_.scene_name, state_.settings)
                                          : state_.settings != scenes_.given());
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
-    const bool against = state_.against.view != AgainstView::Off && !state_.against.truth;
-    const bool shown = scene && (state_.tab == BottomTab::Compare || against);
+    const bool picture_comparison = state_.comparison.view != ComparisonView::Off && !state_.comparison.truth;
+    const bool shown = scene && (state_.tab == BottomTab::Compare || picture_comparison);
     comparison_ =
-        shown ? &desk_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;
+        shown ? &loader_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;
     const std::optional<CompareWith> after = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     return std::exchange(unsaved_, unsaved) != unsaved || before != after;
 }
 
-bool PresetWork::would_be_lost() const {
-    if (!unsaved_ || desk_.knows(state_.files.preset_path)) return unsaved_;
+bool PresetRequestHandler::would_be_lost() const {
+    if (!unsaved_ || loader_.knows(state_.files.preset_path)) return unsaved_;
     Settings work = state_.settings;
     work.camera = scenes_.given().camera, work.view = scenes_.given().view;
     return work != scenes_.given();
 }
 
-void PresetWork::restore_lost() {
-    const Autosave::Lost* lost = memory_.lost();
+void PresetRequestHandler::restore_lost() {
+    const Autosave::Lost* lost = persistence_.lost();
     if (!lost) return;
     scenes_.show({.scene_name = lost->preset.scene,
                   .file_scene = lost->preset.settings.scene.index,
@@ -94,9 +94,9 @@ void PresetWork::restore_lost() {
                   .lost = true});
 }
 
-void PresetWork::fill(EditorFrame& frame) const {
-    frame.presets = desk_.entries();
-    frame.hard_cases = desk_.hard_cases();
+void PresetRequestHandler::fill(EditorFrame& frame) const {
+    frame.presets = loader_.entries();
+    frame.hard_cases = loader_.hard_cases();
     frame.comparison = comparison_;
     frame.unsaved = unsaved_;
 }

@@ -2,16 +2,16 @@
 // scene.
 #pragma once
 
-#include "app/editor/preset_desk.h"
-#include "app/editor/scene_desk.h"
+#include "app/editor/preset_loader.h"
+#include "app/editor/scene_loader.h"
 
 namespace si {
 
-class PresetWork {
+class PresetRequestHandler {
 public:
     /// All of the editor, which live longer.
-    PresetWork(EditorState& state, EditorMemory& memory, SceneDesk& scenes)
-        : state_(state), memory_(memory), scenes_(scenes) {}
+    PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
+        : state_(state), persistence_(memory), scenes_(scenes) {}
 
     /// Reads the scene of the plan and shows it under its settings. @param remark for the log, once it is shown
     void start(SessionPlan plan, std::string remark);
@@ -34,9 +34,9 @@ private:
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
 
     EditorState& state_;
-    EditorMemory& memory_;
-    SceneDesk& scenes_;
-    PresetDesk desk_;
+    EditorPersistence& persistence_;
+    SceneLoader& scenes_;
+    PresetLoader loader_;
     bool unsaved_ = false;
     const ComparisonFacts* comparison_ = nullptr;
 };

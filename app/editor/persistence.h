@@ -10,10 +10,10 @@
 
 namespace si {
 
-class EditorMemory {
+class EditorPersistence {
 public:
     /// @param folder of the program's state; empty: nothing is kept
-    explicit EditorMemory(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
+    explicit EditorPersistence(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
 
     const WorkspaceData& workspace() const { return workspace_.data(); }
     /// A file was opened or saved.

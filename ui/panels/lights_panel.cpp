@@ -1,4 +1,4 @@
-#include "ui/panels/lights.h"
+#include "ui/panels/lights_panel.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

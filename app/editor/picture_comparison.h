@@ -9,10 +9,10 @@
 
 namespace si {
 
-class EditorAgainst {
+class EditorPictureComparison {
 public:
-    EditorAgainst();
-    ~EditorAgainst();
+    EditorPictureComparison();
+    ~EditorPictureComparison();
 
     /// Draws what `state.against` asks for. `frame` is the picture shown, `drawn` whether it is a new one.
     /// @param comparison what state.compare names; null: not known. Returns whether the facts changed.
@@ -20,7 +20,7 @@ public:
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
     void clear();
-    const std::optional<AgainstFacts>& facts() const { return facts_; }
+    const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
 private:
     struct Texture;
@@ -30,7 +30,7 @@ private:
                     const ComparisonFacts* comparison);
     void find_difference(Renderer& renderer, const FrameResult& frame);
 
-    std::optional<AgainstFacts> facts_;
+    std::optional<PictureComparisonFacts> facts_;
     // A renderer of its own keeps the maps of both sides from frame to frame.
     std::unique_ptr<Renderer> other_;
     std::unique_ptr<Texture> difference_;

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "app/editor/memory.h"
+#include "app/editor/persistence.h"
 #include "app/session/scene_loading.h"
 #include "app/session/session.h"
 #include "ui/state/editor_ui.h"
@@ -27,11 +27,11 @@ struct Arrival {
     bool lost = false;  ///< what a crash left
 };
 
-class SceneDesk {
+class SceneLoader {
 public:
     /// @param state, memory of the editor, which live longer @param read makes scenes; empty: load_scene()
     /// @param strict what the first scene lacks is an error, and not just left out
-    SceneDesk(EditorState& state, EditorMemory& memory, SceneReader read, bool strict);
+    SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
     /// The settings before the first scene is there.
     void begin(const Settings& settings);
@@ -90,7 +90,7 @@ private:
     void follow_objects();
 
     EditorState& state_;
-    EditorMemory& memory_;
+    EditorPersistence& persistence_;
     Scene scene_;
     bool has_scene_ = false;
     bool suggests_ = true;  ///< the settings began with the scene's suggestions, not with a preset

@@ -1,4 +1,4 @@
-#include "app/editor/scene_desk.h"
+#include "app/editor/scene_loader.h"
 
 #include <fmt/format.h>
 
@@ -29,21 +29,21 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 
 }  // namespace
 
-SceneDesk::SceneDesk(EditorState& state, EditorMemory& memory, SceneReader read, bool strict)
-    : state_(state), memory_(memory), strict_(strict), loading_(std::move(read)) {}
+SceneLoader::SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict)
+    : state_(state), persistence_(memory), strict_(strict), loading_(std::move(read)) {}
 
-void SceneDesk::begin(const Settings& settings) {
+void SceneLoader::begin(const Settings& settings) {
     state_.settings = base_ = given_ = settings;
     state_.history.reset(settings);
 }
 
-const Scene& SceneDesk::require() const {
+const Scene& SceneLoader::require() const {
     if (failure_) std::rethrow_exception(failure_);
     if (!has_scene_) throw Error("there is no scene");
     return scene_;
 }
 
-void SceneDesk::load(Arrival arrival) {
+void SceneLoader::load(Arrival arrival) {
     cancel_loading();
     if (!has_scene_) problem_.clear();
     loading_.start(arrival.scene_name, arrival.file_scene);
@@ -51,7 +51,7 @@ void SceneDesk::load(Arrival arrival) {
     state_.between_steps = arrival_.step;
 }
 
-void SceneDesk::show(Arrival arrival) {
+void SceneLoader::show(Arrival arrival) {
     arrival.scene_name = known_name(arrival.scene_name);
     if (!is_shown(arrival.scene_name, arrival.file_scene)) return load(std::move(arrival));
     cancel_loading();
@@ -59,12 +59,12 @@ void SceneDesk::show(Arrival arrival) {
     state_.settings = *arrival.settings;
     check_objects(scene_, state_.settings, arrival.scene_name, &left_out);
     state_.files.guide = arrival.guide;
-    if (arrival.lost) memory_.forget_lost();
+    if (arrival.lost) persistence_.forget_lost();
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
     for (const std::string& text : left_out) report(state_, text);
 }
 
-void SceneDesk::cancel_loading() {
+void SceneLoader::cancel_loading() {
     if (const std::string name = loading_.wanted(); !name.empty()) {
         const std::string text = fmt::format("Cancelled: {} was not loaded", name);
         state_.log.add(LogKind::Info, text);
@@ -74,19 +74,19 @@ void SceneDesk::cancel_loading() {
     give_up_step();
 }
 
-void SceneDesk::give_up_step() {
+void SceneLoader::give_up_step() {
     if (std::exchange(arrival_.step, false)) state_.history.stay();
     state_.between_steps = false;
 }
 
-void SceneDesk::keep_scene() {
+void SceneLoader::keep_scene() {
     if (!has_scene_ || state_.settings.scene.index == file_scene_) return;
     const Settings before = state_.settings;
     state_.settings.scene.index = seen_index_ = file_scene_;
     state_.history.follow(before, state_.settings);
 }
 
-bool SceneDesk::poll() {
+bool SceneLoader::poll() {
     if (!loading_.ended()) return false;
     std::optional<SceneLoading::Outcome> outcome = loading_.poll();
     if (!outcome) return true;
@@ -102,23 +102,23 @@ bool SceneDesk::poll() {
         give_up_step();
         report(state_, e.what());
         if (std::error_code error; !std::filesystem::exists(arrival_.scene_name, error))
-            memory_.drop(arrival_.scene_name);
+            persistence_.drop(arrival_.scene_name);
     }
     return true;
 }
 
-void SceneDesk::finish() {
+void SceneLoader::finish() {
     while (loading_.busy()) {
         loading_.wait();
         poll();
     }
 }
 
-Settings SceneDesk::base_of_scene() const {
+Settings SceneLoader::base_of_scene() const {
     return suggests_ ? base_settings(scene_) : Settings{};
 }
 
-void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
+void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     const bool first = !has_scene_;
     std::vector<std::string> left_out, notes;
     if (arrival.plan) {
@@ -157,8 +157,8 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
     state_.playback.playing = false;
     state_.files.guide = arrival.guide;
     arrival_.step = state_.between_steps = false;
-    memory_.note_scene(state_.scene_name);
-    if (arrival.lost) memory_.forget_lost();
+    persistence_.note_scene(state_.scene_name);
+    if (arrival.lost) persistence_.forget_lost();
     if (first) {
         state_.history.set_place({state_.scene_name, state_.files.guide});
         state_.history.reset(state_.settings);
@@ -180,7 +180,7 @@ void SceneDesk::show_scene(Scene loaded, const Arrival& arrival) {
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
 }
 
-void SceneDesk::follow_step() {
+void SceneLoader::follow_step() {
     const Place place = state_.history.place();
     const Settings settings = state_.history.settings();
     show({.scene_name = place.scene,
@@ -190,23 +190,23 @@ void SceneDesk::follow_step() {
           .step = true});
 }
 
-bool SceneDesk::has_moved() const {
+bool SceneLoader::has_moved() const {
     return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
                           state_.settings.objects != followed_objects_);
 }
 
-void SceneDesk::follow_settings() {
+void SceneLoader::follow_settings() {
     if (state_.settings.scene.index != seen_index_) follow_file_scene();
     if (state_.settings.scene != posed_) follow_time();
     follow_objects();
 }
 
-void SceneDesk::follow_objects() {
+void SceneLoader::follow_objects() {
     followed_objects_ = state_.settings.objects;
     hide_objects(scene_, hidden_paths(state_.settings));
 }
 
-void SceneDesk::follow_file_scene() {
+void SceneLoader::follow_file_scene() {
     const int wanted = seen_index_ = state_.settings.scene.index;
     if (wanted == file_scene_)
         cancel_loading();
@@ -214,7 +214,7 @@ void SceneDesk::follow_file_scene() {
         load({.scene_name = state_.scene_name, .file_scene = wanted});
 }
 
-void SceneDesk::follow_time() {
+void SceneLoader::follow_time() {
     posed_ = state_.settings.scene;
     if (const std::string remark = pose_scene(scene_, posed_); !remark.empty())
         state_.log.add(LogKind::Warning, remark);
@@ -227,16 +227,16 @@ void SceneDesk::follow_time() {
     base_ = base;
 }
 
-bool SceneDesk::is_shown(const std::string& scene_name, int file_scene) const {
+bool SceneLoader::is_shown(const std::string& scene_name, int file_scene) const {
     return has_scene_ && scene_name == state_.scene_name && file_scene == file_scene_;
 }
 
-std::string SceneDesk::known_name(const std::string& name) const {
+std::string SceneLoader::known_name(const std::string& name) const {
     std::error_code error;
     return std::filesystem::equivalent(name, state_.scene_name, error) ? state_.scene_name : name;
 }
 
-std::vector<std::string> SceneDesk::take(const Settings& settings, const std::string& what) {
+std::vector<std::string> SceneLoader::take(const Settings& settings, const std::string& what) {
     std::vector<std::string> left_out;
     Settings taken = settings;
     if (has_scene_) check_objects(scene_, taken, what, &left_out);
@@ -246,7 +246,7 @@ std::vector<std::string> SceneDesk::take(const Settings& settings, const std::st
     return left_out;
 }
 
-void SceneDesk::reset() {
+void SceneLoader::reset() {
     if (has_scene_) given_ = state_.settings = base_settings(scene_), state_.files.guide = {};
 }
 

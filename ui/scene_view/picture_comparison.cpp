@@ -23,7 +23,7 @@ ImTextureID texture_id(unsigned texture) {
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 bool is_pinned(const EditorState& state) {
-    return !state.against.truth && state.compare.kind == CompareKind::Pinned;
+    return !state.comparison.truth && state.compare.kind == CompareKind::Pinned;
 }
 
 /// What stands at each side: what was pinned was there first.
@@ -32,7 +32,7 @@ std::string shown_side(const EditorState& state) {
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.against.truth) return "ray-traced truth";
+    if (state.comparison.truth) return "ray-traced truth";
     if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
@@ -53,12 +53,12 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 
 }  // namespace
 
-AgainstView chosen_view(const EditorState& state) {
-    return (state.flicker ? state.flicker->against : state.against).view;
+ComparisonView chosen_comparison(const EditorState& state) {
+    return (state.flicker ? state.flicker->picture_comparison : state.comparison).view;
 }
 
-void against_view_widget(EditorState& state, float width) {
-    Against& a = state.against;
+void comparison_view_widget(EditorState& state, float width) {
+    PictureComparison& a = state.comparison;
     ImGui::SetNextItemWidth(width);
     if (state.flicker) {
         ImGui::BeginDisabled();
@@ -69,7 +69,7 @@ void against_view_widget(EditorState& state, float width) {
     if (begin_combo("##against view", kViews[int(a.view)])) {
         for (int i = 0; i < int(std::size(kViews)); ++i) {
             const bool chosen = i == int(a.view);
-            if (ImGui::Selectable(kViews[i], chosen)) a.view = AgainstView(i);
+            if (ImGui::Selectable(kViews[i], chosen)) a.view = ComparisonView(i);
             if (chosen) ImGui::SetItemDefaultFocus();
         }
         ImGui::EndCombo();
@@ -81,8 +81,8 @@ void against_view_widget(EditorState& state, float width) {
             key_text(Command::PinSettings), key_text(Command::ShowPinned));
 }
 
-void against_other_widget(EditorState& state, const EditorFrame& frame, float width) {
-    Against& a = state.against;
+void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width) {
+    PictureComparison& a = state.comparison;
     ImGui::SetNextItemWidth(width);
     ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
@@ -100,7 +100,7 @@ void against_other_widget(EditorState& state, const EditorFrame& frame, float wi
             other((scene_label(path) + "##" + path).c_str(), {CompareKind::Preset, path});
         for (const PresetEntry& p : frame.presets)
             other(((p.title.empty() ? p.key : p.title) + "##" + p.key).c_str(), {CompareKind::Preset, p.key});
-        if (picked && a.view == AgainstView::Off) a.view = AgainstView::Swipe;
+        if (picked && a.view == ComparisonView::Off) a.view = ComparisonView::Swipe;
         ImGui::EndCombo();
     }
     ImGui::EndDisabled();
@@ -111,8 +111,8 @@ void against_other_widget(EditorState& state, const EditorFrame& frame, float wi
 }
 
 bool steer_swipe(EditorState& state, const PictureView& view) {
-    Against& a = state.against;
-    if (a.view != AgainstView::Swipe) return a.held = false;
+    PictureComparison& a = state.comparison;
+    if (a.view != ComparisonView::Swipe) return a.held = false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float line = float(view.origin.x) + a.at * float(view.size.x), near = ImGui::GetFontSize() * 0.5f;
     const bool over = std::abs(mouse.x - line) <= near && mouse.y >= float(view.origin.y) &&
@@ -124,25 +124,27 @@ bool steer_swipe(EditorState& state, const PictureView& view) {
     return a.held;
 }
 
-void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half) {
-    const Against& a = state.against;
-    if (a.view == AgainstView::Off) return;
+void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size,
+                     bool right_half) {
+    const PictureComparison& a = state.comparison;
+    if (a.view == ComparisonView::Off) return;
     const float em = ImGui::GetFontSize(), top = lo.y + em * 0.6f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
-    const bool there = frame.against && frame.against->picture.texture != 0;
+    const bool there = frame.picture_comparison && frame.picture_comparison->picture.texture != 0;
     const std::string other = other_side(state, frame), shown = shown_side(state);
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
-        std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
-                           : a.truth && frame.truth                         ? truth_status(frame)
-                                                                            : "Drawing the other side …";
-        if (a.view != AgainstView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
+        std::string text = frame.picture_comparison && !frame.picture_comparison->problem.empty()
+                               ? frame.picture_comparison->problem
+                           : a.truth && frame.truth ? truth_status(frame)
+                                                    : "Drawing the other side …";
+        if (a.view != ComparisonView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
         return;
     }
-    const AgainstFacts& facts = *frame.against;
+    const PictureComparisonFacts& facts = *frame.picture_comparison;
     switch (a.view) {
-        case AgainstView::Swipe: {
+        case ComparisonView::Swipe: {
             const float line = std::round(lo.x + a.at * size.x);
             list.PushClipRect({line, p.y}, q, true);
             list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
@@ -158,20 +160,20 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
             label({line, top}, q.x - line, other, false);
             break;
         }
-        case AgainstView::SideBySide:
+        case ComparisonView::SideBySide:
             if (right_half) list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
             label({p.x, top}, size.x, right_half ? other : shown, false);
             break;
-        case AgainstView::Difference:
+        case ComparisonView::Difference:
             if (!facts.difference.texture) break;
             list.AddImage(texture_id(facts.difference.texture), p, q, {0, 1}, {1, 0});
             label({p.x, top}, size.x, fmt::format("2 |A - B|, {}   mean |A - B| {:.5f}", other, facts.mae), false);
             break;
-        case AgainstView::Alone:
+        case ComparisonView::Alone:
             list.AddImage(texture_id(facts.picture.texture), p, q, {0, 1}, {1, 0});
             label({p.x, top}, size.x, other, false);
             break;
-        case AgainstView::Off:
+        case ComparisonView::Off:
             break;
     }
 }
@@ -182,15 +184,15 @@ void pin_settings(EditorState& state) {
         state.pinned.reset();
         if (state.compare.kind == CompareKind::Pinned) {
             state.compare = {};
-            state.against.view = AgainstView::Off;
+            state.comparison.view = ComparisonView::Off;
         }
         state.log.add(LogKind::Info, "Pin A is taken off");
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    if (state.against.view == AgainstView::Off) {  // what is compared from now on, as nothing is yet
+    if (state.comparison.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
         state.compare = {CompareKind::Pinned, {}};
-        state.against.truth = false;
+        state.comparison.truth = false;
     }
     state.log.add(
         LogKind::Info,
@@ -206,16 +208,16 @@ void begin_flicker(EditorState& state) {
                                                  key_text(Command::PinSettings)));
         return;
     }
-    state.flicker = Flicker{state.against, state.compare};
-    state.against.view = AgainstView::Alone;
-    state.against.truth = false;
-    state.against.held = false;
+    state.flicker = Flicker{state.comparison, state.compare};
+    state.comparison.view = ComparisonView::Alone;
+    state.comparison.truth = false;
+    state.comparison.held = false;
     state.compare = {CompareKind::Pinned, {}};
 }
 
 void end_flicker(EditorState& state) {
     if (!state.flicker) return;
-    state.against = state.flicker->against;
+    state.comparison = state.flicker->picture_comparison;
     state.compare = state.flicker->compare;
     state.flicker.reset();
 }

@@ -6,7 +6,7 @@
 #include <set>
 
 #include "app/editor/headless_editor.h"
-#include "app/editor/rehearsals.h"
+#include "app/editor/shader_warmup.h"
 #include "renderer/gl/target.h"
 #include "renderer/settings/param.h"
 
@@ -40,7 +40,7 @@ Bytes shown(HeadlessEditor& editor) {
     return out;
 }
 
-TEST(FrameDesk, TheFirstPictureTellsHowFarItIs) {
+TEST(FrameLoader, TheFirstPictureTellsHowFarItIs) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.width = 800, options.height = 600;
@@ -68,7 +68,7 @@ TEST(FrameDesk, TheFirstPictureTellsHowFarItIs) {
     editor.settle();
 }
 
-TEST(FrameDesk, TheOldPictureStaysUntilTheNextIsTaken) {
+TEST(FrameLoader, TheOldPictureStaysUntilTheNextIsTaken) {
     const auto editor = hasty_editor();
     const Bytes before = shown(*editor);
     choose(*editor, "pcss");
@@ -83,7 +83,7 @@ TEST(FrameDesk, TheOldPictureStaysUntilTheNextIsTaken) {
     EXPECT_FALSE(editor->model().drawing());
 }
 
-TEST(FrameDesk, PicturesAndNumbersAreThoseOfWhoWaits) {
+TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
     std::vector<Bytes> pictures[2];
     double visibility[2] = {-1, -2};
     std::size_t taps[2] = {1, 2};
@@ -105,7 +105,7 @@ TEST(FrameDesk, PicturesAndNumbersAreThoseOfWhoWaits) {
     EXPECT_EQ(taps[0], taps[1]);
 }
 
-TEST(FrameDesk, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
+TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
     const auto editor = hasty_editor();
     choose(*editor, "pcf5");
     EditorRequests requests = editor->frame();
@@ -118,7 +118,7 @@ TEST(FrameDesk, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
                             [](const LogLine& l) { return l.text.find("Not saved") != std::string::npos; }));
 }
 
-TEST(FrameDesk, ASceneThatArrivesMeanwhileIsShownNext) {
+TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
     const auto editor = hasty_editor();
     const Bytes before = shown(*editor);
     choose(*editor, "pcf7");
@@ -130,7 +130,7 @@ TEST(FrameDesk, ASceneThatArrivesMeanwhileIsShownNext) {
     EXPECT_FALSE(shown(*editor) == before);
 }
 
-TEST(FrameDesk, AFrameThatFailsIsALineInTheLog) {
+TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
     const auto editor = hasty_editor();
     EditorRequests requests = editor->frame();
     editor->settle();
@@ -141,11 +141,11 @@ TEST(FrameDesk, AFrameThatFailsIsALineInTheLog) {
     EXPECT_GT(editor->model().state.log.unseen_errors(), 0);
 }
 
-TEST(FrameDesk, WhenAllIsForeseenTheEditorRests) {
+TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
     const auto editor = hasty_editor();
-    const Rehearsals& rehearsals = *editor->model().rehearsals();
-    rehearsals.wait();
-    const std::size_t done = rehearsals.done();
+    const ShaderWarmup& warmup = *editor->model().warmup();
+    warmup.wait();
+    const std::size_t done = warmup.done();
     EXPECT_GT(done, 0u);
     const std::uint64_t drawn = editor->model().facts().result->contents.parts.front().drawn;
     for (int i = 0; i < 5; ++i) editor->frame();
@@ -154,12 +154,12 @@ TEST(FrameDesk, WhenAllIsForeseenTheEditorRests) {
     const EditorModel& model = editor->model();
     EXPECT_FALSE(model.loading_moved() || model.measuring_moved() || model.tracing_moved())
         << "nothing calls for a frame";
-    rehearsals.wait();
-    EXPECT_EQ(rehearsals.done(), done);
+    warmup.wait();
+    EXPECT_EQ(warmup.done(), done);
 }
 
 /// The map fills the window, and there is no picture of the scene.
-TEST(FrameDesk, AMapAloneFollowsItsSettings) {
+TEST(FrameLoader, AMapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;
     state.window.maximised = Panel::Map;

@@ -1,4 +1,4 @@
-#include "app/editor/rehearsals.h"
+#include "app/editor/shader_warmup.h"
 
 #include <chrono>
 
@@ -31,9 +31,9 @@ void give_way() {
 
 /// What a rehearsal takes place on. Each has its own: programs are the driver's to keep, but llvmpipe keeps images,
 /// too, of what a context drew last, which may be maps of a gigabyte.
-struct Rehearsals::Stage {
+struct ShaderWarmup::Stage {
     HeadlessContext context;
-    void play(const Rehearsal& r) {
+    void play(const WarmupFrame& r) {
         Renderer renderer;
         FrameRequest request = r.request;
         request.width = kWidth, request.height = kHeight;
@@ -47,17 +47,17 @@ struct Rehearsals::Stage {
         renderer.take_gl_messages();
     }
     /// Of the background little is asked.
-    static void probe(Renderer& renderer, const Rehearsal& r, const FrameRequest& request) {
+    static void probe(Renderer& renderer, const WarmupFrame& r, const FrameRequest& request) {
         for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
             for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)
                 if (renderer.probe(*r.scene, r.settings, request, x, y).hit) return;
     }
 };
 
-Rehearsals::Rehearsals() : thread_([this](const std::stop_token& end) { run(end); }) {}
-Rehearsals::~Rehearsals() = default;
+ShaderWarmup::ShaderWarmup() : thread_([this](const std::stop_token& end) { run(end); }) {}
+ShaderWarmup::~ShaderWarmup() = default;
 
-void Rehearsals::foresee(Rehearsal rehearsal) {
+void ShaderWarmup::foresee(WarmupFrame rehearsal) {
     {
         const std::lock_guard lock(mutex_);
         foreseen_.push_back(std::move(rehearsal));
@@ -67,29 +67,29 @@ void Rehearsals::foresee(Rehearsal rehearsal) {
     changed_.notify_all();
 }
 
-void Rehearsals::forget() {
+void ShaderWarmup::forget() {
     const std::lock_guard lock(mutex_);
     foreseen_.clear();
 }
 
-void Rehearsals::wait() const {
+void ShaderWarmup::wait() const {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [&] { return foreseen_.empty() && !working_; });
 }
 
-std::size_t Rehearsals::done() const {
+std::size_t ShaderWarmup::done() const {
     const std::lock_guard lock(mutex_);
     return done_;
 }
 
-std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
+std::unique_ptr<WarmupFrame> ShaderWarmup::take(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
         if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
         const std::size_t before = asked_;
         if (changed_.wait_for(lock, end, kStill, [&] { return asked_ != before; }) || foreseen_.empty()) continue;
         if (end.stop_requested()) break;
-        auto next = std::make_unique<Rehearsal>(std::move(foreseen_.back()));  // what was shown last
+        auto next = std::make_unique<WarmupFrame>(std::move(foreseen_.back()));  // what was shown last
         foreseen_.pop_back();
         working_ = true;
         return next;
@@ -97,7 +97,7 @@ std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
     return {};
 }
 
-void Rehearsals::run(const std::stop_token& end) {
+void ShaderWarmup::run(const std::stop_token& end) {
     give_way();
     while (const auto next = take(end)) {
         try {

@@ -6,15 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "app/editor/dossier.h"
 #include "app/editor/frame_facts.h"
+#include "app/editor/pixel_diagnosis.h"
 #include "renderer/frame/renderer.h"
 #include "renderer/inspect/probe.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
 
-class EditorReadings {
+class EditorReadBack {
 public:
     /// Brings up to date what `requests` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
     /// something else. Needs the renderer's OpenGL context. @throws Error
@@ -30,7 +30,7 @@ public:
     bool has_news() const { return dossier_.ready(); }
     /// Waits for it.
     bool finish_tracing() const;
-    ReadingFacts facts() const;
+    ReadBackFacts facts() const;
 
 private:
     /// The objects that culling takes out of the map, while the list of objects is shown.
@@ -50,8 +50,8 @@ private:
     std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0, overlay_of_ = 0,
                   lost_of_ = 0, loupe_of_ = 0;  ///< frames they belong to
     int overlay_pane_ = 0, loupe_pane_ = 0;
-    ReadingFacts facts_;  ///< but what the dossiers' work knows
-    EditorDossier dossier_;
+    ReadBackFacts facts_;  ///< but what the dossiers' work knows
+    EditorPixelDiagnosis dossier_;
     std::optional<glm::ivec2> probed_pixel_;
     HeldMemory held_;           ///< what the numbers take
     Settings frozen_settings_;  ///< that the frozen camera's texels were found under, as far as they depend on them

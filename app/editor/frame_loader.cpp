@@ -1,4 +1,4 @@
-#include "app/editor/frame_desk.h"
+#include "app/editor/frame_loader.h"
 
 #include <epoxy/gl.h>
 
@@ -18,9 +18,9 @@
 namespace si {
 
 /// Does one thing at a time: on its thread, or, where it has none, at once.
-class FrameDesk::Hand {
+class FrameLoader::DrawThread {
 public:
-    explicit Hand(FrameThread thread) : wake_(std::move(thread.wake)) {
+    explicit DrawThread(FrameThread thread) : wake_(std::move(thread.wake)) {
         if (!thread.context) return;
         thread_ = std::jthread([this, make = std::move(thread.context)](const std::stop_token& end) {
             std::unique_ptr<ThreadContext> context;
@@ -36,7 +36,7 @@ public:
             }
         });
     }
-    ~Hand() { wait(); }
+    ~DrawThread() { wait(); }
 
     bool has_thread() const { return thread_.joinable(); }
     /// What was started before is to be taken first.
@@ -118,14 +118,16 @@ private:
 };
 
 /// What is shown of a frame while the next one is drawn into the renderer's images: two sets, in turn.
-class FrameDesk::Copies {
+class FrameLoader::Copies {
 public:
     /// Has `facts` name copies. @param changed the images hold something else than at the last call
     /// @param shown what was drawn of earlier ones until then
     void stand_in(FrameFacts& facts, bool changed, GLsync shown) {
         std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read};
         for (Pane& pane : facts.result.panes) images.push_back(&pane.picture);
-        if (facts.against) images.push_back(&facts.against->picture), images.push_back(&facts.against->difference);
+        if (facts.picture_comparison)
+            images.push_back(&facts.picture_comparison->picture),
+                images.push_back(&facts.picture_comparison->difference);
         std::erase_if(images, [](const Image* image) { return image->texture == 0; });
         for (const Image* image : images) changed |= !sets_[front_].contains(image->texture);
         if (changed) {
@@ -154,42 +156,45 @@ private:
     std::size_t front_ = 0;
 };
 
-FrameDesk::FrameDesk(EditorState& state, FrameThread thread, SessionReport& session)
-    : state_(state), session_(session), patience_(thread.patience), hand_(std::make_unique<Hand>(std::move(thread))) {
+FrameLoader::FrameLoader(EditorState& state, FrameThread thread, SessionReport& session)
+    : state_(state),
+      session_(session),
+      patience_(thread.patience),
+      draw_thread_(std::make_unique<DrawThread>(std::move(thread))) {
     call([&] {
-        if (hand_->has_thread()) gl::let_others_draw();
-        loop_ = std::make_unique<FrameLoop>(hand_->has_thread());
-        if (hand_->has_thread()) copies_ = std::make_unique<Copies>();
+        if (draw_thread_->has_thread()) gl::let_others_draw();
+        loop_ = std::make_unique<FrameLoop>(draw_thread_->has_thread());
+        if (draw_thread_->has_thread()) copies_ = std::make_unique<Copies>();
     });
 }
 
-FrameDesk::~FrameDesk() {
+FrameLoader::~FrameLoader() {
     wait();
-    if (hand_->done()) hand_->take();
+    if (draw_thread_->done()) draw_thread_->take();
     call([&] { copies_.reset(), loop_.reset(); });
 }
 
-void FrameDesk::call(const std::function<void()>& work) {
+void FrameLoader::call(const std::function<void()>& work) {
     wait();
     poll();
-    hand_->start(work);
-    hand_->wait();
-    hand_->take();
+    draw_thread_->start(work);
+    draw_thread_->wait();
+    draw_thread_->take();
 }
 
-bool FrameDesk::under_way() const {
-    return hand_->under_way();
+bool FrameLoader::under_way() const {
+    return draw_thread_->under_way();
 }
-bool FrameDesk::busy() const {
-    return hand_->under_way() || hand_->done();
+bool FrameLoader::busy() const {
+    return draw_thread_->under_way() || draw_thread_->done();
 }
-void FrameDesk::wait() const {
-    hand_->wait();
+void FrameLoader::wait() const {
+    draw_thread_->wait();
 }
 
-bool FrameDesk::poll() {
-    if (!hand_->done()) return false;
-    hand_->take();
+bool FrameLoader::poll() {
+    if (!draw_thread_->done()) return false;
+    draw_thread_->take();
     facts_ = std::move(next_facts_);
     for (const std::string& message : news_.driver) session_.note_driver(message);
     if (!news_.unsound.empty()) session_.note_unsound(news_.unsound);
@@ -203,7 +208,7 @@ bool FrameDesk::poll() {
     return std::exchange(news_, {}).changed;
 }
 
-bool FrameDesk::update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison) {
+bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison) {
     bool changed = poll();
     missed_.cancel_truth |= requests.cancel_truth;
     if (requests.save_error) missed_.save_error = requests.save_error;
@@ -214,18 +219,18 @@ bool FrameDesk::update(const Scene& scene, const EditorRequests& requests, const
     const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
     progress_.set({}, 0, 0);
-    hand_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
-                  known = comparison ? std::optional(*comparison) : std::nullopt] {
+    draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
+                         known = comparison ? std::optional(*comparison) : std::nullopt] {
         const WatchPasses watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
         if (copies_) stand_in(shown);
     });
-    hand_->wait_for(patience_);
+    draw_thread_->wait_for(patience_);
     return poll() || changed;
 }
 
-void FrameDesk::stand_in(GLsync shown) {
+void FrameLoader::stand_in(GLsync shown) {
     try {
         copies_->stand_in(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
@@ -238,29 +243,29 @@ void FrameDesk::stand_in(GLsync shown) {
     glDeleteSync(shown);
 }
 
-std::optional<DrawingFacts> FrameDesk::first_picture() const {
+std::optional<DrawingFacts> FrameLoader::first_picture() const {
     if (facts_.driver || !busy()) return {};
     const PassProgress::State now = progress_.state();
     return DrawingFacts{now.pass, now.of == 0 ? 0 : double(now.done) / double(now.of)};
 }
 
-bool FrameDesk::first_picture_moved() {
+bool FrameLoader::first_picture_moved() {
     if (facts_.driver || !under_way()) return false;
     const PassProgress::State now = progress_.state();
     return std::exchange(seen_progress_, now) != now;
 }
 
-void FrameDesk::clear() {
+void FrameLoader::clear() {
     if (!facts_.driver && !busy()) return;
     call([&] { loop_->clear(); });
     facts_ = {};
 }
 
-void FrameDesk::rest() {
+void FrameLoader::rest() {
     if (!busy()) call([&] { loop_->rest(); });
 }
 
-void FrameDesk::save_map(const Scene& scene, const std::string& path) {
+void FrameLoader::save_map(const Scene& scene, const std::string& path) {
     call([&] { loop_->save_map(scene, state_.settings, path); });
     state_.log.add(LogKind::Info, "Saved " + path);
 }

@@ -1,6 +1,4 @@
 // The overview of mouse and keyboard.
-#include "ui/state/shortcuts.h"
-
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {

@@ -29,11 +29,11 @@ struct FrameThread {
 };
 
 /// All calls from one thread, whose OpenGL context stays the same.
-class FrameDesk {
+class FrameLoader {
 public:
     /// @param state, session of the editor, which live longer @throws Error when there is no OpenGL for the thread
-    FrameDesk(EditorState& state, FrameThread thread, SessionReport& session);
-    ~FrameDesk();
+    FrameLoader(EditorState& state, FrameThread thread, SessionReport& session);
+    ~FrameLoader();
 
     /// A frame is being drawn: the scene must stay as it is, and facts() are of the one before.
     bool under_way() const;
@@ -69,10 +69,10 @@ public:
     bool probe_moved() const { return !under_way() && loop_->probe_moved(); }
     void finish_probe() const { wait(), loop_->finish_probe(); }
     /// Null: nothing is foreseen.
-    const Rehearsals* rehearsals() const { return loop_->rehearsals(); }
+    const ShaderWarmup* warmup() const { return loop_->warmup(); }
 
 private:
-    class Hand;
+    class DrawThread;
     class Copies;
     void call(const std::function<void()>& work);
     /// Has the next facts name copies, or say why there are none.
@@ -89,8 +89,8 @@ private:
     std::unique_ptr<Copies> copies_;
     FrameFacts next_facts_;
     FrameNews news_;
-    EditorRequests missed_;       ///< wishes made while a frame was under way, which are made once
-    std::unique_ptr<Hand> hand_;  ///< last: ends before what it uses
+    EditorRequests missed_;                    ///< wishes made while a frame was under way, which are made once
+    std::unique_ptr<DrawThread> draw_thread_;  ///< last: ends before what it uses
 };
 
 }  // namespace si

@@ -1,4 +1,4 @@
-#include "app/editor/readings.h"
+#include "app/editor/read_back.h"
 
 #include <epoxy/gl.h>
 
@@ -32,26 +32,26 @@ Settings texel_settings(const Settings& settings) {
 
 }  // namespace
 
-void EditorReadings::clear() {
+void EditorReadBack::clear() {
     facts_ = {.frozen_usage = facts_.frozen_usage};
     probed_pixel_.reset();
     probe_of_ = map_of_ = facts_of_ = links_of_ = exact_of_ = overlay_of_ = lost_of_ = loupe_of_ = 0;
 }
 
-bool EditorReadings::finish_tracing() const {
+bool EditorReadBack::finish_tracing() const {
     dossier_.wait();
     return dossier_.ready();
 }
 
-ReadingFacts EditorReadings::facts() const {
-    ReadingFacts out = facts_;
+ReadBackFacts EditorReadBack::facts() const {
+    ReadBackFacts out = facts_;
     out.dossiers.assign(dossier_.dossiers().begin(), dossier_.dossiers().end());
     out.sections = facts_.probe ? dossier_.sections() : nullptr;
     out.tracing_probe = facts_.probe && dossier_.tracing();
     return out;
 }
 
-bool EditorReadings::update(Renderer& renderer, const Scene& scene, const PictureState& state,
+bool EditorReadBack::update(Renderer& renderer, const Scene& scene, const PictureState& state,
                             const EditorRequests& requests, const FrameRequest& request, const FrameResult& result,
                             bool drawn) {
     if (drawn) ++frame_, facts_.lost_casters.clear();
@@ -71,7 +71,7 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
     return changed || probed;
 }
 
-bool EditorReadings::update_lost(const Scene& scene, const PictureState& state, const FrameResult& result) {
+bool EditorReadBack::update_lost(const Scene& scene, const PictureState& state, const FrameResult& result) {
     const int light = shown_light(state.settings);
     if (state.tab != BottomTab::Objects || light < 0 || lost_of_ == frame_) return false;
     lost_of_ = frame_;
@@ -79,7 +79,7 @@ bool EditorReadings::update_lost(const Scene& scene, const PictureState& state, 
     return !facts_.lost_casters.empty();
 }
 
-bool EditorReadings::update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
+bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                 const FrameResult& result) {
     const bool there = result.map_view.texture != 0;
     const bool wanted = there && (requests.want_map_values || requests.want_map_facts);
@@ -106,7 +106,7 @@ bool EditorReadings::update_map(Renderer& renderer, const PictureState& state, c
     return changed;
 }
 
-bool EditorReadings::update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
+bool EditorReadBack::update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                     const FrameResult& result) {
     const auto pane = std::size_t(state.active_pane);
     if (!requests.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
@@ -120,7 +120,7 @@ bool EditorReadings::update_overlay(Renderer& renderer, const PictureState& stat
     return true;
 }
 
-bool EditorReadings::update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
+bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                   const FrameResult& result) {
     if (!requests.want_links || result.map_coordinates.texture == 0) {
         if (links_of_ == frame_ || !facts_.map_coordinates) return false;
@@ -136,7 +136,7 @@ bool EditorReadings::update_links(Renderer& renderer, const PictureState& state,
     return true;
 }
 
-bool EditorReadings::update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result) {
+bool EditorReadBack::update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result) {
     if (!requests.want_exact_texels || result.texels_read.texture == 0) {
         if (exact_of_ == frame_ || !facts_.exact_utilisation) return false;
         facts_.exact_utilisation.reset();
@@ -148,7 +148,7 @@ bool EditorReadings::update_exact(Renderer& renderer, const EditorRequests& requ
     return true;
 }
 
-bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
+bool EditorReadBack::update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                                    const EditorRequests& requests) {
     const Settings settings = texel_settings(state.settings);
     if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) facts_.frozen_usage.reset();
@@ -170,7 +170,7 @@ bool EditorReadings::update_frozen(Renderer& renderer, const Scene& scene, const
     return true;
 }
 
-bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const PictureState& state,
+bool EditorReadBack::update_probe(Renderer& renderer, const Scene& scene, const PictureState& state,
                                   const FrameRequest& request, const FrameResult& result) {
     std::optional<glm::ivec2> pixel = state.probe_pixel;
     AnchorPlace place = AnchorPlace::Seen;
@@ -197,7 +197,7 @@ bool EditorReadings::update_probe(Renderer& renderer, const Scene& scene, const 
     return true;
 }
 
-bool EditorReadings::update_loupe(const PictureState& state, const FrameResult& result) {
+bool EditorReadBack::update_loupe(const PictureState& state, const FrameResult& result) {
     const auto pane = std::size_t(state.active_pane);
     const auto at = state.loupe_pixel;
     if (!at || pane >= result.panes.size() || result.panes[pane].picture.texture == 0) {

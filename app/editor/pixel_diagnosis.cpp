@@ -1,15 +1,15 @@
-#include "app/editor/dossier.h"
+#include "app/editor/pixel_diagnosis.h"
 
 namespace si {
 
-bool EditorDossier::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                           const DriverInfo& driver) {
+bool EditorPixelDiagnosis::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                                  const DriverInfo& driver) {
     const bool changed = update_truth(probe, fresh, scene, settings, driver);
     if (changed || fresh) sections_.reset();
     return changed;
 }
 
-bool EditorDossier::update_sections(const Probe* probe, const Settings& settings, bool shown) {
+bool EditorPixelDiagnosis::update_sections(const Probe* probe, const Settings& settings, bool shown) {
     if (!shown || sections_ || !probe || !probe->hit) return false;
     std::vector<Section> out;
     for (std::size_t i = 0; i < probe->lights.size(); ++i)
@@ -18,8 +18,8 @@ bool EditorDossier::update_sections(const Probe* probe, const Settings& settings
     return true;
 }
 
-bool EditorDossier::update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                                 const DriverInfo& driver) {
+bool EditorPixelDiagnosis::update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                                        const DriverInfo& driver) {
     if (!probe || !probe->hit) {
         building_.drop();
         casters_.reset();

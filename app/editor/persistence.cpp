@@ -1,4 +1,4 @@
-#include "app/editor/memory.h"
+#include "app/editor/persistence.h"
 
 #include <fmt/format.h>
 
@@ -32,34 +32,34 @@ std::string age_text(double seconds) {
     return count_text(seconds / 86400, "day");
 }
 
-void EditorMemory::note_scene(const std::string& path) {
+void EditorPersistence::note_scene(const std::string& path) {
     if (is_builtin_scene(path)) return;
     workspace_.change([&](WorkspaceData& d) { put_first(d.recent_scenes, whole_path(path)); });
 }
 
-void EditorMemory::note_preset(const std::string& path) {
+void EditorPersistence::note_preset(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) { put_first(d.recent_presets, whole_path(path)); });
 }
 
-void EditorMemory::note_welcome() {
+void EditorPersistence::note_welcome() {
     if (!workspace().welcomed) workspace_.change([](WorkspaceData& d) { d.welcomed = true; });
 }
 
-void EditorMemory::drop(const std::string& path) {
+void EditorPersistence::drop(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) {
         std::erase(d.recent_scenes, path);
         std::erase(d.recent_presets, path);
     });
 }
 
-void EditorMemory::note_window(int width, int height, bool maximised) {
+void EditorPersistence::note_window(int width, int height, bool maximised) {
     workspace_.change([&](WorkspaceData& d) {
         d.maximised = maximised;
         if (!maximised) d.window_width = width, d.window_height = height;
     });
 }
 
-void EditorMemory::follow(EditorState& state, double now_s) {
+void EditorPersistence::follow(EditorState& state, double now_s) {
     if (!state.between_steps && !state.scene_name.empty()) autosave_.follow(state.scene_name, state.settings, now_s);
     if (seen_layout_ != state.layout) {
         if (seen_layout_) layout_due_s_ = now_s + kLayoutSeconds;
@@ -73,14 +73,14 @@ void EditorMemory::follow(EditorState& state, double now_s) {
     for (const std::string& remark : autosave_.take_remarks()) state.log.add(LogKind::Warning, remark);
 }
 
-void EditorMemory::fill(EditorFrame& frame) const {
+void EditorPersistence::fill(EditorFrame& frame) const {
     frame.recent_scenes = workspace().recent_scenes;
     frame.recent_presets = workspace().recent_presets;
     if (const Autosave::Lost* lost = autosave_.lost())
         frame.lost = LostFacts{lost->preset.scene, age_text(lost->age_s)};
 }
 
-void EditorMemory::end(const EditorState& state, bool unsaved) {
+void EditorPersistence::end(const EditorState& state, bool unsaved) {
     autosave_.end(state.scene_name, state.settings, unsaved && !state.between_steps && !state.scene_name.empty());
     workspace_.change([&](WorkspaceData& d) { d.layout = state.layout; });
 }

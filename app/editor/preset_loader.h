@@ -13,9 +13,9 @@
 
 namespace si {
 
-class PresetDesk {
+class PresetLoader {
 public:
-    PresetDesk();
+    PresetLoader();
 
     /// Those that ship with the program, in order.
     const std::vector<PresetEntry>& entries() const { return entries_; }
