@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Does one thing at a time: on its thread, or, where it has none, at once.
+/// Runs one piece of work at a time: on its thread, or at once if it has none.
 class FrameLoader::DrawThread {
 public:
     explicit DrawThread(FrameThread thread) : wake_(std::move(thread.wake)) {
@@ -39,7 +39,7 @@ public:
     ~DrawThread() { wait(); }
 
     bool has_thread() const { return thread_.joinable(); }
-    /// What was started before is to be taken first.
+    /// Starts the work. The result of the work before must have been taken.
     void start(std::function<void()> work) {
         if (!has_thread()) {
             try {
@@ -113,16 +113,16 @@ private:
     std::function<void()> work_;  ///< until it is done
     std::exception_ptr problem_;
     bool done_ = false;
-    mutable bool awaited_ = false;  ///< somebody waits: nobody is to be woken
+    mutable bool awaited_ = false;  ///< a caller waits, so that wake_ is not called
     std::jthread thread_;           ///< last: ends before what it uses
 };
 
-/// What is shown of a frame while the next one is drawn into the renderer's images: two sets, in turn.
+/// Copies of a frame's images, shown while the next frame is drawn into the renderer's own. Two sets alternate.
 class FrameLoader::Copies {
 public:
-    /// Has `facts` name copies. @param changed the images hold something else than at the last call
-    /// @param shown what was drawn of earlier ones until then
-    void stand_in(FrameFacts& facts, bool changed, GLsync shown) {
+    /// Replaces the images in `facts` by copies. @param changed the images differ from those of the last call
+    /// @param shown fence after the editor's last use of earlier copies
+    void show_copies(FrameFacts& facts, bool changed, GLsync shown) {
         std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read};
         for (Pane& pane : facts.result.panes) images.push_back(&pane.picture);
         if (facts.picture_comparison)
@@ -224,15 +224,15 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
         const WatchPasses watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
-        if (copies_) stand_in(shown);
+        if (copies_) show_copies(shown);
     });
     draw_thread_->wait_for(patience_);
     return poll() || changed;
 }
 
-void FrameLoader::stand_in(GLsync shown) {
+void FrameLoader::show_copies(GLsync shown) {
     try {
-        copies_->stand_in(next_facts_, news_.changed, shown);
+        copies_->show_copies(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
         // Without its copies there is no picture; settings stay, and the next frame may find memory.
         news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});

@@ -184,7 +184,7 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
         const FrameResult more = renderer_.render(scene, drawn_settings_, request);
         if (more.smooth.texture == 0) return smoothed_ = kSmoothedMost, false;
         result_.smooth = more.smooth;
-        tell_of_smoothing(more);
+        report_smoothing(more);
         return true;
     } catch (const std::exception& e) {
         smoothed_ = kSmoothedMost;
@@ -194,7 +194,7 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
     }
 }
 
-void FrameLoop::tell_of_smoothing(const FrameResult& more) {
+void FrameLoop::report_smoothing(const FrameResult& more) {
     const PassInfo* const did = more.pass(kSmoothingPass);
     const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
     if (!did || told == result_.passes.end() || told->reason == did->reason) return;

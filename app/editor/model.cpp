@@ -108,7 +108,7 @@ void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window,
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.files.preset_path).parent_path();
         std::string svg;
-        if (const Section* const section = judged_section(); request.of == Shot::Drawing && section)
+        if (const Section* const section = shown_section(); request.of == Shot::Drawing && section)
             svg = section_svg(*section);
         const auto path =
             save_screenshot(cut_out(window, request.rect, pixels), request.of, state.scene_name, folder, svg);
@@ -123,14 +123,14 @@ void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window,
     });
 }
 
-const Section* EditorModel::judged_section() const {
+const Section* EditorModel::shown_section() const {
     const Sections& sections = frames_.facts().readings.sections;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
     return sections && light < sections->size() ? &(*sections)[light] : nullptr;
 }
 
 bool EditorModel::save_drawing(const ShotRequest& request, ImGuiSession& imgui) {
-    const Section* const section = judged_section();
+    const Section* const section = shown_section();
     if (request.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
