@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "renderer/base/lengths_text.h"
-#include "renderer/frame/facts.h"
+#include "renderer/frame/frame.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/settings.h"
 #include "ui/widgets/theme.h"
