@@ -1,5 +1,5 @@
-// The whole editor as one function: state and the frame's facts go in, wishes come out. Knows ImGui and the renderer's
-// data types; no window, no GL. The caller fulfils the wishes before the next frame.
+// The editor as one function: state and the frame's facts go in, requests come out. Uses ImGui and the renderer's data
+// types, no window and no OpenGL. The caller fulfils the requests before the next frame.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -49,24 +49,24 @@ struct Flicker {
     CompareWith compare;
 };
 
-/// What a loupe shows: the probed pixel, or what is under the mouse.
+/// Centre of the loupe: the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
-/// What of the editor's state its frames, and the numbers read from them, depend on.
+/// The part of the editor's state that frames, and the numbers read from them, depend on.
 struct PictureState {
     Settings settings;
     CompareWith compare;
     PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
     EffectsPanel effects;
-    std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
-    std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
-    std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
+    std::optional<glm::ivec2> probe_pixel;    ///< probed pixel of the scene picture, row 0 at the top
+    std::optional<ProbeAnchor> probe_anchor;  ///< surface point that the probe follows, once it is known
+    std::optional<glm::ivec2> loupe_pixel;    ///< centre of the loupe; none: it is hidden
     LoupeMode loupe = LoupeMode::Probed;
     ArtefactRequest artefacts;
-    int active_pane = 0;  ///< under the mouse, or where a press began
+    int active_pane = 0;  ///< pane under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
-    std::optional<FrozenCamera> frozen;
+    std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
 };
 
 /// State of the editor: the state of each panel, and what they share.
@@ -109,11 +109,11 @@ struct LoadingFacts {
 
 /// The first picture of a scene while it is drawn.
 struct DrawingFacts {
-    std::string pass;     ///< under way
+    std::string pass;     ///< pass under way
     double progress = 0;  ///< 0..1
 };
 
-/// What the last frame found out. Pointers may be null: the editor draws without them.
+/// Facts about the last frame and the work in the background. Pointers may be null: the editor draws without them.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -126,23 +126,24 @@ struct EditorFrame : ProbeFacts,
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
     CureSearch cures;
-    const FloatImage* overlay_values = nullptr;  ///< of the active pane
-    std::span<const LostCaster> lost_casters;    ///< of the shown light
+    const FloatImage* overlay_values = nullptr;  ///< values of the active pane's overlay
+    std::span<const LostCaster> lost_casters;    ///< casters that the shown light's map loses
     const ComparisonFacts* comparison = nullptr;
     std::string_view shader_log;
     std::string_view problem;   ///< why there is no picture
-    bool driver_reset = false;  ///< the driver lost what was drawn: only another start of the program draws again
+    bool driver_reset = false;  ///< the driver has lost the context; the program has to be started again
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
     const SweepFacts* sweep = nullptr;
     std::optional<TruthFacts> truth;
-    const LiveError* error = nullptr;  ///< of the frame shown; null: not known
+    const LiveError* error = nullptr;  ///< errors of the shown frame; null: not known
     std::optional<PictureComparisonFacts> picture_comparison;
-    const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
-    bool desktop_dialogs = false;              ///< the desktop's dialog for files can be asked for
-    const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
+    const LoupeFacts* loupe = nullptr;         ///< pixels around state.loupe_pixel; null: not known yet
+    bool desktop_dialogs = false;              ///< the desktop's file dialog can be requested
+    const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
+/// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
                         TruthRequests,
                         PresetRequests,
@@ -153,21 +154,23 @@ struct EditorRequests : MapRequests,
                         AdviceRequests,
                         LabRequests,
                         HealthRequests {
-    int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
-    bool want_overlay_values = false;       ///< a scene picture is hovered
-    bool want_timing = false;
+    int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown
+    int scene_height = 0;              ///< wanted height
+    bool want_overlay_values = false;  ///< the mouse is over a scene picture
+    bool want_timing = false;          ///< passes are to be timed
     bool copy_command_line = false;
     bool quit = false;
-    std::optional<DesktopFileDialog> ask_desktop;
-    bool welcomed = false;     ///< the welcome was shown
-    bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
-    bool redraw = false;       ///< something still moves: draw another frame soon
+    std::optional<DesktopFileDialog> ask_desktop;  ///< open the desktop's file dialog
+    bool welcomed = false;                         ///< the welcome was shown
+    bool hold_cursor = false;  ///< hide the mouse and let it move without bounds, while the camera flies
+    bool redraw = false;       ///< something still moves: draw the next frame soon
     std::optional<ShotRequest> shot;
-    bool at_rest = false;  ///< nobody touches anything: the picture may be made smooth (view.smooth)
+    bool at_rest = false;  ///< no input: the static picture may get more samples per pixel (view.smooth)
 };
 
-/// Of the window at scale 1 (a font of 15 pixels): in a smaller one the editor scrolls.
-inline constexpr float kLeastWidth = 640, kLeastHeight = 360;
+/// Smallest size of the editor at scale 1 (a font of 15 pixels), pixels. A smaller window scrolls.
+inline constexpr float kLeastWidth = 640;
+inline constexpr float kLeastHeight = 360;
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
