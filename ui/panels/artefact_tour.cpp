@@ -136,7 +136,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
         give_up("Where the picture is wrong is not known: " + frame.truth->problem);
         return false;
     }
-    // What is wished for is known once the truth of this picture is.
+    // Clusters are known once the reference of this picture is.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
         const Artefact cause = touring_cause(state, frame);

@@ -1,4 +1,4 @@
-// What the present state is compared with.
+// The other side of the comparison of settings.
 #pragma once
 
 #include <string>
@@ -7,11 +7,12 @@
 
 namespace si {
 
-/// What the present state is compared with; Pinned: what PictureState::pinned holds.
+/// Kind of settings to compare with. Pinned: PictureState::pinned.
 enum class CompareKind { Scene, Defaults, Preset, Pinned };
+/// Choice of settings to compare with.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
-    std::string preset;  ///< built-in key or path
+    std::string preset;  ///< built-in key or path, if kind is Preset
     bool operator==(const CompareWith&) const = default;
 };
 
@@ -26,11 +27,11 @@ struct PinnedSettings {
 struct ComparisonFacts {
     CompareWith with;
     Settings settings;
-    std::string scene;    ///< that it was made for; empty: any
+    std::string scene;    ///< scene that they were made for; empty: any
     std::string problem;  ///< why there are no settings
 };
 
-/// "the scene's own settings", or the preset as it is named: its key or path.
+/// Returns the name of the other side: "the scene's own settings", or a preset's key or path.
 std::string reference_label(const CompareWith& with);
 
 }  // namespace si
