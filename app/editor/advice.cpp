@@ -5,22 +5,23 @@
 namespace si {
 
 void EditorAdvice::start(const Scene& scene, const Settings& settings, int width, int height,
-                         const AdviceRequest& wish) {
+                         const AdviceRequest& request) {
     found_.reset();
     const AdviceFound about{{}, {}, scene.id, settings, width, height};
     job_.start(
-        [copy = std::make_shared<const Scene>(scene), about, wish](const Workers& workers, const auto& report) {
+        [copy = std::make_shared<const Scene>(scene), about, request](const Workers& workers, const auto& report) {
             AdviceFound out = about;
             const HeadlessContext context;
             Renderer renderer;
             ReferenceCache cache;
             const auto tell = [&](double share, const std::string& what) { report({what, share}); };
-            if (!wish.most_error && !wish.most_ms) {
-                out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = wish.cost}, cache,
-                                       workers, tell);
+            if (!request.most_error && !request.most_ms) {
+                out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = request.cost},
+                                       cache, workers, tell);
                 return out;
             }
-            const AutopilotGoals goals{.most_error = wish.most_error, .most_ms = wish.most_ms, .cost = wish.cost};
+            const AutopilotGoals goals{
+                .most_error = request.most_error, .most_ms = request.most_ms, .cost = request.cost};
             AutopilotResult flight =
                 fly_autopilot(renderer, *copy, out.settings, out.width, out.height, goals, {}, cache, workers, tell);
             out.changes = setting_changes(measured_settings(out.settings), flight.best.settings);

@@ -1,4 +1,4 @@
-// The editor's search for what the scene advises, and its autopilot.
+// Background search for advice: changes of settings that a scene can do with, and the autopilot.
 #pragma once
 
 #include <variant>
@@ -9,20 +9,23 @@
 
 namespace si {
 
+/// Result of a finished search.
 struct AdviceFound {
     std::variant<AdviceReport, AutopilotResult> what;
-    std::vector<std::pair<std::string, std::string>> changes;  ///< of the autopilot
-    std::uint64_t scene = 0;
-    Settings settings;  ///< that it is about
-    int width = 0, height = 0;
+    std::vector<std::pair<std::string, std::string>> changes;  ///< key and value, of the autopilot
+    std::uint64_t scene = 0;                                   ///< Scene::id
+    Settings settings;                                         ///< settings that were searched from
+    int width = 0, height = 0;                                 ///< pixels of the picture that was measured
 };
 
+/// One search for advice at a time, on a thread of its own.
 class EditorAdvice : public EditorSearch<AdviceFound> {
 public:
     EditorAdvice() : EditorSearch("The search for advice was cancelled") {}
-    /// In place of what is under way.
-    void start(const Scene& scene, const Settings& settings, int width, int height, const AdviceRequest& wish);
-    /// @param scene Scene::id @param settings of the editor, which what was found may no longer be about
+    /// Starts a search and cancels the one under way.
+    void start(const Scene& scene, const Settings& settings, int width, int height, const AdviceRequest& request);
+    /// Writes progress and results into `shown`, marked as current only if they are about these arguments.
+    /// @param scene Scene::id
     void fill(AdvicePanelFacts& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
 };
 

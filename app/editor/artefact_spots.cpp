@@ -10,7 +10,7 @@ constexpr std::size_t kMostSpots = 100;  ///< nobody goes through more
 }  // namespace
 
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
-                                  const FrameRequest& request, const ArtefactRequest& wish) {
+                                  const FrameRequest& request, const ArtefactRequest& wanted) {
     FrameRequest classified = request;
     classified.outputs = {.colour = false, .classified = true};
     classified.timing = classified.force = false;
@@ -18,9 +18,9 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
     const MeasuredError measured = read_classified_pixels(renderer, frame, *request.reference, settings.view.light);
     const Receivers& receivers = *measured.traced.receivers;
     const int step = request.reference->step;
-    ArtefactSpots out{.number = wish.number, .spots = {}, .camera = frame.camera, .height = request.height};
+    ArtefactSpots out{.number = wanted.number, .spots = {}, .camera = frame.camera, .height = request.height};
     for (const ArtefactCluster& found :
-         artefact_clusters(measured.classified, receivers.width, wish.cause, kMostSpots)) {
+         artefact_clusters(measured.classified, receivers.width, wanted.cause, kMostSpots)) {
         ArtefactSpot spot{found};
         const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
         spot.position_ws = middle.position_ws;

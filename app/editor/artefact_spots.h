@@ -1,4 +1,4 @@
-// Where the wrong pixels of the editor's picture are, cluster by cluster.
+// Clusters of wrong pixels in the editor's picture.
 #pragma once
 
 #include "renderer/render/renderer.h"
@@ -6,9 +6,9 @@
 
 namespace si {
 
-/// Of the frame that `request` asks for, whose truth is in it, those of the cause that is wished for.
-/// Draws that frame again, so that Renderer::holds() may no longer hold for others. @throws Error
+/// Finds the clusters of the wanted cause in the frame of `request`, which holds its ray-traced reference. Draws that
+/// frame again: the renderer no longer holds the images of other frames (Renderer::holds()). @throws Error
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
-                                  const FrameRequest& request, const ArtefactRequest& wish);
+                                  const FrameRequest& request, const ArtefactRequest& wanted);
 
 }  // namespace si

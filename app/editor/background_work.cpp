@@ -24,9 +24,9 @@ bool BackgroundWork::poll(const Scene* scene) {
 }
 
 bool BackgroundWork::fulfil_saved(const SceneLoader& scenes, const FrameRequest& request,
-                                  const EditorRequests& actions) {
-    if (actions.cancel_saved) saved_.cancel();
-    if (!actions.measure_saved) return actions.cancel_saved;
+                                  const EditorRequests& requests) {
+    if (requests.cancel_saved) saved_.cancel();
+    if (!requests.measure_saved) return requests.cancel_saved;
     return attempt(state_, [&] { saved_.start(scenes.require(), state_.settings, request); });
 }
 
@@ -55,12 +55,12 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
 }
 
 void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                                 const CureRequest& wish) {
+                                 const CureRequest& request) {
     std::vector<FixCandidate> own;
     const auto light = std::size_t(std::max(state_.settings.view.light, 0));
-    if (wish.pixel && light < diagnoses.size() && diagnoses[light].fix)
+    if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)
         own.push_back(idea_of(*diagnoses[light].fix, state_.settings));
-    fixes_.start(scene, state_.settings, size.x, size.y, wish.pixel, std::move(own));
+    fixes_.start(scene, state_.settings, size.x, size.y, request.pixel, std::move(own));
 }
 
 void BackgroundWork::take_sweep_base() {
@@ -73,41 +73,42 @@ void BackgroundWork::take_sweep_base() {
 }
 
 bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                            const EditorRequests& actions) {
+                            const EditorRequests& requests) {
     bool changed = false;
-    const auto wish = [&](bool wished, const auto& what) {
-        if (wished) changed |= attempt(state_, what);
+    const auto request = [&](bool requested, const auto& what) {
+        if (requested) changed |= attempt(state_, what);
     };
     // A kernel must be drawn to be judged: a picture that is not shown has no size.
-    wish(actions.tune.has_value(),
-         [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *actions.tune); });
-    if (actions.cancel_tune) tuner_.cancel();
-    wish(actions.find_fixes.has_value(), [&] { start_fixes(scenes.require(), size, diagnoses, *actions.find_fixes); });
-    if (actions.cancel_fixes) fixes_.cancel();
-    wish(actions.forget_fixes, [&] { fixes_.forget(); });
-    wish(actions.find_advice.has_value(),
-         [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *actions.find_advice); });
-    if (actions.cancel_advice) advice_.cancel();
+    request(requests.tune.has_value(),
+            [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
+    if (requests.cancel_tune) tuner_.cancel();
+    request(requests.find_fixes.has_value(),
+            [&] { start_fixes(scenes.require(), size, diagnoses, *requests.find_fixes); });
+    if (requests.cancel_fixes) fixes_.cancel();
+    request(requests.forget_fixes, [&] { fixes_.forget(); });
+    request(requests.find_advice.has_value(),
+            [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *requests.find_advice); });
+    if (requests.cancel_advice) advice_.cancel();
     const auto present = [&] { return LabOf{scenes.require().id, state_.settings, size.x, size.y}; };
-    wish(actions.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
-    if (actions.cancel_pipelines) pipelines_.cancel();
-    wish(actions.measure_shimmer.has_value(),
-         [&] { shimmer_.start(scenes.require(), present(), *actions.measure_shimmer); });
-    if (actions.cancel_shimmer) shimmer_.cancel();
-    wish(actions.start_sweep.has_value(),
-         [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *actions.start_sweep); });
-    wish(actions.cancel_sweep, [&] { sweep_.cancel(); });
-    wish(actions.open_sweep.has_value(), [&] { open_sweep(*actions.open_sweep); });
-    wish(actions.save_sweep.has_value(), [&] {
-        sweep_.save(*actions.save_sweep);
-        state_.log.add(LogKind::Info, "Saved " + *actions.save_sweep + "/report.html and the tables beside it");
+    request(requests.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
+    if (requests.cancel_pipelines) pipelines_.cancel();
+    request(requests.measure_shimmer.has_value(),
+            [&] { shimmer_.start(scenes.require(), present(), *requests.measure_shimmer); });
+    if (requests.cancel_shimmer) shimmer_.cancel();
+    request(requests.start_sweep.has_value(),
+            [&] { sweep_.start(scenes.require(), state_.scene_name, state_.settings, *requests.start_sweep); });
+    request(requests.cancel_sweep, [&] { sweep_.cancel(); });
+    request(requests.open_sweep.has_value(), [&] { open_sweep(*requests.open_sweep); });
+    request(requests.save_sweep.has_value(), [&] {
+        sweep_.save(*requests.save_sweep);
+        state_.log.add(LogKind::Info, "Saved " + *requests.save_sweep + "/report.html and the tables beside it");
     });
-    wish(actions.take_sweep_base, [&] { take_sweep_base(); });
+    request(requests.take_sweep_base, [&] { take_sweep_base(); });
     return changed;
 }
 
-bool BackgroundWork::follow(const Scene* scene, const EditorRequests& actions) {
-    if (actions.want_present && scene)
+bool BackgroundWork::follow(const Scene* scene, const EditorRequests& requests) {
+    if (requests.want_present && scene)
         sweep_.follow(*scene, state_.scene_name, state_.settings, state_.sweep);
     else
         sweep_.unfollow();

@@ -1,4 +1,4 @@
-// What one editor measures in the background: sweeps and the present settings' dot among them, the least bias, cures.
+// Measurements of one editor in the background: sweeps, the smallest bias, fixes, advice, optimisations, lab.
 #pragma once
 
 #include <filesystem>
@@ -16,33 +16,42 @@
 
 namespace si {
 
+/// Owns all background measurements of one editor and connects them with its panels.
 class BackgroundWork {
 public:
     /// @param state of the editor, which lives longer @param state_folder see EditorSweep
     BackgroundWork(EditorState& state, const std::filesystem::path& state_folder)
         : state_(state), sweep_(state_folder) {}
 
-    /// Takes what searches found over into the settings and the log. Returns whether any ended.
+    /// Moves results of finished searches into the settings and the log. Returns true if one has ended.
     bool poll(const Scene* scene);
-    /// Does what was wished for; errors go to the log. Returns whether anything was.
-    /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
+    /// Starts and cancels measurements as requested; errors go to the log. Returns true if there was a request.
+    /// @param size of the scene's picture, pixels @param dossiers diagnoses of the probed pixel
     bool fulfil(const SceneLoader& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                const EditorRequests& actions);
-    /// Measures what savings are worth, as wished for. Returns whether anything was. @param request of the frame shown
-    bool fulfil_saved(const SceneLoader& scenes, const FrameRequest& request, const EditorRequests& actions);
-    /// Follows sweeps, and the present settings' place among their cases. Returns whether there are news.
-    bool follow(const Scene* scene, const EditorRequests& actions);
+                const EditorRequests& requests);
+    /// Starts or cancels the measurement of optimisations as requested. Returns true if there was a request.
+    /// @param request of the frame that is shown
+    bool fulfil_saved(const SceneLoader& scenes, const FrameRequest& request, const EditorRequests& requests);
+    /// Takes news of the sweep, and measures the present settings while a panel shows them. Returns true if the facts
+    /// have changed.
+    bool follow(const Scene* scene, const EditorRequests& requests);
+    /// Shows the results in a sweep's folder. @throws Error
     void open_sweep(const std::filesystem::path& folder) { sweep_.open(folder, state_.sweep); }
+    /// Writes the facts of all measurements into `frame`; its pointers are valid until the next call of a non-const
+    /// member.
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
+    /// Returns true while something is being measured.
     bool busy() const {
         return sweep_.busy() || tuner_.running() || fixes_.running() || saved_.running() || advice_.running() ||
                pipelines_.running() || shimmer_.running();
     }
+    /// Returns true if results or progress have changed since the last poll() and follow().
     bool moved() const {
         return sweep_.moved() || tuner_.moved() || fixes_.moved() || saved_.moved() || advice_.moved() ||
                pipelines_.moved() || shimmer_.moved();
     }
+    /// Waits until nothing is being measured.
     void finish() const {
         sweep_.wait();
         tuner_.wait();
@@ -55,16 +64,16 @@ public:
 
 private:
     bool poll_tuning(const Scene* scene);
-    /// Of cures, of savings, and of advice.
+    /// Takes the result of a search; its error goes to the log. Returns true if it has ended.
     bool poll_found(auto& search);
     void start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                     const CureRequest& wish);
+                     const CureRequest& request);
     void take_sweep_base();
 
     EditorState& state_;
     EditorSweep sweep_;
     EditorTuner tuner_;
-    std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
+    std::optional<TuningOutcome> tuned_;  ///< result of the last search that compared kinds of bias
     EditorFixes fixes_;
     EditorSaved saved_;
     EditorAdvice advice_;

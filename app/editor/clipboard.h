@@ -1,4 +1,4 @@
-// Pictures for other programs to paste.
+// Pictures in the desktop's clipboard.
 #pragma once
 
 #include <filesystem>
@@ -6,8 +6,8 @@
 
 namespace si {
 
-/// Offers a PNG file's bytes as the desktop's clipboard (image/png), by xclip or wl-copy, which go on offering them
-/// when this program has ended: GLFW knows text alone. Returns why that was not possible, else "".
+/// Puts a PNG file into the desktop's clipboard (image/png) by xclip or wl-copy, because GLFW handles text only. These
+/// programs keep offering the picture after this one has ended. Returns the reason of a failure, else "".
 std::string copy_png(const std::filesystem::path& png);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The editor's search for what puts wrong pixels right: of the picture, and of the probed pixel.
+// Background search for fixes: changes of settings that make wrong pixels right, of the picture or of one pixel.
 #pragma once
 
 #include "app/editor/search.h"
@@ -7,29 +7,31 @@
 
 namespace si {
 
+/// Result of a finished search.
 struct FixOutcome {
     FixTable table;
-    std::string problem;  ///< why there is no table
-    std::uint64_t scene = 0;
-    Settings settings;  ///< that it is about
+    std::string problem;      ///< why there is no table
+    std::uint64_t scene = 0;  ///< Scene::id
+    Settings settings;        ///< settings that were searched from
     int width = 0, height = 0;
-    std::optional<glm::ivec2> pixel;
+    std::optional<glm::ivec2> pixel;  ///< none: the whole picture
 };
 
+/// One search for fixes at a time, on a thread of its own.
 class EditorFixes : public EditorSearch<FixOutcome> {
 public:
     EditorFixes() : EditorSearch("The search for cures was cancelled") {}
-    /// In place of a search that is under way. @param pixel that the table is to speak of, or none: of the picture
-    /// @param own a change that is tried besides, such as a dossier's remedy
+    /// Starts a search and cancels the one under way. @param pixel to make right; none: the whole picture
+    /// @param own changes to try besides the usual ones, such as the fix of a pixel diagnosis
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
                std::vector<FixCandidate> own);
+    /// Drops the last result.
     void forget() { found_.reset(); }
-    /// @param scene Scene::id @param settings of the editor, which the table may no longer be about, nor about the
-    /// picture's size
+    /// Returns progress and result, marked as current only if it is about these arguments. @param scene Scene::id
     FixSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:
-    FixOutcome about_;  ///< what is searched for, and not yet what was found
+    FixOutcome about_;  ///< arguments of the search under way
 };
 
 }  // namespace si

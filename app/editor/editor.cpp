@@ -119,7 +119,7 @@ bool take_file(FilePortal& portal, EditorModel& model) {
     if (!answer) return false;
     if (answer->kind == FilePortal::Answer::Kind::NoDialog) {
         model.asks_desktop = false;
-        model.state.file_dialog.asked = true;  // the editor's own
+        model.state.files.dialog.asked = true;  // the editor's own
     } else if (answer->kind == FilePortal::Answer::Kind::Chosen) {
         if (answer->job == FileDialog::Job::Open)
             model.open(answer->file);
@@ -173,16 +173,15 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         const MouseStep mouse(window);
         const PressedKeys keys(window);
         ImGui::NewFrame();
-        if (ImGui::IsKeyPressed(GLFW_KEY_F1, false)) model.state.show_shortcuts = !model.state.show_shortcuts;
-        const EditorRequests actions = draw_editor(model.state, model.facts());
+        const EditorRequests requests = draw_editor(model.state, model.facts());
         ImGui::Render();
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
         imgui.draw(width, height);
         if (const GLenum error = glGetError(); error != GL_NO_ERROR)
             model.session().note_driver(fmt::format("the editor's window: glGetError {:#x}", error));
         const float scale = ImGui::GetIO().DisplayFramebufferScale.x;
-        if (actions.shot && !model.save_drawing(*actions.shot, imgui))
-            model.save_shot(*actions.shot, read_window(width, height), scale);
+        if (requests.shot && !model.save_drawing(*requests.shot, imgui))
+            model.save_shot(*requests.shot, read_window(width, height), scale);
         window.swap();
         try {
             gl::check_context_alive();
@@ -190,12 +189,12 @@ std::vector<std::string> run_window(const EditorOptions& options) {
             model.keep_now();  // the next start offers it
             throw;
         }
-        window.hold_cursor(actions.hold_cursor);
-        if (model.fulfil(actions)) due = std::max(due, 2);
-        if (actions.ask_desktop) portal.ask(*actions.ask_desktop, window.portal_name());
+        window.hold_cursor(requests.hold_cursor);
+        if (model.fulfil(requests)) due = std::max(due, 2);
+        if (requests.ask_desktop) portal.ask(*requests.ask_desktop, window.portal_name());
         if (!window.input().empty()) due = std::max(due, kSettleFrames);
-        if (actions.redraw) due = std::max(due, 1);
-        if (actions.quit) break;
+        if (requests.redraw) due = std::max(due, 1);
+        if (requests.quit) break;
         if (titled != model.state.scene_name) {
             titled = model.state.scene_name;
             window.set_title(titled + " - Shadow Inspector");

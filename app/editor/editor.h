@@ -12,31 +12,32 @@
 
 namespace si {
 
+/// Options of the command `edit`.
 struct EditorOptions {
     SessionOptions session;              ///< the first scene and its settings
-    std::filesystem::path preset;        ///< where Ctrl+S saves; may be empty
-    std::filesystem::path state_folder;  ///< where layout, recent files and autosaves are kept; empty: nowhere
+    std::filesystem::path preset;        ///< file that saving writes; may be empty
+    std::filesystem::path state_folder;  ///< folder of layout, recent files and autosaves; empty: none is kept
     bool headless = false;               ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
     int width = 1600, height = 900;  ///< of the window, or of the screenshot in pixels
-    bool size_given = false;         ///< a window has this size whatever was kept
+    bool size_given = false;         ///< the window has this size, not that of the last session
     double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
     std::string tab;                 ///< of the strip below, in front at the start; empty: effects
     std::string theme;               ///< dark or light; empty: as kept, or dark
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
-    bool welcome = false;            ///< nothing was asked for: a person who is new here is welcomed
+    bool welcome = false;            ///< show the welcome at the first start
     bool check_numeric = false;      ///< search every picture of the scene; run_editor() throws at the end
     std::filesystem::path report;    ///< see SessionReport; empty: none is written
-    /// A headless editor draws its frames on a thread of their own, as a window does, and waits so long for each
-    /// (FrameThread); nothing: it draws them itself.
+    /// Time that a headless editor waits for each frame of a drawing thread (FrameThread::patience); nothing: it draws
+    /// on its own thread.
     std::optional<std::chrono::milliseconds> frame_patience;
 };
 
-/// @throws UsageError naming the tabs there are
+/// Returns the tab with this name. @throws UsageError that lists the names
 BottomTab tab_named(const std::string& name);
 
-/// Runs until the window is closed, or until the screenshot is written. Returns remarks about the first scene.
+/// Runs the editor until the window is closed, or the screenshot is written. Returns remarks about the first scene.
 /// @throws Error when there is no display, no OpenGL 4.5, the screenshot's scene cannot be read, or a file cannot be
 /// written.
 std::vector<std::string> run_editor(const EditorOptions& options);

@@ -44,20 +44,20 @@ Filter filter_of(const std::string& label, const std::vector<std::string>& exten
     return Filter{label, patterns};
 }
 
-VariantMap options_of(const DesktopFileDialog& wish) {
-    std::string folder = wish.folder.string();
+VariantMap options_of(const DesktopFileDialog& dialog) {
+    std::string folder = dialog.folder.string();
     std::vector<std::uint8_t> bytes(folder.begin(), folder.end());
     bytes.push_back(0);
     VariantMap options{{"handle_token", std::string(kToken)}, {"current_folder", bytes}};
-    if (wish.job == FileDialog::Job::SavePreset) {
-        if (!wish.name.empty()) options["current_name"] = wish.name;
+    if (dialog.job == FileDialog::Job::SavePreset) {
+        if (!dialog.name.empty()) options["current_name"] = dialog.name;
         options["filters"] = std::vector<Filter>{filter_of("Presets", {"json"})};
         return options;
     }
     const std::vector<Filter> filters{filter_of("Scenes and presets", {"gltf", "glb", "json"}),
                                       filter_of("Scenes", {"gltf", "glb"}), filter_of("Presets", {"json"})};
     options["filters"] = filters;
-    options["current_filter"] = filters[std::size_t(wish.kind)];
+    options["current_filter"] = filters[std::size_t(dialog.kind)];
     return options;
 }
 
@@ -73,8 +73,8 @@ std::string request_path(std::string unique_name) {
 /// One that is open, or about to be. Lives on a thread of its own, as each step may wait for another process.
 class FilePortal::Dialog {
 public:
-    Dialog(const DesktopFileDialog& wish, const std::string& parent_window, std::function<void()> wake)
-        : wish_(wish), parent_window_(parent_window), wake_(std::move(wake)), thread_([this] { run(); }) {}
+    Dialog(const DesktopFileDialog& dialog, const std::string& parent_window, std::function<void()> wake)
+        : dialog_(dialog), parent_window_(parent_window), wake_(std::move(wake)), thread_([this] { run(); }) {}
 
     ~Dialog() {
         {
@@ -104,7 +104,7 @@ private:
         const std::lock_guard lock(mutex_);
         if (answered_ || closed_) return;
         answered_ = true;
-        a.job = wish_.job;
+        a.job = dialog_.job;
         answer_ = std::move(a);
         if (connection_) connection_->leaveEventLoop();
     }
@@ -133,12 +133,12 @@ private:
             .call([this](std::uint32_t code, const VariantMap& results) { hear(code, results); });
         request->finishRegistration();
         const auto portal = sdbus::createProxy(*connection, kService, kObject);
-        const bool saving = wish_.job == FileDialog::Job::SavePreset;
+        const bool saving = dialog_.job == FileDialog::Job::SavePreset;
         portal->callMethodAsync(saving ? "SaveFile" : "OpenFile")
             .onInterface(kChooser)
             .withTimeout(kStart)
             .withArguments(parent_window_, std::string(saving ? "Save the preset as" : "Open a scene or a preset"),
-                           options_of(wish_))
+                           options_of(dialog_))
             .uponReplyInvoke([this](const sdbus::Error* error, const sdbus::ObjectPath&) {
                 if (error) answer({.problem = error->getMessage()});
             });
@@ -161,7 +161,7 @@ private:
             answer({.kind = Answer::Kind::Chosen, .file = file});
     }
 
-    const DesktopFileDialog wish_;
+    const DesktopFileDialog dialog_;
     const std::string parent_window_;
     const std::function<void()> wake_;
     std::mutex mutex_;
@@ -174,9 +174,9 @@ private:
 FilePortal::FilePortal(std::function<void()> wake) : wake_(std::move(wake)) {}
 FilePortal::~FilePortal() = default;
 
-void FilePortal::ask(const DesktopFileDialog& wish, const std::string& parent_window) {
+void FilePortal::ask(const DesktopFileDialog& dialog, const std::string& parent_window) {
     dialog_.reset();  // one at a time: both would have the same name on the bus
-    dialog_ = std::make_unique<Dialog>(wish, parent_window, wake_);
+    dialog_ = std::make_unique<Dialog>(dialog, parent_window, wake_);
 }
 
 std::optional<FilePortal::Answer> FilePortal::take_answer() {

@@ -1,4 +1,4 @@
-// The desktop's own dialog for files, asked for over the session's message bus.
+// The desktop's own file dialog, requested over the session's message bus.
 #pragma once
 
 #include <filesystem>
@@ -11,15 +11,16 @@
 
 namespace si {
 
-/// org.freedesktop.portal.FileChooser of xdg-desktop-portal (https://flatpak.github.io/xdg-desktop-portal). Nothing
-/// waits for it: what a person chose, or that there is no such dialog, is an answer to be taken later.
+/// Client of org.freedesktop.portal.FileChooser (https://flatpak.github.io/xdg-desktop-portal). Calls do not wait: the
+/// chosen file, or the lack of a dialog, is an answer to be taken later.
 class FilePortal {
 public:
+    /// End of a dialog.
     struct Answer {
         enum class Kind { Chosen, Dismissed, NoDialog };
         Kind kind = Kind::NoDialog;
         FileDialog::Job job = FileDialog::Job::Open;
-        std::filesystem::path file;  ///< where one was chosen
+        std::filesystem::path file;  ///< set if Chosen
         std::string problem;         ///< why there is no dialog
     };
 
@@ -32,8 +33,8 @@ public:
 
     /// Opens the dialog; one that is open is closed, and gives no answer any more.
     /// @param parent_window "x11:" and the window's id in hexadecimal digits, or "" where that is not known
-    void ask(const DesktopFileDialog& wish, const std::string& parent_window);
-    /// The answer, once.
+    void ask(const DesktopFileDialog& dialog, const std::string& parent_window);
+    /// Returns the answer once; nothing before there is one.
     std::optional<Answer> take_answer();
 
 private:
@@ -42,7 +43,7 @@ private:
     std::unique_ptr<Dialog> dialog_;
 };
 
-/// The path that a file's URI names, %-escapes resolved; empty where it is none of a file of this machine.
+/// Returns the path of a file:// URI with %-escapes resolved; empty if it names no file of this machine.
 std::filesystem::path path_of_file_uri(const std::string& uri);
 
 }  // namespace si

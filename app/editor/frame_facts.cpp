@@ -21,7 +21,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.lost_casters = readings.lost_casters;
     f.reference = reference;
     f.error = driver ? result.error.get() : nullptr;
-    f.against = against;
+    f.picture_comparison = picture_comparison;
     f.effects = effects;
     f.health = health.get();
     f.artefacts = &artefacts;

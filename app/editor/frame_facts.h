@@ -1,4 +1,4 @@
-// What is known of the frame that the editor shows. Copies of it are cheap, and outlive the next frame.
+// Facts about the frame that the editor shows. Copies are cheap and outlive the next frame.
 #pragma once
 
 #include <memory>
@@ -14,14 +14,14 @@
 
 namespace si {
 
-/// Numbers read back from it, each only while a panel shows it.
+/// Numbers read back from the frame, each only while a panel shows it.
 struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
-    std::vector<PixelDiagnosis> diagnoses;  ///< of the probed pixel
-    Sections sections;                      ///< of it, while the panel is shown
-    bool tracing_probe = false;             ///< they will follow
+    std::vector<PixelDiagnosis> diagnoses;  ///< diagnoses of the probed pixel, one a light
+    Sections sections;                      ///< cross-sections of the probed pixel, while the panel Probe is shown
+    bool tracing_probe = false;             ///< its diagnoses will follow
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
     std::optional<MapPlots> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
@@ -29,21 +29,22 @@ struct ReadBackFacts {
     std::vector<LostCaster> lost_casters;
 };
 
+/// Facts about the frame, from the thread that drew it.
 struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;
     FrameRequest request;
     ReadBackFacts readings;
     std::optional<ReferenceFacts> reference;
-    std::optional<PictureComparisonFacts> against;
-    std::vector<Effect> effects;                  ///< empty unless asked for
-    std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet
+    std::optional<PictureComparisonFacts> picture_comparison;
+    std::vector<Effect> effects;                  ///< empty unless requested
+    std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or not there yet
     ArtefactSpots artefacts;                      ///< as EditorFrame has them
     std::string shader_log;
     std::string problem;        ///< why there is no picture; empty: nothing is wrong
     bool driver_reset = false;  ///< as EditorFrame has it
 
-    /// Tells the editor. The pointers hold as long as this does, unchanged.
+    /// Writes these facts into the editor's. Its pointers are valid as long as this object, unchanged.
     void fill(EditorFrame& frame) const;
 };
 

@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Does one thing at a time: on its thread, or, where it has none, at once.
+/// Runs one piece of work at a time: on its thread, or at once if it has none.
 class FrameLoader::DrawThread {
 public:
     explicit DrawThread(FrameThread thread) : wake_(std::move(thread.wake)) {
@@ -39,7 +39,7 @@ public:
     ~DrawThread() { wait(); }
 
     bool has_thread() const { return thread_.joinable(); }
-    /// What was started before is to be taken first.
+    /// Starts the work. The result of the work before must have been taken.
     void start(std::function<void()> work) {
         if (!has_thread()) {
             try {
@@ -113,21 +113,21 @@ private:
     std::function<void()> work_;  ///< until it is done
     std::exception_ptr problem_;
     bool done_ = false;
-    mutable bool awaited_ = false;  ///< somebody waits: nobody is to be woken
+    mutable bool awaited_ = false;  ///< a caller waits, so that wake_ is not called
     std::jthread thread_;           ///< last: ends before what it uses
 };
 
-/// What is shown of a frame while the next one is drawn into the renderer's images: two sets, in turn.
+/// Copies of a frame's images, shown while the next frame is drawn into the renderer's own. Two sets alternate.
 class FrameLoader::Copies {
 public:
-    /// Has `facts` name copies. @param changed the images hold something else than at the last call
-    /// @param shown what was drawn of earlier ones until then
-    void stand_in(FrameFacts& facts, bool changed, GLsync shown) {
+    /// Replaces the images in `facts` by copies. @param changed the images differ from those of the last call
+    /// @param shown fence after the editor's last use of earlier copies
+    void show_copies(FrameFacts& facts, bool changed, GLsync shown) {
         std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read};
         for (Pane& pane : facts.result.panes) images.push_back(&pane.picture);
-        if (facts.against) {
-            images.push_back(&facts.against->picture);
-            images.push_back(&facts.against->difference);
+        if (facts.picture_comparison) {
+            images.push_back(&facts.picture_comparison->picture);
+            images.push_back(&facts.picture_comparison->difference);
         }
         std::erase_if(images, [](const Image* image) { return image->texture == 0; });
         for (const Image* image : images) changed |= !sets_[front_].contains(image->texture);
@@ -161,17 +161,17 @@ FrameLoader::FrameLoader(EditorState& state, FrameThread thread, SessionReport& 
     : state_(state),
       session_(session),
       patience_(thread.patience),
-      hand_(std::make_unique<DrawThread>(std::move(thread))) {
+      draw_thread_(std::make_unique<DrawThread>(std::move(thread))) {
     call([&] {
-        if (hand_->has_thread()) gl::set_background_drawing();
-        loop_ = std::make_unique<FrameLoop>(hand_->has_thread());
-        if (hand_->has_thread()) copies_ = std::make_unique<Copies>();
+        if (draw_thread_->has_thread()) gl::set_background_drawing();
+        loop_ = std::make_unique<FrameLoop>(draw_thread_->has_thread());
+        if (draw_thread_->has_thread()) copies_ = std::make_unique<Copies>();
     });
 }
 
 FrameLoader::~FrameLoader() {
     wait();
-    if (hand_->done()) hand_->take();
+    if (draw_thread_->done()) draw_thread_->take();
     call([&] {
         copies_.reset();
         loop_.reset();
@@ -181,24 +181,24 @@ FrameLoader::~FrameLoader() {
 void FrameLoader::call(const std::function<void()>& work) {
     wait();
     poll();
-    hand_->start(work);
-    hand_->wait();
-    hand_->take();
+    draw_thread_->start(work);
+    draw_thread_->wait();
+    draw_thread_->take();
 }
 
 bool FrameLoader::under_way() const {
-    return hand_->under_way();
+    return draw_thread_->under_way();
 }
 bool FrameLoader::busy() const {
-    return hand_->under_way() || hand_->done();
+    return draw_thread_->under_way() || draw_thread_->done();
 }
 void FrameLoader::wait() const {
-    hand_->wait();
+    draw_thread_->wait();
 }
 
 bool FrameLoader::poll() {
-    if (!hand_->done()) return false;
-    hand_->take();
+    if (!draw_thread_->done()) return false;
+    draw_thread_->take();
     facts_ = std::move(next_facts_);
     for (const std::string& message : news_.driver) session_.note_driver(message);
     if (!news_.unsound.empty()) session_.note_unsound(news_.unsound);
@@ -212,31 +212,31 @@ bool FrameLoader::poll() {
     return std::exchange(news_, {}).changed;
 }
 
-bool FrameLoader::update(const Scene& scene, const EditorRequests& actions, const ComparisonFacts* comparison) {
+bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison) {
     bool changed = poll();
-    missed_.cancel_reference |= actions.cancel_reference;
-    if (actions.save_error) missed_.save_error = actions.save_error;
+    missed_.cancel_reference |= requests.cancel_reference;
+    if (requests.save_error) missed_.save_error = requests.save_error;
     if (under_way()) return changed;
-    EditorRequests wished = actions;
-    wished.cancel_reference = std::exchange(missed_.cancel_reference, false);
-    wished.save_error = std::exchange(missed_.save_error, {});
+    EditorRequests requested = requests;
+    requested.cancel_reference = std::exchange(missed_.cancel_reference, false);
+    requested.save_error = std::exchange(missed_.save_error, {});
     const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
     progress_.set({}, 0, 0);
-    hand_->start([this, &scene, shown, wished = std::move(wished), state = PictureState(state_),
-                  known = comparison ? std::optional(*comparison) : std::nullopt] {
+    draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
+                         known = comparison ? std::optional(*comparison) : std::nullopt] {
         const WatchPasses watch(progress_);
-        news_ = loop_->update(scene, state, wished, known ? &*known : nullptr);
+        news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
-        if (copies_) stand_in(shown);
+        if (copies_) show_copies(shown);
     });
-    hand_->wait_for(patience_);
+    draw_thread_->wait_for(patience_);
     return poll() || changed;
 }
 
-void FrameLoader::stand_in(GLsync shown) {
+void FrameLoader::show_copies(GLsync shown) {
     try {
-        copies_->stand_in(next_facts_, news_.changed, shown);
+        copies_->show_copies(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
         // Without its copies there is no picture; settings stay, and the next frame may find memory.
         news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});

@@ -1,6 +1,6 @@
-// Has the editor's frames drawn: on the calling thread, or on one with an OpenGL context of its own, which is waited
-// for only briefly. Then the last picture stays, with its numbers, until the next one is there, and whatever a driver
-// does before it draws (it makes programs at the first draw) holds nobody up.
+// Draws the editor's frames on the calling thread, or on one with an OpenGL context of its own. The editor waits for
+// that thread only briefly: the last picture stays, with its numbers, until the next one is there. A driver that
+// compiles shaders at the first draw does not block the window.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -18,71 +18,78 @@
 
 namespace si {
 
-/// How long a frame is waited for: shorter ones are shown at once.
+/// Time that the editor waits for a frame. Frames that take less are shown at once.
 inline constexpr std::chrono::milliseconds kFramePatience{40};
 
-/// A thread for frames. Without a context there is none.
+/// Thread that draws frames. Without a context there is none, and the calling thread draws.
 struct FrameThread {
-    ThreadContextMaker context;       ///< beside the one that is current where the desk is made
-    std::function<void()> wake = {};  ///< called on that thread when a frame is done that nobody waits for
+    ThreadContextMaker context;  ///< shares objects with the context that is current at construction
+    std::function<void()> wake =
+        {};  ///< called on that thread when a frame is done after the editor has stopped waiting
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// All calls from one thread, whose OpenGL context stays the same.
+/// Scheduler of the editor's frames. All calls come from one thread, whose OpenGL context stays the same.
 class FrameLoader {
 public:
-    /// @param state, session of the editor, which live longer @throws Error when there is no OpenGL for the thread
+    /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context
     FrameLoader(EditorState& state, FrameThread thread, SessionReport& session);
     ~FrameLoader();
 
-    /// A frame is being drawn: the scene must stay as it is, and facts() are of the one before.
+    /// Returns true while a frame is being drawn. The scene must not change, and facts() are of the frame before.
     bool under_way() const;
-    /// The same, or it was not taken yet.
+    /// Returns true while a frame is being drawn, or is done and waits for poll().
     bool busy() const;
-    /// Takes the frame that is done: facts, and remarks into the log. Returns whether the editor now shows something
-    /// else.
+    /// Takes the facts of a frame that is done; its remarks go to the log. Returns true if the editor now shows
+    /// something else.
     bool poll();
-    /// Draws what changed, unless a frame is under way. Returns as poll() does.
-    /// @param scene stays as it is while under_way() @param comparison what state.compare names; null: not known
-    bool update(const Scene& scene, const EditorRequests& actions, const ComparisonFacts* comparison);
-    /// Until none is under way.
+    /// Draws a frame if anything has changed, unless one is under way. Returns as poll() does.
+    /// @param scene must not change while under_way() @param comparison settings that state.compare names; null: not
+    /// known
+    bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
+    /// Waits until no frame is under way.
     void wait() const;
-    /// There is no scene.
+    /// Drops the frame and its facts, when there is no scene.
     void clear();
-    /// Nothing is drawn for a while: gives memory back, unless a frame is under way.
+    /// Releases memory that only further drawing would need, unless a frame is under way.
     void rest();
 
     const FrameFacts& facts() const { return facts_; }
-    /// How far the first picture is; nothing where there is one, or none is being drawn.
+    /// Returns the progress of the first picture; nothing if there is a picture, or none is being drawn.
     std::optional<DrawingFacts> first_picture() const;
-    /// first_picture() says something else than at the last call.
+    /// Returns true if first_picture() has changed since the last call.
     bool first_picture_moved();
+    /// Writes the shown shadow map into a file. @throws Error
     void save_map(const Scene& scene, const std::string& path);
-    /// Whether shader files were saved since the last frame.
+    /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 
-    /// Rays of the picture are being traced, or it is drawn; poll() or update() has news of it.
+    /// Returns true while a frame is drawn, or rays of the picture are traced.
     bool tracing() const { return busy() || loop_->tracing(); }
+    /// Returns true if poll() or update() has news of that work.
     bool tracing_moved() const { return !under_way() && (busy() || loop_->tracing_moved()); }
+    /// Waits for that work.
     void finish_tracing() const {
         wait();
         loop_->finish_tracing();
     }
-    /// The truth of the probed pixel is sought.
+    /// Returns true if update() has the diagnosis of the probed pixel.
     bool probe_moved() const { return !under_way() && loop_->probe_moved(); }
+    /// Waits for that diagnosis.
     void finish_probe() const {
         wait();
         loop_->finish_probe();
     }
-    /// Null: nothing is foreseen.
-    const ShaderWarmup* rehearsals() const { return loop_->rehearsals(); }
+    /// Background compilation of shaders; null: switched off.
+    const ShaderWarmup* warmup() const { return loop_->warmup(); }
 
 private:
     class DrawThread;
     class Copies;
+    /// Runs `work` on the drawing thread and waits for it. @throws what the work throws
     void call(const std::function<void()>& work);
-    /// Has the next facts name copies, or say why there are none.
-    void stand_in(GLsync shown);
+    /// Replaces the images of the next facts by copies. On a failure the facts hold the reason instead.
+    void show_copies(GLsync shown);
 
     EditorState& state_;
     SessionReport& session_;
@@ -90,13 +97,13 @@ private:
     FrameFacts facts_;
     PassProgress progress_;
     PassProgress::State seen_progress_;
-    // The thread's while a frame is under way.
+    // Used by the drawing thread only, while a frame is under way.
     std::unique_ptr<FrameLoop> loop_;
     std::unique_ptr<Copies> copies_;
     FrameFacts next_facts_;
     FrameNews news_;
-    EditorRequests missed_;             ///< wishes made while a frame was under way, which are made once
-    std::unique_ptr<DrawThread> hand_;  ///< last: ends before what it uses
+    EditorRequests missed_;                    ///< one-time requests that came while a frame was under way
+    std::unique_ptr<DrawThread> draw_thread_;  ///< last: ends before what it uses
 };
 
 }  // namespace si

@@ -20,14 +20,14 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
-        if (result_.smooth.texture != 0 && !against_.facts() && !pinned_)  // the other side is not smooth
+        if (result_.smooth.texture != 0 && !picture_comparison_.facts() && !pinned_)  // the other side is not smooth
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
         f.reference = reference_.facts(result_, drawn_settings_.view.light);
     }
     f.request = request_;
     f.readings = read_back_.facts();
-    f.against = against_.facts();
+    f.picture_comparison = picture_comparison_.facts();
     f.effects = effects_;
     f.health = health_;
     f.artefacts = artefacts_;
@@ -41,34 +41,34 @@ void FrameLoop::clear() {
     drawn_ = false;
     read_back_.clear();
     reference_.clear();
-    against_.clear();
+    picture_comparison_.clear();
     frame_effects_.clear();
     effects_.clear();
     health_.reset();
 }
 
-FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorRequests& actions,
+FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                             const ComparisonFacts* comparison) {
     news_ = {};
     pinned_ = state.pinned.has_value();
     try {
-        news_.changed |= read_back_.update_frozen(renderer_, scene, state, actions);
+        news_.changed |= read_back_.update_frozen(renderer_, scene, state, requests);
     } catch (const std::exception& e) {
         report(e.what());
         news_.thaw = true;
     }
-    const bool drawn = draw(scene, state, actions);
+    const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
-    if (!drawn) news_.changed |= smooth(scene, state, actions);
-    news_.changed |= follow_read_back(scene, state, actions, drawn);
+    if (!drawn) news_.changed |= smooth(scene, state, requests);
+    news_.changed |= follow_read_back(scene, state, requests, drawn);
     try {
-        news_.changed |= follow_reference(scene, state, actions, drawn, comparison);
+        news_.changed |= follow_reference(scene, state, requests, drawn, comparison);
     } catch (const std::exception& e) {
         report(e.what());
         news_.changed = true;
     }
     news_.changed |= follow_health();
-    news_.changed |= follow_effects(scene, state, actions, drawn);
+    news_.changed |= follow_effects(scene, state, requests, drawn);
     return std::move(news_);
 }
 
@@ -82,11 +82,11 @@ bool FrameLoop::follow_health() {
     return std::exchange(health_, health) != health || waits;
 }
 
-bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& actions,
+bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                                bool drawn) {
     if (drawn) frame_effects_.clear();
     const bool posed = drawn && std::exchange(posed_scene_, scene.id) != scene.id;
-    if (!actions.want_effects || !drawn_) {
+    if (!requests.want_effects || !drawn_) {
         const bool had = !effects_.empty();
         effects_.clear();
         return had;
@@ -96,7 +96,7 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
         frame_effects_.push_back(posing_effect(scene, drawn_settings_.scene, posed));
     }
     std::vector<Effect> effects = frame_effects_;
-    for (Effect& effect : panel_effects(state, actions)) effects.push_back(std::move(effect));
+    for (Effect& effect : panel_effects(state, requests)) effects.push_back(std::move(effect));
     effects.push_back(artefact_effect(state.artefacts, artefacts_, artefacts_found_));
     effects.push_back(reference_effect(reference_.facts(result_, drawn_settings_.view.light)));
     if (effects == effects_) return false;
@@ -104,22 +104,22 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
     return true;
 }
 
-bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorRequests& actions) {
+bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     FrameRequest wanted;
     // A map that fills the window belongs to the picture that is behind it.
-    const bool scene_shown = actions.scene_width >= 1;
-    wanted.width = scene_shown ? actions.scene_width : request_.width;
-    wanted.height = scene_shown ? std::max(1, actions.scene_height) : request_.height;
+    const bool scene_shown = requests.scene_width >= 1;
+    wanted.width = scene_shown ? requests.scene_width : request_.width;
+    wanted.height = scene_shown ? std::max(1, requests.scene_height) : request_.height;
     wanted.outputs.colour = true;
-    wanted.outputs.shadow_map = actions.want_map;
+    wanted.outputs.shadow_map = requests.want_map;
     wanted.outputs.overlay = true;
     wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // of the probed pixel the probe knows it
-    wanted.outputs.map_coordinates = actions.want_links;
-    wanted.outputs.texels_read = actions.want_exact_texels;
-    wanted.outputs.error = actions.want_error;
-    wanted.outputs.health = actions.want_health || actions.search_all;
-    wanted.outputs.true_colour = state.against.view != ComparisonView::Off && state.against.reference;
-    wanted.timing = actions.want_timing;
+    wanted.outputs.map_coordinates = requests.want_links;
+    wanted.outputs.texels_read = requests.want_exact_texels;
+    wanted.outputs.error = requests.want_error;
+    wanted.outputs.health = requests.want_health || requests.search_all;
+    wanted.outputs.true_colour = state.comparison.view != ComparisonView::Off && state.comparison.reference;
+    wanted.timing = requests.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};
     wanted.reference = reference_.picture(state.settings.view.light);
@@ -127,14 +127,14 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.light_maps = reference_.light_maps();
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
-    if (state.against.view != ComparisonView::Off) settings.view.panes = Panes::One;
+    if (state.comparison.view != ComparisonView::Off) settings.view.panes = Panes::One;
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.forced == request_.forced &&
                       wanted.reference == request_.reference && wanted.traced == request_.traced &&
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
-    if (same || (!scene_shown && !actions.want_map)) return false;
+    if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();
         foreseen_.clear();
@@ -150,7 +150,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
         drawn_ = true;
         driver_reset_ = false;
         problem_.clear();
-        if (actions.search_all) require_sound_numbers(scene);
+        if (requests.search_all) require_sound_numbers(scene);
         foresee_programs(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
@@ -174,10 +174,10 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     report(news_.unsound);
 }
 
-bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& actions) {
+bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
-    if (!drawn_ || !actions.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
-    if (view.slabs != Slabs::None || state.against.view != ComparisonView::Off || state.pinned) return false;
+    if (!drawn_ || !requests.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
+    if (view.slabs != Slabs::None || state.comparison.view != ComparisonView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
     request.timing = false;
@@ -186,7 +186,7 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
         const FrameResult more = renderer_.render(scene, drawn_settings_, request);
         if (more.smooth.texture == 0) return smoothed_ = kSmoothedMost, false;
         result_.smooth = more.smooth;
-        tell_of_smoothing(more);
+        report_smoothing(more);
         return true;
     } catch (const std::exception& e) {
         smoothed_ = kSmoothedMost;
@@ -196,7 +196,7 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
     }
 }
 
-void FrameLoop::tell_of_smoothing(const FrameResult& more) {
+void FrameLoop::report_smoothing(const FrameResult& more) {
     const PassInfo* const did = more.pass(kSmoothingPass);
     const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
     if (!did || told == result_.passes.end() || told->reason == did->reason) return;
@@ -215,14 +215,14 @@ void FrameLoop::foresee_programs(const Scene& scene) {
     warmup_->foresee(std::move(next));
 }
 
-bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& actions,
+bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                                  bool drawn) {
     if (!drawn_) {
         read_back_.clear();
         return false;
     }
     try {
-        return read_back_.update(renderer_, scene, state, actions, request_, result_, drawn);
+        return read_back_.update(renderer_, scene, state, requests, request_, result_, drawn);
     } catch (const std::exception& e) {
         read_back_.clear();
         report(e.what());
@@ -230,15 +230,15 @@ bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, 
     }
 }
 
-bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& actions,
+bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                                  bool drawn, const ComparisonFacts* comparison) {
     if (!drawn_) {
         reference_.clear();
-        against_.clear();
+        picture_comparison_.clear();
         return false;
     }
-    const EditorReference::Wishes wishes{actions.cancel_reference, actions.save_error};
-    bool changed = reference_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    const EditorReference::Requests truth_requests{requests.cancel_reference, requests.save_error};
+    bool changed = reference_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, truth_requests);
     if (drawn) artefacts_found_ = false;
     if (state.artefacts.number != artefacts_.number && result_.error && result_.reference.met && request_.reference) {
         artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
@@ -246,7 +246,7 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
         artefacts_found_ = changed = true;
     }
     if (const std::string remark = reference_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
-    changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);
+    changed |= picture_comparison_.update(renderer_, scene, state, request_, result_, drawn, comparison);
     return changed;
 }
 

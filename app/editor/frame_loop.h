@@ -1,4 +1,4 @@
-// Draws the editor's frames: what changed, read back as far as it is shown, judged by the truth, held against another.
+// Draws the editor's frames when something has changed, reads back shown numbers, and compares with the reference.
 #pragma once
 
 #include <memory>
@@ -17,69 +17,76 @@
 
 namespace si {
 
-/// What came of an update, besides the facts.
+/// Events of an update, besides the facts.
 struct FrameNews {
     bool changed = false;             ///< the editor now shows something else
     std::vector<LogLine> remarks;     ///< for the log
-    bool thaw = false;                ///< nothing can be drawn for the frozen camera
-    std::vector<std::string> driver;  ///< what it complained of
-    std::string unsound;              ///< which numbers of what was drawn are none, where they are searched for
+    bool thaw = false;                ///< the frozen camera cannot be drawn and has to be given up
+    std::vector<std::string> driver;  ///< messages of the OpenGL driver
+    std::string unsound;  ///< faulty numbers (NaN, infinite, out of range) of the frame; empty: none, or not searched
 };
 
-/// Needs a current OpenGL context all its life, always the same.
+/// Renderer of the editor with all that is read back from its frames. Needs the same current OpenGL context all its
+/// life.
 class FrameLoop {
 public:
-    /// @param foresee programs that are likely to be asked for next are made in the background
+    /// @param foresee compile shaders of likely next frames in the background
     explicit FrameLoop(bool foresee) {
         if (foresee) warmup_ = std::make_unique<ShaderWarmup>();
     }
 
-    /// Draws the scene when anything changed, and whatever follows from it. Errors are remarks.
-    /// @param comparison what state.compare names; null: not known
-    FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& actions,
+    /// Draws the scene if anything has changed, and updates all facts. Errors become remarks.
+    /// @param comparison settings that state.compare names; null: not known
+    FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
-    /// There is no scene.
+    /// Drops the frame and its facts, when there is no scene.
     void clear();
-    /// Nothing is drawn for a while.
+    /// Releases memory that only further drawing would need.
     void rest() {
         reference_.rest();
         renderer_.give_back_memory();
     }
     FrameFacts facts() const;
 
+    /// Writes the shown shadow map into a file. @throws Error
     void save_map(const Scene& scene, const Settings& settings, const std::string& path);
-    /// Whether shader files were saved since the last frame.
+    /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return shaders_changed_ = renderer_.shaders_changed() || shaders_changed_; }
 
-    /// The truth of the probed pixel was sought; the next update() has it.
+    /// Returns true if the next update() has the diagnosis of the probed pixel.
     bool probe_moved() const { return read_back_.has_news(); }
+    /// Waits for that diagnosis.
     void finish_probe() const { read_back_.finish_tracing(); }
-    /// Rays of the picture are being traced, or something is made of them; update() has news of it.
+    /// Returns true while rays of the picture are traced, or errors are computed from them.
     bool tracing() const { return reference_.busy(); }
+    /// Returns true if update() has news of that work.
     bool tracing_moved() const { return reference_.moved(); }
+    /// Waits for that work.
     void finish_tracing() const { reference_.wait(); }
-    /// Null: nothing is foreseen.
-    const ShaderWarmup* rehearsals() const { return warmup_.get(); }
+    /// Background compilation of shaders; null: switched off.
+    const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:
-    bool draw(const Scene& scene, const PictureState& state, const EditorRequests& actions);
-    /// One shading more of a view that rests. Returns whether there was one to add.
-    bool smooth(const Scene& scene, const PictureState& state, const EditorRequests& actions);
+    /// Draws a frame if it differs from the last one. Returns true if it has drawn.
+    bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
+    /// Adds one more sample per pixel to the picture of a static view. Returns true if there was one to add.
+    bool smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests);
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
-    /// Of what the pass did in that frame, the shown one's effects tell.
-    void tell_of_smoothing(const FrameResult& more);
-    /// Of what is likely to be asked after what was just drawn, programs are made while nothing happens.
+    /// Copies the state of the smoothing pass into the shown frame's effects.
+    void report_smoothing(const FrameResult& more);
+    /// Queues shaders that a hover, a click or the map viewer would need next.
     void foresee_programs(const Scene& scene);
-    bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& actions, bool drawn);
-    /// Traces and compares what is shown.
-    bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& actions, bool drawn,
+    /// Updates the numbers that panels show. Returns true if they have changed.
+    bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
+    /// Traces the reference of the shown picture and compares with it. Returns true if facts have changed.
+    bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                           const ComparisonFacts* comparison);
-    /// Searches the frame's numbers while a panel shows what is found.
+    /// Searches the frame for faulty numbers while a panel shows them. Returns true if the result has changed.
     bool follow_health();
-    /// Searches the frame just drawn, and waits for it.
+    /// Searches the frame just drawn for faulty numbers, and waits for the result.
     void require_sound_numbers(const Scene& scene);
-    /// Tells what the frame simulates while a panel shows it.
-    bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& actions, bool drawn);
+    /// Lists the frame's effects while a panel shows them. Returns true if the list has changed.
+    bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
 
     Renderer renderer_;
     FrameRequest request_;
@@ -90,18 +97,18 @@ private:
     FrameResult result_;
     FrameNews news_;
     bool pinned_ = false;
-    int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
+    int smoothed_ = 0;  ///< samples per pixel that the smooth picture of the last frame has
     std::string problem_, shader_log_;
     EditorReadBack read_back_;
     EditorReference reference_;
-    EditorPictureComparison against_;
-    std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
-    ArtefactSpots artefacts_;                      ///< of the last wish that was fulfilled
+    EditorPictureComparison picture_comparison_;
+    std::shared_ptr<const NumericHealth> health_;  ///< of the last frame; null: not requested, or not there yet
+    ArtefactSpots artefacts_;                      ///< of the last request
     bool artefacts_found_ = false;                 ///< since the frame drawn last
-    std::vector<Effect> frame_effects_;            ///< of the frame drawn last; empty: not asked for yet
-    std::vector<Effect> effects_;                  ///< these, and what stands behind panels
+    std::vector<Effect> frame_effects_;            ///< of the last frame; empty: not requested yet
+    std::vector<Effect> effects_;                  ///< frame_effects_ and the work of panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
-    std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose followers are
+    std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose next shaders are queued
     std::unique_ptr<ShaderWarmup> warmup_;
 };
 

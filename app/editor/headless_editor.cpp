@@ -78,13 +78,13 @@ EditorRequests HeadlessEditor::frame() {
     mouse.wheel = 0;
     ImGui_ImplOpenGL3_NewFrame();
     ImGui::NewFrame();
-    EditorRequests actions = draw_editor(model_->state, model_->facts());
+    EditorRequests requests = draw_editor(model_->state, model_->facts());
     ImGui::Render();
     canvas_->bind();
     imgui_.draw(width_, height_);
-    if (actions.shot && !model_->save_drawing(*actions.shot, imgui_)) model_->save_shot(*actions.shot, picture(), 1);
-    model_->fulfil(actions);
-    return actions;
+    if (requests.shot && !model_->save_drawing(*requests.shot, imgui_)) model_->save_shot(*requests.shot, picture(), 1);
+    model_->fulfil(requests);
+    return requests;
 }
 
 void HeadlessEditor::settle() {

@@ -52,18 +52,18 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
     scenes_.begin(plan.settings);
     state.layout = persistence_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
-    state.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
-                         !persistence_.workspace().welcomed && !persistence_.lost();
-    if (!options.preset.empty()) state.preset_path = options.preset.string();
+    state.window.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
+                                !persistence_.workspace().welcomed && !persistence_.lost();
+    if (!options.preset.empty()) state.files.preset_path = options.preset.string();
     if (options.probe_x >= 0 && options.probe_y >= 0) {
         state.probe_pixel = glm::ivec2(options.probe_x, options.probe_y);
-        state.open_tab = state.fitted_tab = BottomTab::Probe;
+        state.window.open_tab = state.window.fitted_tab = BottomTab::Probe;
     }
-    if (!options.tab.empty()) state.open_tab = state.fitted_tab = tab_named(options.tab);
+    if (!options.tab.empty()) state.window.open_tab = state.window.fitted_tab = tab_named(options.tab);
     if (!options.sweep.empty()) {
         state.sweep.folder = options.sweep.string();
         work_.open_sweep(options.sweep);
-        state.open_tab = BottomTab::Frontier;
+        state.window.open_tab = BottomTab::Frontier;
     }
     presets_.start(std::move(plan), {});
 }
@@ -101,16 +101,17 @@ void EditorModel::open(const std::filesystem::path& path) {
 }
 
 void EditorModel::save_as(const std::filesystem::path& path) {
-    attempt(state, [&] { presets_.save(preset_path(path).string(), state.file_dialog.about, false); });
+    attempt(state, [&] { presets_.save(preset_path(path).string(), state.files.dialog.about, false); });
 }
 
-void EditorModel::save_shot(const ShotRequest& wish, const ByteImage& window, float pixels) {
+void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window, float pixels) {
     attempt(state, [&] {
-        const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
+        const std::filesystem::path folder = std::filesystem::path(state.files.preset_path).parent_path();
         std::string svg;
-        if (const Section* const section = classified_section(); wish.of == Shot::Drawing && section)
+        if (const Section* const section = shown_section(); request.of == Shot::Drawing && section)
             svg = section_svg(*section);
-        const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
+        const auto path =
+            save_screenshot(cut_out(window, request.rect, pixels), request.of, state.scene_name, folder, svg);
         std::error_code error;
         const auto whole = std::filesystem::absolute(path, error);
         const std::string saved =
@@ -122,15 +123,15 @@ void EditorModel::save_shot(const ShotRequest& wish, const ByteImage& window, fl
     });
 }
 
-const Section* EditorModel::classified_section() const {
+const Section* EditorModel::shown_section() const {
     const Sections& sections = frames_.facts().readings.sections;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
     return sections && light < sections->size() ? &(*sections)[light] : nullptr;
 }
 
-bool EditorModel::save_drawing(const ShotRequest& wish, ImGuiSession& imgui) {
-    const Section* const section = classified_section();
-    if (wish.of != Shot::Drawing || !section) return false;
+bool EditorModel::save_drawing(const ShotRequest& request, ImGuiSession& imgui) {
+    const Section* const section = shown_section();
+    if (request.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
     save_shot({Shot::Drawing, {{0, 0}, {float(sheet.width), float(sheet.height)}}}, drawn, 1);
@@ -163,41 +164,41 @@ void EditorModel::follow_memory(bool wanted) {
 }
 
 bool EditorModel::fulfil(const EditorRequests& asked) {
-    EditorRequests actions = asked;
-    actions.search_all = check_numeric_;
+    EditorRequests requests = asked;
+    requests.search_all = check_numeric_;
     session_.note_frame();
-    if (actions.welcomed) persistence_.note_welcome();
-    follow_memory(actions.want_memory);
+    if (requests.welcomed) persistence_.note_welcome();
+    follow_memory(requests.want_memory);
     bool changed = frames_.poll();
     // What is being drawn stays as it is meanwhile.
     if (!frames_.under_way()) changed |= scenes_.poll();
     changed |= work_.poll(scenes_.scene());
-    const auto wish = [&](bool wished, const auto& what) {
-        if (wished) changed |= attempt(state, what);
+    const auto request = [&](bool requested, const auto& what) {
+        if (requested) changed |= attempt(state, what);
     };
-    wish(actions.cancel_load, [&] {
+    request(requests.cancel_load, [&] {
         scenes_.cancel_loading();
         scenes_.keep_scene();
     });
-    wish(actions.load_scene.has_value(), [&] { scenes_.load({.scene_name = *actions.load_scene}); });
-    wish(actions.load_preset.has_value(), [&] { presets_.open(*actions.load_preset); });
-    wish(actions.open_file.has_value(), [&] { open(*actions.open_file); });
-    wish(actions.save_preset.has_value(),
-         [&] { presets_.save(*actions.save_preset, actions.save_about, actions.replace); });
-    wish(actions.restore_lost, [&] { presets_.restore_lost(); });
-    wish(actions.discard_lost, [&] { persistence_.forget_lost(); });
-    wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
-    wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
-    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, actions);
-    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, actions);
-    wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
-    wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
-    wish(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
+    request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
+    request(requests.load_preset.has_value(), [&] { presets_.open(*requests.load_preset); });
+    request(requests.open_file.has_value(), [&] { open(*requests.open_file); });
+    request(requests.save_preset.has_value(),
+            [&] { presets_.save(*requests.save_preset, requests.save_about, requests.replace); });
+    request(requests.restore_lost, [&] { presets_.restore_lost(); });
+    request(requests.discard_lost, [&] { persistence_.forget_lost(); });
+    request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
+    request(scenes_.has_step(), [&] { scenes_.follow_step(); });
+    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, requests);
+    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, requests);
+    request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
+    request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
+    request(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
     changed |= presets_.compare();
-    changed |= work_.follow(scenes_.scene(), actions);
-    actions.at_rest &= smooths && !measuring();
+    changed |= work_.follow(scenes_.scene(), requests);
+    requests.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
-        changed |= frames_.update(*scene, actions, presets_.comparison());
+        changed |= frames_.update(*scene, requests, presets_.comparison());
     else
         frames_.clear();
     return changed;

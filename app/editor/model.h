@@ -1,4 +1,4 @@
-// What stands behind the editor's panels: its parts, and the wishes that each of them fulfils.
+// The editor without its window: its parts, and the fulfilment of the panels' requests.
 #pragma once
 
 #include <filesystem>
@@ -19,100 +19,104 @@
 
 namespace si {
 
-/// Needs a current OpenGL context all its life.
+/// State of one editor, and the work behind its panels. Needs a current OpenGL context all its life.
 class EditorModel {
 public:
-    /// Starts to read the first scene. `read` makes scenes; empty: load_scene(). @throws UsageError, Error for what is
-    /// wrong with the options themselves. @param thread that frames are drawn on; none: this one
+    /// Starts to read the first scene. @param read makes scenes; empty: load_scene()
+    /// @param thread thread that draws frames; none: the calling one @throws UsageError, Error for faulty options
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
-    bool asks_desktop = false;  ///< whoever calls can show the desktop's dialog for files: EditorRequests::ask_desktop
-    bool smooths = true;        ///< a picture that rests is made smooth, where view.smooth wishes it
+    bool asks_desktop = false;  ///< the caller can show the desktop's file dialog (EditorRequests::ask_desktop)
+    bool smooths = true;        ///< static pictures get more samples per pixel, if view.smooth is on
 
-    /// What draw_editor() is told. Valid until the next fulfil().
+    /// Returns the facts for draw_editor(). Its pointers are valid until the next fulfil().
     EditorFrame facts() const;
-    /// Does what the editor asked for and draws the scene when anything changed. Returns whether the next frame of the
+    /// Fulfils the panels' requests, and draws the scene if anything has changed. Returns true if the next frame of the
     /// editor looks different. Errors go to the log.
-    bool fulfil(const EditorRequests& actions);
-    /// A file dropped on the window: a preset (.json) or a scene. A scene is read in the background; a later fulfil()
-    /// switches to it. Errors go to the log.
+    bool fulfil(const EditorRequests& requests);
+    /// Opens a file that was dropped on the window: a preset (.json) or a scene. A scene is read in the background; a
+    /// later fulfil() switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
-    /// Saves the preset under a name that the desktop's dialog gave it. A file that was neither opened nor saved before
-    /// is asked for once more. Errors go to the log.
+    /// Saves the preset under a name from the desktop's dialog. A dialog asks first before a file is replaced that was
+    /// neither opened nor saved here. Errors go to the log.
     void save_as(const std::filesystem::path& path);
-    /// Writes what was wished for out of a picture of the window that this frame drew. Errors go to the log.
-    /// @param window top row first @param pixels of it per unit of the screen
-    void save_shot(const ShotRequest& wish, const ByteImage& window, float pixels);
-    /// Writes the probe's drawing with its verdict and legend, where that was wished for: small in the panel, it is
-    /// drawn anew. Returns whether it was.
-    bool save_drawing(const ShotRequest& wish, ImGuiSession& imgui);
-    /// Whether shader files were saved since the last frame.
+    /// Writes a screenshot. Errors go to the log.
+    /// @param window picture of the window, top row first @param pixels pixels of it per unit of the screen
+    void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
+    /// Writes the probe's cross-section with verdict and legend, drawn again in a readable size. Returns false if the
+    /// request is for another picture.
+    bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
+    /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
-    /// A scene is being read, or the thread of a cancelled one has not ended yet.
+    /// Returns true while a scene is read, or the thread of a cancelled one has not ended.
     bool loading() const { return scenes_.loading().busy(); }
-    /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
+    /// Returns true if the next fulfil() has news of that work, or its progress has changed.
     bool loading_moved() const { return scenes_.loading().moved(); }
+    /// Returns true if the progress of the first picture has changed.
     bool drawing_moved() { return frames_.first_picture_moved(); }
-    /// Something is being measured in the background.
+    /// Returns true while something is measured in the background.
     bool measuring() const { return work_.busy() || frames_.facts().readings.tracing_probe; }
-    /// Whether the next fulfil() has news of it.
+    /// Returns true if the next fulfil() has news of that work.
     bool measuring_moved() const { return work_.moved() || frames_.probe_moved(); }
     /// Waits until nothing is being measured.
     void finish_measuring() const {
         work_.finish();
         frames_.finish_probe();
     }
-    /// Rays are being traced, or something is made of them.
+    /// Returns true while rays are traced, or errors are computed from them.
     bool tracing() const { return frames_.tracing(); }
-    /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
+    /// Returns true if the next fulfil() has news of that work, or its progress has changed.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
-    /// Nothing was asked for during a while.
+    /// Releases memory that only further drawing would need. Call when nothing has happened for a while.
     void rest() { frames_.rest(); }
-    /// Something is read, measured or traced in the background.
+    /// Returns true while something is read, measured or traced in the background.
     bool busy() const { return loading() || measuring() || tracing(); }
-    /// The picture shown stays while the wanted one is drawn.
+    /// Returns true while a frame is drawn and the last picture is still shown.
     bool drawing() const { return frames_.busy(); }
-    /// Waits for it. Returns whether the next frame of the editor looks different.
-    bool finish_drawing() { return frames_.wait(), frames_.poll(); }
-    /// Null without a thread for frames.
-    const ShaderWarmup* rehearsals() const { return frames_.rehearsals(); }
+    /// Waits for that frame. Returns true if the next frame of the editor looks different.
+    bool finish_drawing() {
+        frames_.wait();
+        return frames_.poll();
+    }
+    /// Background compilation of shaders; null without a thread for frames.
+    const ShaderWarmup* warmup() const { return frames_.warmup(); }
     /// Waits for the scene that is being read and switches to it.
     void finish_loading() {
         frames_.wait();
         scenes_.finish();
     }
-    /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
+    /// Checks that there is a scene. @throws Error if not, or (headless) the first one lacks something of the options
     void require_scene() const { scenes_.require(); }
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
-    /// Call now and then, also while nothing is drawn: keeps what a crash would lose.
+    /// Writes the autosave and the session report, when they are due. Call regularly, also while nothing is drawn.
     void keep();
-    /// At once, before an end that is not clean.
+    /// Writes the autosave at once, before an unclean end.
     void keep_now() { persistence_.follow(state, std::numeric_limits<double>::infinity()); }
-    /// The window has this size in screen coordinates at scale 1.
+    /// Remembers the window's size (screen coordinates at scale 1).
     void keep_window(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
-    /// The end: what no preset holds is kept and offered again.
+    /// Writes workspace and report at the end. Settings that no preset holds are offered at the next start.
     void end() {
         persistence_.end(state, presets_.would_be_lost());
         session_.write(state.log);
     }
-    /// What became of this session.
+    /// Report of this session.
     SessionReport& session() { return session_; }
 
 private:
     void copy_command_line();
-    /// Of the probed pixel, under view.light; null: there is none.
-    const Section* classified_section() const;
-    /// Of the scene, in pixels.
+    /// Returns the probed pixel's cross-section for view.light; null: there is none.
+    const Section* shown_section() const;
+    /// Returns the size of the scene's picture, pixels.
     glm::ivec2 picture_size() const;
 
-    /// Asks who holds memory, while a panel shows it; not at every frame.
+    /// Samples the process's memory at intervals, while a panel shows it.
     void follow_memory(bool wanted);
 
     const bool check_numeric_;
-    const bool offers_pictures_;  ///< screenshots to the clipboard, too
+    const bool offers_pictures_;  ///< screenshots go to the clipboard, too
     SessionReport session_;
     std::optional<MemoryReport> held_;
     double held_at_s_ = 0;

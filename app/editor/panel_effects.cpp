@@ -2,6 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
+#include "ui/state/shortcuts.h"
+
 namespace si {
 namespace {
 
@@ -9,6 +14,7 @@ struct PanelRow {
     std::string_view name;
     bool (*wanted)(const PictureState&, const EditorRequests&);
     std::string_view why, why_not;
+    std::optional<Command> key = {};  ///< shows the panel; printed where it is hidden
 };
 
 constexpr PanelRow kPanels[] = {
@@ -41,10 +47,12 @@ constexpr PanelRow kPanels[] = {
      "The panel Probe is shown: the section along the light's ray is laid out where its numbers change.",
      "The panel Probe is hidden, or no pixel is probed."},
     {"panel: loupe", [](const PictureState& s, const EditorRequests&) { return s.loupe_pixel.has_value(); },
-     "The loupe is shown: the pixels under it are read back where they change.", "No loupe is shown (G)."},
+     "The loupe is shown: the pixels under it are read back where they change.", "No loupe is shown",
+     Command::NextLoupeMode},
     {"panel: other side of the comparison",
-     [](const PictureState& s, const EditorRequests&) { return s.against.view != ComparisonView::Off; },
-     "The picture is compared with another, which is drawn where it changes.", "Nothing is compared (B)."},
+     [](const PictureState& s, const EditorRequests&) { return s.comparison.view != ComparisonView::Off; },
+     "The picture is compared with another, which is drawn where it changes.", "Nothing is compared",
+     Command::NextComparison},
     {"panel: objects lost to culling",
      [](const PictureState& s, const EditorRequests&) { return s.tab == BottomTab::Objects; },
      "The list of objects is shown.", "The list of objects is hidden."},
@@ -64,22 +72,24 @@ constexpr PanelRow kPanels[] = {
 
 }  // namespace
 
-std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& actions) {
+std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests) {
     std::vector<Effect> out;
     for (const PanelRow& row : kPanels) {
-        const bool wanted = row.wanted(state, actions);
+        const bool wanted = row.wanted(state, requests);
+        std::string reason(wanted ? row.why : row.why_not);
+        if (!wanted && row.key) reason = with_key(reason, *row.key) + ".";
         out.push_back({.name = std::string(row.name),
                        .state = wanted ? EffectState::Drawn : EffectState::NotNeeded,
-                       .reason = std::string(wanted ? row.why : row.why_not)});
+                       .reason = std::move(reason)});
     }
     return out;
 }
 
-Effect artefact_effect(const ArtefactRequest& wish, const ArtefactSpots& found, bool now) {
+Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now) {
     Effect effect{.name = "panel: next artefact"};
-    if (wish.number == 0) {
+    if (request.number == 0) {
         effect.reason = "Nobody has asked for the next artefact.";
-    } else if (wish.number != found.number) {
+    } else if (request.number != found.number) {
         effect.reason = "It was asked for, and waits for the truth of the picture.";
     } else {
         effect.state = now ? EffectState::Drawn : EffectState::Cached;

@@ -1,4 +1,4 @@
-// What stands behind the editor's panels, as effects: each panel's work is called for while it is shown.
+// Work of the editor's panels as rows of the panel Effects. A panel's work is needed while it is shown.
 #pragma once
 
 #include <vector>
@@ -8,13 +8,14 @@
 
 namespace si {
 
-/// @param actions what the panels asked for
-std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& actions);
+/// Returns a row for the work of each panel: drawn while needed, with the reason.
+std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Looking for clusters of wrong pixels, which is done once for each wish. @param now for the frame shown
-Effect artefact_effect(const ArtefactRequest& wish, const ArtefactSpots& found, bool now);
+/// Returns the row of the search for clusters of wrong pixels, which runs once a request.
+/// @param now it ran for the frame that is shown
+Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
-/// Rays that are traced in the background, or were.
+/// Returns the row of the rays that are traced in the background.
 Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si

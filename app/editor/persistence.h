@@ -1,4 +1,4 @@
-// What the editor keeps on disk while it runs and from run to run: workspace and autosave.
+// State that the editor keeps on disk: the workspace (layout, recent files) and the autosave.
 #pragma once
 
 #include <filesystem>
@@ -10,39 +10,44 @@
 
 namespace si {
 
+/// Reader and writer of the workspace and the autosave of one editor.
 class EditorPersistence {
 public:
     /// @param folder of the program's state; empty: nothing is kept
     explicit EditorPersistence(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
 
     const WorkspaceData& workspace() const { return workspace_.data(); }
-    /// A file was opened or saved.
+    /// Adds a scene to the recent files.
     void note_scene(const std::string& path);
+    /// Adds a preset to the recent files.
     void note_preset(const std::string& path);
+    /// Remembers that the welcome was shown.
     void note_welcome();
-    /// A file is not there any more.
+    /// Removes a file that no longer exists from the recent files.
     void drop(const std::string& path);
-    /// The window's size in screen coordinates at scale 1, kept while it is not maximised.
+    /// Remembers the window's size (screen coordinates at scale 1), unless it is maximised.
     void note_window(int width, int height, bool maximised);
 
-    /// Call once a frame, and now and then while the editor sleeps: keeps what changed. Remarks go to the log.
-    /// `now_s` grows steadily.
+    /// Writes what has changed, when it is due. Call once a frame, and regularly while the editor sleeps. Remarks go to
+    /// the log. @param now_s time of a steady clock, seconds
     void follow(EditorState& state, double now_s);
-    /// What the editor is told. Valid until the next call.
+    /// Writes recent files and the lost session into `frame`. Its pointers are valid until the next non-const call.
     void fill(EditorFrame& frame) const;
+    /// Session that a crash has left; null: none.
     const Autosave::Lost* lost() const { return autosave_.lost(); }
+    /// Deletes that session.
     void forget_lost() { autosave_.forget_lost(); }
-    /// The end. @param unsaved no preset holds the present settings: they are offered at the next start
+    /// Writes the workspace at the end. @param unsaved no preset holds the settings: the next start offers them
     void end(const EditorState& state, bool unsaved);
 
 private:
     Workspace workspace_;
     Autosave autosave_;
-    double layout_due_s_ = 0;  ///< when a layout that changed is written
+    double layout_due_s_ = 0;  ///< time at which a changed layout is written; 0: it has not changed
     std::optional<EditorLayout> seen_layout_;
 };
 
-/// "3 minutes ago".
+/// Returns the age of a file in words: "3 minutes ago".
 std::string age_text(double seconds);
 
 }  // namespace si

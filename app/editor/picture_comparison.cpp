@@ -121,7 +121,7 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
                                      const FrameRequest& request, const FrameResult& frame, bool drawn,
                                      const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
-    if (state.against.view == ComparisonView::Off) {
+    if (state.comparison.view == ComparisonView::Off) {
         // What is pinned is flickered to again and again: its maps are kept.
         if (state.pinned)
             hide();
@@ -129,19 +129,19 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
             clear();
         return had;
     }
-    const std::string label = state.against.reference ? "ray-traced truth" : reference_label(state.compare);
+    const std::string label = state.comparison.reference ? "ray-traced truth" : reference_label(state.compare);
     if (!had || facts_->label != label) {
-        if (state.against.reference) other_.reset();
+        if (state.comparison.reference) other_.reset();
         facts_ = PictureComparisonFacts{.label = label};
     }
     const unsigned before = facts_->picture.texture;
     const bool known = before != 0;
     facts_->problem.clear();
-    if (state.against.reference)
+    if (state.comparison.reference)
         facts_->picture = frame.true_colour;
     else
         draw_other(scene, state, request, comparison);
-    const bool wants_difference = state.against.view == ComparisonView::Difference;
+    const bool wants_difference = state.comparison.view == ComparisonView::Difference;
     const bool there = facts_->picture.texture != 0;
     if (!there || !wants_difference) {
         facts_->difference = {};

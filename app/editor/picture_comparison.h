@@ -1,4 +1,4 @@
-// What the editor's picture is held against: the true picture, or the same frame under a preset.
+// The other side of the editor's picture comparison: the reference, or the same frame under other settings.
 #pragma once
 
 #include <memory>
@@ -9,29 +9,31 @@
 
 namespace si {
 
+/// Draws the other picture and the difference of both.
 class EditorPictureComparison {
 public:
     EditorPictureComparison();
     ~EditorPictureComparison();
 
-    /// Draws what `state.against` asks for. `frame` is the picture shown, `drawn` whether it is a new one.
-    /// @param comparison what state.compare names; null: not known. Returns whether the facts changed.
-    /// @throws Error
+    /// Draws the other picture if it is needed and has changed. Returns true if the facts have changed.
+    /// @param frame the picture that is shown @param drawn it is a new one
+    /// @param comparison settings that state.compare names; null: not known @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
+    /// Drops both pictures, when there is no frame.
     void clear();
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
 private:
     struct Texture;
-    /// Nothing is compared, for now.
+    /// Drops the facts while nothing is compared. The other renderer keeps its maps.
     void hide();
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
     void find_difference(Renderer& renderer, const FrameResult& frame);
 
     std::optional<PictureComparisonFacts> facts_;
-    // A renderer of its own keeps the maps of both sides from frame to frame.
+    // A second renderer, so that the maps of both sides stay cached from frame to frame.
     std::unique_ptr<Renderer> other_;
     std::unique_ptr<Texture> difference_;
     Settings other_drawn_;

@@ -1,5 +1,5 @@
-// The truth of the probed pixel, for the editor: the hierarchy of rays is built in the background, a few rays then
-// answer.
+// Diagnosis of the probed pixel against its ray-traced reference. The ray hierarchy is built in the background; a few
+// rays then answer.
 #pragma once
 
 #include <memory>
@@ -12,18 +12,18 @@
 
 namespace si {
 
+/// Diagnoses and cross-sections of the probed pixel, one of each a light.
 class EditorPixelDiagnosis {
 public:
-    /// @param probe null: none. `fresh`: it is another one than at the last call. Returns whether dossiers came or
-    /// went.
-    /// @throws Error when the hierarchy cannot be built
+    /// Brings the diagnoses up to date. Returns true if some came or went. @param probe null: no pixel is probed
+    /// @param fresh the probe differs from that of the last call @throws Error if the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
-    /// Draws the probed pixel's test as cross-sections, one a light, after update() and by what is known by then: once
-    /// while they are shown. Returns whether they are new.
+    /// Lays out the cross-sections of the pixel's shadow tests, once while `shown`. Call after update(). Returns true
+    /// if they are new.
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
     const Sections& sections() const { return sections_; }
-    /// The hierarchy is being built; it is worth asking again when ready() says so.
+    /// Returns true while the hierarchy is being built. The next update() after ready() has the diagnoses.
     bool tracing() const { return building_.wanted(); }
     bool ready() const { return building_.ended(); }
     void wait() const { building_.wait(); }
@@ -35,7 +35,7 @@ private:
                           const DriverInfo& driver);
 
     std::vector<PixelDiagnosis> diagnoses_;
-    Sections sections_;  ///< null: of what is known now, none were drawn
+    Sections sections_;  ///< null: not laid out for the present diagnoses
     Casters casters_;
     std::uint64_t building_key_ = 0;
     Job<Casters> building_;

@@ -1,8 +1,11 @@
 #include "app/editor/preset_loader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "renderer/scenes/builtin.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -74,7 +77,8 @@ const ComparisonFacts& PresetLoader::compare(const CompareWith& with, const Sett
             comparison_->settings = pinned->settings;
             comparison_->scene = pinned->scene;
         } else
-            comparison_->problem = "Nothing is pinned; P pins the present settings as A";
+            comparison_->problem =
+                fmt::format("Nothing is pinned; {} pins the present settings as A", key_text(Command::PinSettings));
     } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;
         comparison_ = {with, defaults ? Settings{} : base, defaults ? std::string() : scene, {}};

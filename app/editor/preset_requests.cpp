@@ -8,6 +8,7 @@
 #include "app/editor/requests.h"
 #include "app/session/command_line.h"
 #include "renderer/base/error.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 
@@ -21,11 +22,11 @@ void PresetRequestHandler::start(SessionPlan plan, std::string remark) {
 
 void PresetRequestHandler::open(const std::string& name_or_path) {
     std::error_code error;
-    if (name_or_path == state_.preset_path && !loader_.is_built_in(name_or_path) &&
+    if (name_or_path == state_.files.preset_path && !loader_.is_built_in(name_or_path) &&
         !std::filesystem::exists(name_or_path, error))
         throw Error(fmt::format(
-            "{}: nothing is saved there yet. Save it first (Ctrl+S); from then on Ctrl+R goes back to what was saved",
-            name_or_path));
+            "{}: nothing is saved there yet. Save it first ({}); from then on {} goes back to what was saved",
+            name_or_path, key_text(Command::SavePreset), key_text(Command::RevertPreset)));
     SessionPlan plan = plan_session({.scene = {}, .preset = name_or_path, .sets = {}});
     const std::string& about = plan.preset->about;
     const std::string remark =
@@ -36,7 +37,7 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
     if (has_own_scene && !shown) return start(std::move(plan), remark);
     if (has_own_scene) scenes_.cancel_loading();  // it belongs to the scene that is shown
     const std::vector<std::string> left_out = scenes_.take(plan.settings, name_or_path);
-    state_.guide = note(name_or_path, *plan.preset, plan.scene_name);
+    state_.files.guide = note(name_or_path, *plan.preset, plan.scene_name);
     state_.log.add(LogKind::Info, remark);
     for (const std::string& text : left_out) report(state_, text);
 }
@@ -44,18 +45,18 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
 void PresetRequestHandler::save(const std::string& path, const std::optional<std::string>& about, bool replace) {
     if (path.empty()) throw Error("the preset has no file name; save it as one");
     if (!loader_.save(path, state_.scene_name, state_.settings, about, replace)) {
-        state_.replace = Replacement{path, about};
+        state_.files.replace = Replacement{path, about};
         return;
     }
-    state_.preset_path = path;
+    state_.files.preset_path = path;
     persistence_.note_preset(path);
     state_.log.add(LogKind::Info, "Saved " + path);
 }
 
 GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset preset, const std::string& scene_name) {
-    state_.hidden_guide.clear();
+    state_.files.hidden_guide.clear();
     if (!loader_.is_built_in(name_or_path)) {
-        state_.preset_path = name_or_path;
+        state_.files.preset_path = name_or_path;
         persistence_.note_preset(name_or_path);
     }
     if (!preset.scene.empty()) preset.scene = scene_name;  // as the editor calls it
@@ -64,12 +65,12 @@ GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset pre
 
 bool PresetRequestHandler::compare() {
     const Scene* scene = scenes_.scene();
-    const bool known = loader_.knows(state_.preset_path);
-    const bool unsaved = scene && (known ? !loader_.holds(state_.preset_path, state_.scene_name, state_.settings)
+    const bool known = loader_.knows(state_.files.preset_path);
+    const bool unsaved = scene && (known ? !loader_.holds(state_.files.preset_path, state_.scene_name, state_.settings)
                                          : state_.settings != scenes_.given());
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
-    const bool against = state_.against.view != ComparisonView::Off && !state_.against.reference;
-    const bool shown = scene && (state_.tab == BottomTab::Compare || against);
+    const bool picture_comparison = state_.comparison.view != ComparisonView::Off && !state_.comparison.reference;
+    const bool shown = scene && (state_.tab == BottomTab::Compare || picture_comparison);
     comparison_ =
         shown ? &loader_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;
     const std::optional<CompareWith> after = comparison_ ? std::optional(comparison_->with) : std::nullopt;
@@ -77,7 +78,7 @@ bool PresetRequestHandler::compare() {
 }
 
 bool PresetRequestHandler::would_be_lost() const {
-    if (!unsaved_ || loader_.knows(state_.preset_path)) return unsaved_;
+    if (!unsaved_ || loader_.knows(state_.files.preset_path)) return unsaved_;
     Settings work = state_.settings;
     work.camera = scenes_.given().camera;
     work.view = scenes_.given().view;

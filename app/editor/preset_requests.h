@@ -1,5 +1,4 @@
-// Presets opened, saved and compared with in one editor, and what a crash left: settings that arrive together with a
-// scene.
+// Requests about presets and lost sessions, whose settings arrive together with a scene.
 #pragma once
 
 #include "app/editor/preset_loader.h"
@@ -7,30 +6,35 @@
 
 namespace si {
 
+/// Opens, saves and compares presets, and restores a lost session.
 class PresetRequestHandler {
 public:
-    /// All of the editor, which live longer.
+    /// The arguments are parts of one editor and outlive this object.
     PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
         : state_(state), persistence_(memory), scenes_(scenes) {}
 
-    /// Reads the scene of the plan and shows it under its settings. @param remark for the log, once it is shown
+    /// Starts to read the plan's scene, to be shown under its settings. @param remark for the log, once it is shown
     void start(SessionPlan plan, std::string remark);
-    /// @throws Error
+    /// Opens a built-in preset or a file. @throws Error
     void open(const std::string& name_or_path);
+    /// Writes the settings into a file, or asks first before another file is replaced (state.files.replace).
+    /// @throws Error
     void save(const std::string& path, const std::optional<std::string>& about, bool replace);
+    /// Shows the session that a crash has left.
     void restore_lost();
-    /// Finds out whether the present state is saved, and what it is compared with. Returns whether either changed.
+    /// Updates whether the settings are saved, and what they are compared with. Returns true if either has changed.
     bool compare();
-    /// What state.compare names, while that is shown.
+    /// Settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return comparison_; }
+    /// Writes presets and comparison into `frame`. Its pointers are valid until the next non-const call.
     void fill(EditorFrame& frame) const;
-    /// No preset held what was shown when compare() was called last.
+    /// Returns true if no preset held the settings at the last compare().
     bool unsaved() const { return unsaved_; }
-    /// Of what is unsaved, whether it is more than where one looks.
+    /// Returns true if unsaved changes are more than moves of the camera.
     bool would_be_lost() const;
 
 private:
-    /// A preset was opened: what it says, and its file as the one to save to.
+    /// Registers an opened preset as the file to save to. Returns its note.
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
 
     EditorState& state_;

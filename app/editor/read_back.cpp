@@ -53,17 +53,17 @@ ReadBackFacts EditorReadBack::facts() const {
 }
 
 bool EditorReadBack::update(Renderer& renderer, const Scene& scene, const PictureState& state,
-                            const EditorRequests& actions, const FrameRequest& request, const FrameResult& result,
+                            const EditorRequests& requests, const FrameRequest& request, const FrameResult& result,
                             bool drawn) {
     if (drawn) {
         ++frame_;
         facts_.lost_casters.clear();
     }
     bool changed = update_lost(scene, state, result);
-    changed |= update_map(renderer, state, actions, result);
-    changed |= update_links(renderer, state, actions, result);
-    changed |= update_exact(renderer, actions, result);
-    changed |= update_overlay(renderer, state, actions, result);
+    changed |= update_map(renderer, state, requests, result);
+    changed |= update_links(renderer, state, requests, result);
+    changed |= update_exact(renderer, requests, result);
+    changed |= update_overlay(renderer, state, requests, result);
     changed |= update_loupe(state, result);
     const bool probed = update_probe(renderer, scene, state, request, result);
     std::uint64_t bytes = 0;
@@ -83,10 +83,10 @@ bool EditorReadBack::update_lost(const Scene& scene, const PictureState& state, 
     return !facts_.lost_casters.empty();
 }
 
-bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                 const FrameResult& result) {
     const bool there = result.map_view.texture != 0;
-    const bool wanted = there && (actions.want_map_values || actions.want_map_facts);
+    const bool wanted = there && (requests.want_map_values || requests.want_map_facts);
     bool changed = false;
     if (!wanted) {
         // A reading of an earlier frame would be wrong; one of this frame may be asked for again.
@@ -101,7 +101,7 @@ bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, c
     }
     // Moments are no depths, of which the plots are.
     if (result.shown_map.channel > 0) facts_.map_facts.reset();
-    if (actions.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
+    if (requests.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
         facts_.map_facts = MapPlots{depth_statistics(*facts_.map_values, result.map_view_curve),
                                     histogram_of(*facts_.map_values, state.settings.view, result)};
         facts_of_ = frame_;
@@ -110,10 +110,10 @@ bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, c
     return changed;
 }
 
-bool EditorReadBack::update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+bool EditorReadBack::update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                     const FrameResult& result) {
     const auto pane = std::size_t(state.active_pane);
-    if (!actions.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
+    if (!requests.want_overlay_values || pane >= result.panes.size() || !result.panes[pane].values.texture) {
         if (overlay_of_ != frame_) facts_.overlay_values.reset();
         return false;
     }
@@ -124,9 +124,9 @@ bool EditorReadBack::update_overlay(Renderer& renderer, const PictureState& stat
     return true;
 }
 
-bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                                   const FrameResult& result) {
-    if (!actions.want_links || result.map_coordinates.texture == 0) {
+    if (!requests.want_links || result.map_coordinates.texture == 0) {
         if (links_of_ == frame_ || !facts_.map_coordinates) return false;
         facts_.map_coordinates.reset();
         facts_.usage.reset();
@@ -140,8 +140,8 @@ bool EditorReadBack::update_links(Renderer& renderer, const PictureState& state,
     return true;
 }
 
-bool EditorReadBack::update_exact(Renderer& renderer, const EditorRequests& actions, const FrameResult& result) {
-    if (!actions.want_exact_texels || result.texels_read.texture == 0) {
+bool EditorReadBack::update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result) {
+    if (!requests.want_exact_texels || result.texels_read.texture == 0) {
         if (exact_of_ == frame_ || !facts_.exact_utilisation) return false;
         facts_.exact_utilisation.reset();
         return true;
@@ -153,10 +153,10 @@ bool EditorReadBack::update_exact(Renderer& renderer, const EditorRequests& acti
 }
 
 bool EditorReadBack::update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
-                                   const EditorRequests& actions) {
+                                   const EditorRequests& requests) {
     const Settings settings = texel_settings(state.settings);
     if (!state.frozen || settings != frozen_settings_ || scene.id != frozen_scene_) facts_.frozen_usage.reset();
-    if (!state.frozen || facts_.frozen_usage || !actions.want_frozen_usage) return false;
+    if (!state.frozen || facts_.frozen_usage || !requests.want_frozen_usage) return false;
     FrameRequest request;
     request.width = state.frozen->pixels.x;
     request.height = state.frozen->pixels.y;

@@ -1,5 +1,5 @@
-// What the editor's panels show as numbers: the probe, the depth image's values and statistics, which pixel reads which
-// texel. Each is read back only while a panel shows it, and once for each drawn frame.
+// Numbers of the frame that panels show: the probe, values and statistics of the depth image, texel coordinates of
+// pixels. Each is read back only while a panel shows it, once a drawn frame.
 #pragma once
 
 #include <cstdint>
@@ -14,47 +14,49 @@
 
 namespace si {
 
+/// Reads shown numbers back from the renderer's images.
 class EditorReadBack {
 public:
-    /// Brings up to date what `actions` ask for. `drawn`: the frame is a new one. Returns whether the editor now shows
-    /// something else. Needs the renderer's OpenGL context. @throws Error
-    bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& actions,
+    /// Reads back what `requests` need. Returns true if the editor now shows something else. Needs the renderer's
+    /// OpenGL context. @param drawn the frame is a new one @throws Error
+    bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
-    /// Brings up to date which texels the frozen camera reads. Returns whether it drew a frame of its own for
-    /// that, which may have taken the place of the last one (Renderer::holds()). @throws Error
+    /// Finds the texels that the frozen camera reads. Returns true if it has drawn a frame of its own for that, after
+    /// which the renderer may no longer hold the last one (Renderer::holds()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
-                       const EditorRequests& actions);
-    /// There is no frame.
+                       const EditorRequests& requests);
+    /// Drops all numbers, when there is no frame.
     void clear();
-    /// The truth of the probed pixel is there: update() has news.
+    /// Returns true if update() has the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }
-    /// Waits for it.
+    /// Waits for that diagnosis.
     bool finish_tracing() const;
     ReadBackFacts facts() const;
 
 private:
-    /// The objects that culling takes out of the map, while the list of objects is shown.
+    /// Lists objects that culling removes from the map, while the list of objects is shown.
     bool update_lost(const Scene& scene, const PictureState& state, const FrameResult& result);
     bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                       const FrameResult& result);
     bool update_loupe(const PictureState& state, const FrameResult& result);
-    bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+    bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                     const FrameResult& result);
-    bool update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+    bool update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                         const FrameResult& result);
-    bool update_exact(Renderer& renderer, const EditorRequests& actions, const FrameResult& result);
-    bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& actions,
+    bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
+    bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 
     std::uint64_t frame_ = 0;  ///< number of the drawn frame
+    // Numbers of the frames that the facts belong to.
     std::uint64_t probe_of_ = 0, map_of_ = 0, facts_of_ = 0, links_of_ = 0, exact_of_ = 0, overlay_of_ = 0,
-                  lost_of_ = 0, loupe_of_ = 0;  ///< frames they belong to
+                  lost_of_ = 0, loupe_of_ = 0;
     int overlay_pane_ = 0, loupe_pane_ = 0;
-    ReadBackFacts facts_;  ///< but what the dossiers' work knows
+    ReadBackFacts facts_;  ///< without the diagnoses, which diagnosis_ has
     EditorPixelDiagnosis diagnosis_;
     std::optional<glm::ivec2> probed_pixel_;
-    TrackedMemory held_;        ///< what the numbers take
-    Settings frozen_settings_;  ///< that the frozen camera's texels were found under, as far as they depend on them
+    TrackedMemory held_;              ///< memory of the numbers
+    Settings frozen_settings_;        ///< settings that the frozen camera's texels depend on, as last used
     std::uint64_t frozen_scene_ = 0;  ///< Scene::id
 };
 

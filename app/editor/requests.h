@@ -1,4 +1,4 @@
-// How the parts of the editor do what was wished for: what goes wrong is a line in the log, not the end.
+// Fulfilment of requests: a failure becomes a line in the log instead of ending the program.
 #pragma once
 
 #include <exception>
@@ -8,17 +8,17 @@
 
 namespace si {
 
-/// Tells a person: a line in the log, which comes to the front.
+/// Adds an error to the log and brings the log to the front.
 inline void report(EditorState& state, const std::string& error) {
     state.log.add(LogKind::Error, error);
-    state.open_tab = BottomTab::Log;
+    state.window.open_tab = BottomTab::Log;
 }
 
-/// Does it; reports what it throws. Returns true: the editor is to be drawn again.
-template <typename Wish>
-bool attempt(EditorState& state, const Wish& wish) {
+/// Runs the work and reports what it throws. Returns true: the editor has to be drawn again.
+template <typename Work>
+bool attempt(EditorState& state, const Work& work) {
     try {
-        wish();
+        work();
     } catch (const std::exception& e) {
         report(state, e.what());
     }

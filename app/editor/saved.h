@@ -1,4 +1,4 @@
-// The editor's measurement of what savings are worth, in the background.
+// Background measurement of the time that each optimisation saves.
 #pragma once
 
 #include "app/editor/search.h"
@@ -7,6 +7,7 @@
 
 namespace si {
 
+/// Result of a finished measurement.
 struct SavedOutcome {
     SavedTimes times;
     std::uint64_t scene = 0;  ///< Scene::id
@@ -14,12 +15,13 @@ struct SavedOutcome {
     int width = 0, height = 0;
 };
 
+/// One measurement of optimisations at a time, on a thread of its own.
 class EditorSaved : public EditorSearch<SavedOutcome> {
 public:
     EditorSaved() : EditorSearch("Measuring what is saved was cancelled") {}
-    /// In place of what is under way. @param request of the frame shown
+    /// Starts a measurement and cancels the one under way. @param request of the frame that is shown
     void start(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// What was measured of this scene, and whether the settings and the picture's size are still those.
+    /// Writes progress and this scene's results into `shown`, marked as current only if they are about these arguments.
     void fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
 };
 

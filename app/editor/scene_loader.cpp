@@ -58,7 +58,7 @@ void SceneLoader::show(Arrival arrival) {
     std::vector<std::string> left_out;
     state_.settings = *arrival.settings;
     check_objects(scene_, state_.settings, arrival.scene_name, &left_out);
-    state_.guide = arrival.guide;
+    state_.files.guide = arrival.guide;
     if (arrival.lost) persistence_.forget_lost();
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
     for (const std::string& text : left_out) report(state_, text);
@@ -155,21 +155,21 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     problem_.clear();
     state_.scene_name = arrival.scene_name;
     state_.playback.playing = false;
-    state_.guide = arrival.guide;
+    state_.files.guide = arrival.guide;
     arrival_.step = state_.between_steps = false;
     persistence_.note_scene(state_.scene_name);
     if (arrival.lost) persistence_.forget_lost();
     if (first) {
-        state_.history.set_place({state_.scene_name, state_.guide});
+        state_.history.set_place({state_.scene_name, state_.files.guide});
         state_.history.reset(state_.settings);
         notes_ = notes;
     } else {
         state_.probe_pixel.reset();
         select_objects(state_, {});
-        state_.closed_nodes.clear();
-        state_.camera_before_light.reset();
+        state_.objects.closed_nodes.clear();
+        state_.viewport.camera_before_light.reset();
         state_.frozen.reset();
-        state_.map_window = {};
+        state_.map.window = {};
     }
     const std::string hidden = scene_.hidden.empty() ? "" : fmt::format(", {} hidden", scene_.hidden.size());
     const std::size_t objects = scene_.object_count();
@@ -249,7 +249,7 @@ std::vector<std::string> SceneLoader::take(const Settings& settings, const std::
 void SceneLoader::reset() {
     if (has_scene_) {
         given_ = state_.settings = base_settings(scene_);
-        state_.guide = {};
+        state_.files.guide = {};
     }
 }
 

@@ -1,5 +1,4 @@
-// The scene of one editor: what is being read, what is shown and where it stands in time, and what its settings begin
-// with.
+// The scene of one editor: the one that is read, the one that is shown and its time, and the settings it starts with.
 #pragma once
 
 #include <exception>
@@ -15,78 +14,80 @@
 
 namespace si {
 
-/// What to do with a scene once it is there. Without plan and settings, what was changed by hand is kept.
+/// Settings to apply when a scene is loaded. Without plan and settings, changes made by hand are kept.
 struct Arrival {
     std::string scene_name;
     int file_scene = -1;
     std::optional<SessionPlan> plan = {};
-    std::optional<Settings> settings = {};  ///< just these
+    std::optional<Settings> settings = {};  ///< exactly these, with nothing of the scene's own
     GuideNote guide = {};
     std::string remark = {};
-    bool step = false;  ///< undone or redone
-    bool lost = false;  ///< what a crash left
+    bool step = false;  ///< a step of undo or redo
+    bool lost = false;  ///< the session that a crash has left
 };
 
+/// Reads scenes in the background and switches the editor to them.
 class SceneLoader {
 public:
-    /// @param state, memory of the editor, which live longer @param read makes scenes; empty: load_scene()
-    /// @param strict what the first scene lacks is an error, and not just left out
+    /// @param state, memory of the editor; outlive this object @param read makes scenes; empty: load_scene()
+    /// @param strict an option that the first scene lacks is an error; else it is ignored
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
-    /// The settings before the first scene is there.
+    /// Sets the settings that hold until the first scene is loaded.
     void begin(const Settings& settings);
 
-    /// What is shown; null: nothing yet.
+    /// Scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
-    /// @throws Error why there is no scene, or (strict) what of the options the first one lacks.
+    /// Returns the scene. @throws Error if there is none, or (strict) the first one lacks something of the options
     const Scene& require() const;
-    /// Why there is none; empty: one is being read, or is there.
+    /// Reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return notes_; }
 
-    /// Reads the scene and then shows it.
+    /// Starts to read the scene, to be shown by a later poll().
     void load(Arrival arrival);
-    /// Shows the settings of `arrival` under their scene, which is read unless it is shown already.
+    /// Shows the settings of `arrival`. Their scene is read first unless it is shown already.
     void show(Arrival arrival);
+    /// Cancels the reading; the shown scene stays.
     void cancel_loading();
-    /// What was being read will not come: scene.index is again that of what is shown.
+    /// Sets scene.index back to the shown scene's, after a cancelled or failed reading.
     void keep_scene();
-    /// Switches to the scene once it is read. Returns whether anything happened.
+    /// Switches to the scene once it is read. Returns true if anything has happened.
     bool poll();
     /// Waits for the scene that is being read and switches to it.
     void finish();
     const SceneLoading& loading() const { return loading_; }
-    /// An undone or redone step was chosen that nobody follows yet.
+    /// Returns true if a step of undo or redo waits for follow_step().
     bool has_step() const { return state_.between_steps && !arrival_.step; }
-    /// Shows it: its scene is read unless it is shown.
+    /// Shows that step. Its scene is read first unless it is shown already.
     void follow_step();
-    /// The settings name another scene of the file, or another moment, than what is shown.
+    /// Returns true if the settings name another scene of the file, or another time, than the shown scene has.
     bool has_moved() const;
-    /// Reads that scene, and moves what is shown to that moment. @throws Error
+    /// Reads that scene, or poses the shown one at that time. @throws Error
     void follow_settings();
 
-    /// Whether that is what is shown, of the same scene of its file.
+    /// Returns true if that scene of that file is shown.
     bool is_shown(const std::string& scene_name, int file_scene) const;
-    /// `name`, or what the shown scene is called where that is the same file.
+    /// Returns the shown scene's name if `name` is the same file, else `name`.
     std::string known_name(const std::string& name) const;
-    /// These settings came as a whole, in place of the scene's own. @param what of which to say what the scene lacks
-    /// @returns what of them it lacks
+    /// Replaces the scene's own settings. Returns a message for each thing that the settings name and the scene lacks.
+    /// @param what source of the settings, for these messages
     std::vector<std::string> take(const Settings& settings, const std::string& what);
-    /// The scene's own settings.
+    /// Goes back to the scene's own settings.
     void reset();
-    /// As scene or preset brought them.
+    /// Settings as the scene or preset brought them.
     const Settings& given() const { return given_; }
 
 private:
-    /// The undone or redone step that waits for its scene will not come.
+    /// Forgets the step of undo or redo that waits for its scene.
     void give_up_step();
     void show_scene(Scene loaded, const Arrival& arrival);
-    /// What the present scene's settings are when nothing is chosen; program defaults under a preset.
+    /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const;
     void follow_file_scene();
     void follow_time();
-    /// Hides what is to be hidden.
+    /// Applies object settings (shown, cast, receive, culling) to the scene.
     void follow_objects();
 
     EditorState& state_;
@@ -101,10 +102,10 @@ private:
     Settings base_;
     SceneSettings posed_;
     std::map<std::string, ObjectSettings> followed_objects_;
-    int file_scene_ = -1;  ///< scene.index of what is shown
+    int file_scene_ = -1;  ///< scene.index of the shown scene
     int seen_index_ = -1;  ///< scene.index as last acted upon
     Settings given_;
-    /// Of scenes as named, under presets by their keys: a step of undo comes back to them.
+    /// Settings that scenes (first) and presets (second, key) have brought, for steps of undo.
     std::map<std::pair<std::string, std::string>, Settings> given_at_;
     Arrival arrival_;
     SceneLoading loading_;

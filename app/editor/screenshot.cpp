@@ -8,6 +8,7 @@
 
 #include "app/base/output.h"
 #include "renderer/base/error.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -42,8 +43,8 @@ bool take_name(const std::filesystem::path& path) {
     std::FILE* file = std::fopen(path.c_str(), "wx");
     if (file) std::fclose(file);
     if (!file && errno != EEXIST)
-        throw Error(fmt::format("{}: cannot be written ({}); save the preset in a folder that can (Ctrl+Shift+S)",
-                                path.string(), std::generic_category().message(errno)));
+        throw Error(fmt::format("{}: cannot be written ({}); save the preset in a folder that can ({})", path.string(),
+                                std::generic_category().message(errno), key_text(Command::SavePresetAs)));
     return file != nullptr;
 }
 

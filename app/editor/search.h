@@ -1,4 +1,4 @@
-// What the editor's searches in the background have in common.
+// Common base of the editor's background searches.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,19 @@
 
 namespace si {
 
-/// One search at a time, and what the last one found. @tparam Found what it ends with
+/// One search at a time, and the result of the last one. @tparam Found result of a search
 template <typename Found>
 class EditorSearch {
 public:
+    /// Cancels the search under way.
     void cancel() { job_.cancel(); }
+    /// Returns true while a search is under way.
     bool running() const { return job_.busy(); }
+    /// Returns true if progress or result have changed since the last poll().
     bool moved() const { return job_.moved(); }
+    /// Waits for the search under way.
     void wait() const { job_.wait(); }
-    /// Takes what is done. Returns whether there was something; why it failed goes to `problem`.
+    /// Takes the result of a search that has ended. Returns true if one has; `problem` gets the reason of a failure.
     bool poll(std::string& problem) {
         auto outcome = job_.poll();
         if (!outcome) return false;
@@ -29,7 +33,7 @@ public:
     }
 
 protected:
-    /// @param cancelled what is said where it was
+    /// @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
     ~EditorSearch() = default;
 

@@ -1,5 +1,4 @@
-// What became of an editor's session, as JSON for whoever tries it out: what the driver complained of, which numbers
-// were none, errors that were told, and memory by its holders over time (edit --report).
+// Report of an editor's session as JSON (edit --report): driver messages, faulty numbers, errors, and memory over time.
 #pragma once
 
 #include <filesystem>
@@ -12,25 +11,27 @@
 
 namespace si {
 
+/// Collects and writes the report.
 class SessionReport {
 public:
-    /// @param path empty: none is written
+    /// @param path file of the report; empty: none is written
     explicit SessionReport(std::filesystem::path path) : path_(std::move(path)) {}
 
+    /// Adds a message of the OpenGL driver.
     void note_driver(const std::string& message);
-    /// The first stays.
+    /// Keeps the first description of faulty numbers.
     void note_unsound(std::string_view what) {
         if (unsound_.empty()) unsound_ = what;
     }
-    /// A frame of the editor was shown.
+    /// Counts a frame of the editor.
     void note_frame() { ++frames_; }
     const std::string& unsound() const { return unsound_; }
-    /// Now and then, with the errors that the log has, takes the process's memory down and writes the report. @param
-    /// now_s grows steadily @throws Error
+    /// Samples the process's memory and writes the report, when it is due. Takes the errors from the log.
+    /// @param now_s time of a steady clock, seconds @throws Error
     void follow(double now_s, const Log& log);
-    /// It cannot be written.
+    /// Stops writing, after a failure.
     void give_up() { path_.clear(); }
-    /// The end. @throws Error
+    /// Writes the final report. @throws Error
     void write(const Log& log);
 
 private:

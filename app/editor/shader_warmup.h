@@ -1,6 +1,5 @@
-// Makes the programs of a frame that is likely to be asked for, on a thread with an OpenGL context of its own while
-// nothing else happens. What one context of a driver has made, another finds in the driver's cache of shaders; where
-// there is none, nothing is gained.
+// Compiles the shaders of likely next frames on a thread with an OpenGL context of its own, while nothing else happens.
+// The driver's shader cache passes them on to the renderer's context; without such a cache nothing is gained.
 #pragma once
 
 #include <condition_variable>
@@ -14,26 +13,27 @@
 
 namespace si {
 
-/// A frame whose programs are wanted, those for probed pixels too.
+/// A frame whose shaders are compiled, including those of its probe.
 struct WarmupFrame {
-    std::shared_ptr<const Scene> scene;  ///< stand_in() of the frame's
+    std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by stand_in()
     Settings settings;
     FrameRequest request;
 };
 
+/// Queue of frames and the thread that draws them for their shaders.
 class ShaderWarmup {
 public:
     ShaderWarmup();
-    /// Waits for the one under way.
+    /// Waits for the frame under way.
     ~ShaderWarmup();
 
-    /// When nothing was foreseen for a while, the last first.
+    /// Queues a frame. The thread starts when nothing has been queued for a while, with the newest frame.
     void foresee(WarmupFrame warmup);
-    /// Those of another scene or other shader files are no longer those meant.
+    /// Empties the queue, when scene or shader files have changed.
     void forget();
-    /// Until none is foreseen.
+    /// Waits until the queue is empty.
     void wait() const;
-    /// How many were carried out.
+    /// Returns the number of frames that were drawn.
     std::size_t done() const;
 
 private:

@@ -106,21 +106,21 @@ std::shared_ptr<const Scene> EditorSweep::copy_of(const Scene& scene) {
 }
 
 void EditorSweep::start(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                        const SweepRequest& wish) {
+                        const SweepRequest& request) {
     std::vector<SweepAxis> axes;
-    for (const std::string& axis : wish.axes) axes.push_back(parse_axis(axis));
+    for (const std::string& axis : request.axes) axes.push_back(parse_axis(axis));
     if (axes.empty()) throw UsageError("a sweep varies at least one setting");
     Settings measured = settings;
-    measured.truth.area = wish.area;
+    measured.truth.area = request.area;
     RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
-    of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), wish.width, wish.height);
+    of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), request.width, request.height);
     of.plan = plan_sweep(of.spec.base, of.spec.axes);
     const SweepFolder folder = folder_for(parent_, of.spec, of.plan);
     of.folder = folder.path;
     if (folder.made) made_.insert(folder.path);
-    of.timing.cost = wish.timed;
+    of.timing.cost = request.timed;
     show(of.spec, of.plan, of.folder);
-    swept_cost_ = wish.timed;
+    swept_cost_ = request.timed;
     thread().sweep(std::move(of), copy_of(scene), settings.scene);
 }
 

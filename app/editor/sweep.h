@@ -1,4 +1,4 @@
-// Sweeps and the measuring of the present settings, as the frontier panel shows them.
+// Sweeps and the measurement of the present settings, for the panel Frontier.
 #pragma once
 
 #include <filesystem>
@@ -13,41 +13,44 @@
 
 namespace si {
 
+/// Runs one sweep at a time on a thread of its own, and measures the present settings besides.
 class EditorSweep {
 public:
-    /// @param state_folder where the journal of a sweep is kept, so that it can go on in a later run; empty: nowhere
+    /// @param state_folder folder of a sweep's journal, by which a later run continues it; empty: a temporary one
     explicit EditorSweep(const std::filesystem::path& state_folder);
-    /// Cancels and joins.
+    /// Cancels the sweep and waits for its thread.
     ~EditorSweep();
     EditorSweep(const EditorSweep&) = delete;
     EditorSweep& operator=(const EditorSweep&) = delete;
 
-    /// Begins the sweep, or goes on with it when it is the one that was interrupted. @throws UsageError, Error
-    void start(const Scene& scene, const std::string& scene_name, const Settings& settings, const SweepRequest& wish);
-    /// Ends the sweep under way; what is measured stays.
+    /// Starts the sweep, or continues the interrupted one if it is the same. @throws UsageError, Error
+    void start(const Scene& scene, const std::string& scene_name, const Settings& settings,
+               const SweepRequest& request);
+    /// Cancels the sweep under way. Measured cases stay.
     void cancel();
-    /// Measures these settings unless they are measured already; a change cancels what is under way.
+    /// Measures these settings unless they are measured already. Other settings cancel a measurement under way.
     void follow(const Scene& scene, const std::string& scene_name, const Settings& settings, const SweepPanel& panel);
-    /// Nobody looks at the present settings' dot any more.
+    /// Stops measuring the present settings, when no panel shows them.
     void unfollow();
-    /// Shows what is in the folder of a sweep, and sets the panel to what it varies. @throws Error
+    /// Shows the results in a sweep's folder, and sets the panel to its axes. @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
     /// Writes journal, pictures, tables and report of the sweep that is shown. @throws Error
     void save(const std::filesystem::path& folder) const;
 
-    /// Something is being measured, or will be.
+    /// Returns true while something is measured, or is queued.
     bool busy() const;
-    /// update() has news.
+    /// Returns true if update() has news.
     bool moved() const;
-    /// Until nothing is being measured.
+    /// Waits until nothing is being measured.
     void wait() const;
-    /// Takes the news and follows the chosen axes. Returns whether facts() changed.
+    /// Takes news of the thread and applies the chosen axes. Returns true if facts() have changed.
     bool update(const EditorState& state);
     const SweepFacts& facts() const { return facts_; }
-    /// The settings that all cases of the shown sweep share; null when there is none.
+    /// Settings that all cases of the shown sweep share; null: no sweep is shown.
     const Settings* base() const { return shown_ ? &shown_->spec.base : nullptr; }
 
 private:
+    /// The sweep that is shown.
     struct Shown {
         SweepSpec spec;
         SweepPlan plan;
@@ -56,26 +59,27 @@ private:
     MeasuringThread& thread();
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
     void show(const SweepSpec& spec, const SweepPlan& plan, const std::filesystem::path& folder);
-    /// What was measured of settings, in whole.
+    /// Complete measurement of one set of settings.
     struct Finished {
         MeasuringThread::Picture of;
         CaseNumbers numbers;
     };
     void take_news();
     void note_finished(const Finished& finished);
+    /// The measurement that the present one is compared with.
     struct Earlier {
         const Finished* is = nullptr;  ///< null: nothing of the same picture was measured before
         bool pinned = false;
     };
-    /// What the present numbers are compared with: the pinned settings, else those measured last.
+    /// Returns the measurement to compare with: of the pinned settings, else of those measured last.
     Earlier earlier(const EditorState& state) const;
     void compare_settings(const EditorState& state);
-    /// Removes folders that this run made and in which no case was finished; ones still in use stay for later.
+    /// Removes folders of this run in which no case was finished. Folders in use stay until the next call.
     void drop_empty();
 
     std::filesystem::path parent_;
     bool temporary_ = false;
-    std::set<std::filesystem::path> made_;  ///< by this run
+    std::set<std::filesystem::path> made_;  ///< folders that this run has made
     std::shared_ptr<const Scene> scene_;    ///< the last one that was handed over
     std::optional<MeasuringThread::Picture> followed_;
     std::unique_ptr<const Shown> shown_;
@@ -85,14 +89,14 @@ private:
     SweepFacts facts_;
     std::uint64_t seen_ = 0;        ///< version of the thread's news
     std::uint64_t seen_sweep_ = 0;  ///< News::sweep as last seen
-    bool opened_ = false;           ///< what is shown is from a folder, not from the thread
+    bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
     CostCase seen_timed_ = kDefaultCost;
-    CostCase swept_cost_ = kDefaultCost;  ///< of which frames the shown sweep has times
+    CostCase swept_cost_ = kDefaultCost;  ///< frames that the shown sweep's times are of
     std::optional<PinnedSettings> seen_pinned_;
-    Settings compared_;  ///< as last held against the sweep's
+    Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;
-    bool fresh_ = true;  ///< something came since facts_ was made
+    bool fresh_ = true;  ///< news came after facts_ were made
     std::unique_ptr<MeasuringThread> thread_;
 };
 

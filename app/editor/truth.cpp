@@ -132,7 +132,8 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
 }
 
 bool EditorReference::update(Renderer& renderer, const Scene& scene, const Settings& settings,
-                             const FrameRequest& request, const FrameResult& frame, bool drawn, const Wishes& wishes) {
+                             const FrameRequest& request, const FrameResult& frame, bool drawn,
+                             const Requests& requests) {
     const bool changed = poll();
     const std::vector<LightNeed> needs = needs_of(frame, settings.view.light);
     const auto wants = [&](std::uint64_t key) {
@@ -148,12 +149,12 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
         if (i >= frame.light_maps.size() || frame.light_maps[i].key == 0) light_maps_[i].reset();
     const auto next = std::find_if(needs.begin(), needs.end(),
                                    [&](const LightNeed& n) { return !n.met && !given_up_.contains(n.key); });
-    if (wishes.save_error) save_next_ = wishes.save_error;
+    if (requests.save_error) save_next_ = requests.save_error;
     if (!needs.empty()) {
         std::erase_if(given_up_, [&](std::uint64_t key) { return !wants(key); });
         if (given_up_.empty()) problem_.clear();
     }
-    if (wishes.cancel) {
+    if (requests.cancel) {
         if (job_.busy()) given_up_.insert(doing_key_);
         for (const LightNeed& n : needs)
             if (!n.met) given_up_.insert(n.key);

@@ -1,5 +1,5 @@
-// The ray-traced truth in the editor: traced in the background while something that is shown asks for it, so that
-// numbers and overlays follow bias and kernel at once. Light maps are baked in the same way.
+// The ray-traced reference of the editor's picture, traced in the background while a panel or overlay needs it. Errors
+// then follow changes of bias and kernel at once. Light maps are baked in the same way.
 #pragma once
 
 #include <memory>
@@ -14,48 +14,49 @@
 
 namespace si {
 
-/// One job computes at a time. All calls from the renderer's thread.
+/// Cache of references and light maps, and the one job that computes them. All calls come from the renderer's thread.
 class EditorReference {
 public:
-    /// What was last traced of a light, for FrameRequest::truth; null: nothing.
+    /// Last reference of a light, for FrameRequest::truth; null: none.
     std::shared_ptr<const ReferencePicture> picture(int light) const;
-    /// The same of all lights, for FrameRequest::traced.
+    /// References by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
 
-    /// What was last baked of each light, for FrameRequest::light_maps.
+    /// Light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    struct Wishes {
-        bool cancel = false;                    ///< forget it until something changes
+    /// Requests of the error panel.
+    struct Requests {
+        bool cancel = false;                    ///< stop tracing until something changes
         std::optional<std::string> save_error;  ///< all metrics of the frame as JSON into this file
     };
-    /// Starts what `frame` lacks and takes what is done. @param drawn the frame is a new one: while frames follow each
-    /// other (a drag), nothing is started. Returns whether the scene is to be drawn anew, or the facts changed. @throws
-    /// Error
+    /// Takes finished work and starts what `frame` lacks. Returns true if the scene has to be drawn again, or the facts
+    /// have changed. @param drawn the frame is a new one; nothing is started then, because a drag may follow
+    /// @throws Error
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                const FrameResult& frame, bool drawn, const Wishes& wishes);
-    /// There is no frame.
+                const FrameResult& frame, bool drawn, const Requests& requests);
+    /// Drops all references, when there is no frame.
     void clear();
-    /// Lets go of what it keeps for views that are no longer shown.
+    /// Releases references of views that are no longer shown.
     void rest();
 
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
-    /// Something is done: update() has news; or its progress is to be drawn anew.
+    /// Returns true if update() has news, or the progress has changed.
     bool moved() const { return job_.moved(); }
-    /// Until what runs has ended.
+    /// Waits for the job.
     void wait() const { job_.wait(); }
-    /// "Wrote F.json", once, after Wishes::save_error.
+    /// Returns the message after Requests::save_error once: "Wrote F.json".
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:
     struct Found {
         int light = 0;
-        std::shared_ptr<const ReferencePicture> picture;  ///< of the light; null: as it was
+        std::shared_ptr<const ReferencePicture> picture;  ///< null: unchanged
         std::string remark;
-        std::shared_ptr<const LightMap> light_map;  ///< of the light; null: as it was
+        std::shared_ptr<const LightMap> light_map;  ///< null: unchanged
     };
-    /// Takes what the job found. Returns whether there was one.
+    /// Takes the result of the job. Returns true if there was one.
     bool poll();
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
@@ -63,14 +64,14 @@ private:
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
-    ReferenceCache cache_;                                           ///< used by the job while there is one
-    std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; of no longer wanted ones null
-    std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< the same
-    std::set<std::uint64_t> given_up_;                               ///< keys of what failed or was cancelled
+    ReferenceCache cache_;                                           ///< used by the job while it runs
+    std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; null: not needed
+    std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< by light; null: not needed
+    std::set<std::uint64_t> given_up_;                               ///< keys of failed and cancelled jobs
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";
-    std::uint64_t doing_key_ = 0;  ///< of what the job works on
+    std::uint64_t doing_key_ = 0;  ///< key of the job's picture
     Job<Found> job_;               ///< last: joined first
 };
 

@@ -42,12 +42,13 @@ bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height)
     return width == now_width && height == now_height && measured_settings(then) == measured_settings(now);
 }
 
-void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height, const TuneRequest& wish) {
+void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height,
+                        const TuneRequest& request) {
     TuningJob job{.settings = settings, .width = width, .height = height};
-    job.settings.truth.area = wish.area;
-    job.goals.most_error = wish.most_error;
-    job.goals.most_ms = wish.most_ms;
-    job.goals.cost = wish.cost;
+    job.settings.truth.area = request.area;
+    job.goals.most_error = request.most_error;
+    job.goals.most_ms = request.most_ms;
+    job.goals.cost = request.cost;
     about_ = {};
     about_.scene = scene.id;
     about_.settings = job.settings;

@@ -1,4 +1,4 @@
-// The editor's search for the least bias.
+// Background search for the smallest bias without acne.
 #pragma once
 
 #include <memory>
@@ -9,32 +9,34 @@
 
 namespace si {
 
+/// Result of a finished search.
 struct TuningOutcome {
     std::optional<Settings> found;
-    std::vector<TunedFamily> families;  ///< all that were tried, side by side
-    std::string text;                   ///< what it is and costs, or why there is none
+    std::vector<TunedFamily> families;  ///< result of each kind of bias
+    std::string text;                   ///< the bias and its cost, or the reason why there is none
     bool failed = false;                ///< `text` is an error
     std::uint64_t scene = 0;
-    Settings settings;  ///< that were searched from
+    Settings settings;  ///< settings that the search started from
     int width = 0, height = 0;
-    /// Whether the families are what these settings would give, whichever bias they have now.
+    /// Returns true if a search from these settings would give the same families. Their bias does not matter.
     bool is_about(const Settings& now, int now_width, int now_height) const;
 };
 
+/// One search for a bias at a time, on a thread of its own.
 class EditorTuner {
 public:
-    /// In place of one that is under way.
-    void start(const Scene& scene, const Settings& settings, int width, int height, const TuneRequest& wish);
+    /// Starts a search and cancels the one under way.
+    void start(const Scene& scene, const Settings& settings, int width, int height, const TuneRequest& request);
     void cancel() { job_.cancel(); }
     bool running() const { return job_.busy(); }
     bool moved() const { return job_.moved(); }
     std::optional<SearchProgress> facts() const { return job_.progress(); }
     void wait() const { job_.wait(); }
-    /// What became of it, once.
+    /// Returns the result of a search that has ended, once.
     std::optional<TuningOutcome> end();
 
 private:
-    TuningOutcome about_;  ///< what is searched for, and not yet what was found
+    TuningOutcome about_;  ///< arguments of the search under way
     Job<TuningOutcome, SearchProgress> job_;
 };
 

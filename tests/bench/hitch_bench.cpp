@@ -80,7 +80,7 @@ struct Hands {
     }
     void settle() {
         editor->settle();
-        if (const ShaderWarmup* r = editor->model().rehearsals()) r->wait();
+        if (const ShaderWarmup* r = editor->model().warmup()) r->wait();
         for (int i = 0; i < 4; ++i) frame();
     }
     /// The longest frame until what `act` changed is shown, while a mouse moves. @param until adds how long that took
@@ -133,11 +133,11 @@ struct Hands {
     /// Of the shown light's, which take presses.
     std::vector<PlacedHandle> handles() {
         const FittedLight& fitted = editor->model().facts().result->lights[0];
-        return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().scene_view);
+        return place_handles(light_pose(state().settings.lights[0], fitted, 0), *state().viewport.view);
     }
     /// A place in the lower half of the scene's picture, where surfaces are, as far from handles as there is one.
     glm::vec2 free_place() {
-        const PictureView& view = *state().scene_view;
+        const PictureView& view = *state().viewport.view;
         const std::vector<PlacedHandle> taken = handles();
         glm::dvec2 best(0);
         double farthest = -1;
@@ -168,7 +168,7 @@ void over_scene(Hands& h) {
     h.editor->mouse.at = h.free_place();
 }
 void over_map(Hands& h) {
-    const ScreenRect& map = h.state().map_rect;
+    const ScreenRect& map = h.state().shots.map_rect;
     h.editor->mouse.at = map.lo + 0.5f * map.size;
 }
 Tool::Step left_button(bool down) {
@@ -199,7 +199,7 @@ void pin_and_change(Hands& h) {
 }
 /// As a click on a tab does, which may make the pictures smaller.
 Tool::Step open_tab(BottomTab tab) {
-    return [tab](Hands& h) { h.state().open_tab = h.state().fitted_tab = tab; };
+    return [tab](Hands& h) { h.state().window.open_tab = h.state().window.fitted_tab = tab; };
 }
 
 constexpr std::pair<const char*, BottomTab> kTabs[] = {
@@ -229,7 +229,7 @@ std::vector<Tool> all_tools() {
         press_key("compare_with_truth", 'B'),
         {.name = "compare_with_a",
          .steps = {[](Hands& h) {
-             h.state().against = {.view = ComparisonView::SideBySide, .reference = false};
+             h.state().comparison = {.view = ComparisonView::SideBySide, .reference = false};
              h.state().compare = {CompareKind::Pinned, {}};
          }},
          .before = pin_and_change},
@@ -351,7 +351,7 @@ void editor_overhead(benchmark::State& state) {
     for (auto _ : state) {
         Renderer alone;
         for (const auto& [name, tab] : kTabs) {
-            hands.state().open_tab = tab;
+            hands.state().window.open_tab = tab;
             hands.state().probe_pixel = tab == BottomTab::Probe ? std::optional(glm::ivec2(300, 200)) : std::nullopt;
             hands.settle();
             idle.push_back(taken([&] { hands.frame(); }));

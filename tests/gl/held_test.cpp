@@ -86,18 +86,19 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
-    for (int i = 0; i < next.settings.light_count; ++i) next.settings.lights[std::size_t(i)].type = LightType::Point;
-    ShaderWarmup rehearsals;
+    for (int i = 0; i < next.settings.light_count; ++i)
+        next.settings.lights[std::size_t(i)].type = LightType::Point;
+    ShaderWarmup warmup;
     const auto heap_after = [&](int resolution) {
         next.settings.map.resolution = resolution;
-        rehearsals.foresee(next);
-        rehearsals.wait();
+        warmup.foresee(next);
+        warmup.wait();
         return process_memory().heap;
     };
     const std::uint64_t before = heap_after(32);
     EXPECT_LT(heap_after(1024), before + (16u << 20));
     EXPECT_GE(of("shadow maps").most, 160u << 20) << "none was drawn";
-    EXPECT_EQ(rehearsals.done(), 2u);
+    EXPECT_EQ(warmup.done(), 2u);
 }
 #endif
 

@@ -277,17 +277,17 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     FrameLoop loop(false);
     PictureState state;
     state.settings = settings_for(scene, {{"map.resolution", "64"}});
-    EditorRequests actions;
-    actions.scene_width = 64;
-    actions.scene_height = 36;
-    const auto changed = [&] { return loop.update(scene, state, actions, nullptr).changed; };
+    EditorRequests requests;
+    requests.scene_width = 64;
+    requests.scene_height = 36;
+    const auto changed = [&] { return loop.update(scene, state, requests, nullptr).changed; };
     const auto shows_smooth = [&] {
         const FrameResult result = loop.facts().result;
         return result.panes.front().picture.texture != result.colour.texture;
     };
     EXPECT_TRUE(changed());
     EXPECT_FALSE(changed()) << "somebody still touches something";
-    actions.at_rest = true;
+    requests.at_rest = true;
     for (int i = 0; i < kSmoothedMost; ++i) EXPECT_TRUE(changed()) << i;
     EXPECT_FALSE(changed()) << "it sleeps";
     EXPECT_TRUE(shows_smooth());

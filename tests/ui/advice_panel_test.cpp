@@ -48,7 +48,7 @@ protected:
     AdviceReport report = made_up_advice();
 
     void SetUp() override {
-        ui.state.open_tab = BottomTab::Advice;
+        ui.state.window.open_tab = BottomTab::Advice;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
         ASSERT_EQ(ui.state.tab, BottomTab::Advice);
@@ -142,15 +142,15 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Advice;
+    model.state.window.open_tab = BottomTab::Advice;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorRequests wish;
-    wish.scene_width = model.facts().result->colour.width;
-    wish.scene_height = model.facts().result->colour.height;
-    wish.find_advice = AdviceRequest{.cost = CostCase::Forced};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width;
+    request.scene_height = model.facts().result->colour.height;
+    request.find_advice = AdviceRequest{.cost = CostCase::Forced};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().advising);
     editor.settle();
     EXPECT_EQ(model.state.settings, settings);
@@ -164,11 +164,11 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";
-    wish.find_advice->most_error = 1;
-    model.fulfil(wish);
+    request.find_advice->most_error = 1;
+    model.fulfil(request);
     EditorRequests cancel;
-    cancel.scene_width = wish.scene_width;
-    cancel.scene_height = wish.scene_height;
+    cancel.scene_width = request.scene_width;
+    cancel.scene_height = request.scene_height;
     cancel.cancel_advice = true;
     model.fulfil(cancel);
     editor.settle();

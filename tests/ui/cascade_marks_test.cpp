@@ -65,7 +65,7 @@ TEST(CascadeMarks, ViewsAreChosenByNameAmongThoseThatThereAre) {
     };
     const std::size_t in_map_viewer = printed();
     EXPECT_GT(in_map_viewer, 0u);
-    ui.state.search = "view.face";
+    ui.state.settings_panel.search = "view.face";
     EXPECT_EQ(printed(), in_map_viewer + 1);
 }
 

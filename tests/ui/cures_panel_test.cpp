@@ -47,7 +47,7 @@ std::string printed(const UiHarness& ui) {
 TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.open_tab = BottomTab::Error;
     ui.reference = ReferenceFacts{.current = true, .wanted = true};
     ui.error = LiveError();
     ui.error->metrics.counted = 5000;
@@ -118,9 +118,9 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     constant.shift_p95_m = 0;
     constant.chosen = false;
     ui.tuned = {normal, constant};
-    ui.state.search = "bias.";
+    ui.state.settings_panel.search = "bias.";
     ui.frames(5);
-    ui.state.search.clear();
+    ui.state.settings_panel.search.clear();
     ui.frames(5);
     const std::string text = printed(ui);
     for (const char* part : {"normal offset", "constant bias", "321", "654", "34 mm"})
@@ -140,18 +140,18 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Error;
+    model.state.window.open_tab = BottomTab::Error;
     model.state.layout.bottom_height = 27;
     editor.settle();
     ASSERT_TRUE(model.facts().error);
     const ErrorMetrics before = model.facts().error->metrics;
-    EditorRequests wish;
-    wish.scene_width = model.facts().result->colour.width;
-    wish.scene_height = model.facts().result->colour.height;
-    wish.want_error = true;
-    wish.find_fixes = CureRequest{};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width;
+    request.scene_height = model.facts().result->colour.height;
+    request.want_error = true;
+    request.find_fixes = CureRequest{};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().fixes.running);
     EXPECT_EQ(model.state.settings, settings);
     editor.settle();
@@ -162,12 +162,12 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     for (int i = 0; i < 3; ++i) editor.frame();  // columns take the width of what they hold
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorRequests narrower;
-    narrower.scene_width = wish.scene_width - 16;
-    narrower.scene_height = wish.scene_height;
+    narrower.scene_width = request.scene_width - 16;
+    narrower.scene_height = request.scene_height;
     narrower.want_error = true;
     model.fulfil(narrower);
     EXPECT_FALSE(model.facts().fixes.current) << "a picture of another size";
-    narrower.scene_width = wish.scene_width;
+    narrower.scene_width = request.scene_width;
     model.fulfil(narrower);
     EXPECT_TRUE(model.facts().fixes.current);
     std::size_t wrong = 0;

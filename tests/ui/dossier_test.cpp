@@ -27,7 +27,7 @@ PixelDiagnosis acne_diagnosis() {
 TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.open_tab = BottomTab::Probe;
+    ui.state.window.open_tab = BottomTab::Probe;
     ui.diagnoses = {acne_diagnosis()};
     ui.frames(5);
     const Settings before = ui.state.settings;
@@ -53,7 +53,7 @@ TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.open_tab = BottomTab::Probe;
+    ui.state.window.open_tab = BottomTab::Probe;
     ui.diagnoses = {d};
     ui.diagnoses[0].fix = worth;
     ui.frames(5);
@@ -65,7 +65,7 @@ TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.open_tab = BottomTab::Probe;
+        ui.state.window.open_tab = BottomTab::Probe;
         ui.tracing_probe = true;
         ui.frames(4);
         ui.tracing_probe = false;
@@ -173,12 +173,12 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     editor.settle();
     EditorModel& model = editor.model();
     const Settings before = model.state.settings;
-    EditorRequests wish;
-    wish.scene_width = 320;
-    wish.scene_height = 180;
-    model.fulfil(wish);
-    wish.tune = TuneRequest{};
-    model.fulfil(wish);
+    EditorRequests request;
+    request.scene_width = 320;
+    request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
     EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
     editor.settle();
@@ -212,18 +212,18 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorModel& model = editor.model();
-    EditorRequests wish;
-    wish.scene_width = 320;
-    wish.scene_height = 180;
-    model.fulfil(wish);
-    wish.tune = TuneRequest{};
-    model.fulfil(wish);
+    EditorRequests request;
+    request.scene_width = 320;
+    request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
     model.state.settings.lights[0].elevation += 10;
     const Settings turned = model.state.settings;
     editor.settle();
     EXPECT_EQ(model.state.settings, turned);
 
-    model.fulfil(wish);
+    model.fulfil(request);
     EditorRequests cancel;
     cancel.scene_width = 320;
     cancel.scene_height = 180;

@@ -41,9 +41,9 @@ struct Swept {
     EditorState& state() { return editor.model().state; }
     const SweepFacts& facts() { return *editor.model().facts().sweep; }
     void ask(const std::function<void(EditorRequests&)>& what) {
-        EditorRequests actions = editor.frame();
-        what(actions);
-        editor.model().fulfil(actions);
+        EditorRequests requests = editor.frame();
+        what(requests);
+        editor.model().fulfil(requests);
     }
 };
 
@@ -176,9 +176,9 @@ TEST(EditorSweep, WithoutTimesItsCasesStandOverWhatTheyHave) {
     const fs::path state = fs::path(SI_TEST_OUTPUT_DIR) / "sweep_without_times";
     fs::remove_all(state);
     Swept s(boxes(state));
-    SweepRequest wish = kSweepRequest;
-    wish.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
-    s.ask([&](EditorRequests& a) { a.start_sweep = wish; });
+    SweepRequest request = kSweepRequest;
+    request.axes = {"filter.kernel=hard,hw2x2,pcf3,pcf5", "map.resolution=64:2048:*2", "bias.slope=0,1,2"};
+    s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     const std::string chosen = s.state().sweep.cost;
     ASSERT_EQ(chosen, "time.total_ms.median");
     const auto wait_for_cases = [&] {
@@ -239,9 +239,9 @@ TEST(EditorSweep, ErrorsOfAnotherMeaningAreNotOpened) {
 
 TEST(EditorSweep, WhatCannotBeSweptIsSaid) {
     Swept s(boxes());
-    SweepRequest wish = kSweepRequest;
-    wish.axes = {"no.such=1"};
-    s.ask([&](EditorRequests& a) { a.start_sweep = wish; });
+    SweepRequest request = kSweepRequest;
+    request.axes = {"no.such=1"};
+    s.ask([&](EditorRequests& a) { a.start_sweep = request; });
     ASSERT_FALSE(s.state().log.lines().empty());
     EXPECT_NE(s.state().log.lines().back().text.find("no.such"), std::string::npos);
     EXPECT_FALSE(s.editor.model().measuring());

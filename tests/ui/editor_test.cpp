@@ -48,7 +48,7 @@ TEST_P(EditorSizes, ShowsSceneMapAndNumbers) {
     const auto [width, height] = GetParam();
     HeadlessEditor editor(options(width, height, {"view.overlay=depth-difference"}));
     editor.model().state.probe_pixel = glm::ivec2(200, 200);
-    editor.model().state.open_tab = BottomTab::Probe;
+    editor.model().state.window.open_tab = BottomTab::Probe;
     editor.mouse.at = glm::vec2(width / 6, height / 4);  // numbers are read where the mouse is
     editor.settle();
     const ByteImage picture = editor.picture();
@@ -145,15 +145,15 @@ TEST(Editor, APresetSavedAndOpenedIsTheSame) {
     s.lights[0].azimuth = 12.5;
     s.view.overlay = 2;
     const Settings saved = s;
-    EditorRequests actions = editor.frame();
-    actions.save_preset = file.string();
-    editor.model().fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.save_preset = file.string();
+    editor.model().fulfil(requests);
     ASSERT_TRUE(std::filesystem::exists(file));
     EXPECT_EQ(load_preset(file.string()).scene, "boxes");
     s = Settings{};
-    actions.save_preset.reset();
-    actions.load_preset = file.string();
-    editor.model().fulfil(actions);
+    requests.save_preset.reset();
+    requests.load_preset = file.string();
+    editor.model().fulfil(requests);
     EXPECT_EQ(s, saved);
     expect_calm(editor);
 }

@@ -32,7 +32,7 @@ const std::vector<Effect>& made_up_effects() {
 
 TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
     std::string text = letters(ui);
@@ -71,7 +71,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
 
 TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
     const auto shown = [](UiHarness& ui) {
-        ui.state.open_tab = BottomTab::Effects;
+        ui.state.window.open_tab = BottomTab::Effects;
         ui.effects.effects = made_up_effects();
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7"));
@@ -101,7 +101,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
     for (const int width : {1280, 1600}) {
         UiHarness ui(width, 2600);
         ui.state.layout = {.bottom_height = 130};
-        ui.state.open_tab = BottomTab::Effects;
+        ui.state.window.open_tab = BottomTab::Effects;
         std::vector<Effect> effects = made_up_effects();
         const std::string longest =
             "Its maps are as they were, since nothing that they depend on has changed: neither casters nor the light, "
@@ -118,7 +118,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
 
 TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     std::vector<Effect> effects = made_up_effects();
     ui.effects.effects = effects;
     ui.state.times = {.scene = ui.scene.name, .pass_ms = {{"shading", 7.75}}};
@@ -163,7 +163,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     EXPECT_TRUE(times.pass_ms.empty());
 
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Log;
+    ui.state.window.open_tab = BottomTab::Log;
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().shows("frame 1.50 ms, no map drawn"));
     EXPECT_FALSE(ui.drawn().shows("last timed"));
@@ -171,7 +171,7 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
 
 TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const Settings before = ui.state.settings;
@@ -198,7 +198,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
 
 TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     UiHarness ui(1900, 1000);
-    ui.state.open_tab = BottomTab::Effects;
+    ui.state.window.open_tab = BottomTab::Effects;
     ui.frames(4);
     const auto measure = ui.find("bottom", "", "Measure what is saved");
     ASSERT_TRUE(measure);
@@ -236,10 +236,10 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     const Effect* objects = shown_effect(editor.model().facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
     EXPECT_EQ(objects->state, EffectState::NotNeeded);
-    editor.model().state.open_tab = BottomTab::Log;
+    editor.model().state.window.open_tab = BottomTab::Log;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().effects.empty());
-    editor.model().state.open_tab = BottomTab::Effects;
+    editor.model().state.window.open_tab = BottomTab::Effects;
     editor.settle();
     EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
     EXPECT_FALSE(editor.model().fulfil(editor.frame())) << "a still editor has something to draw";
@@ -255,9 +255,9 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
     };
     EXPECT_EQ(state_of("panel: loupe"), EffectState::NotNeeded);
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotNeeded);
-    state.against.view = ComparisonView::SideBySide;
+    state.comparison.view = ComparisonView::SideBySide;
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::Drawn);
-    state.against.view = ComparisonView::Off;
+    state.comparison.view = ComparisonView::Off;
     EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotNeeded);
     state.probe_pixel = glm::ivec2(300, 200);
     EXPECT_EQ(state_of("panel: loupe"), EffectState::Drawn);
@@ -304,9 +304,9 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
         editor_of("boxes", {"light.cast=false", "shading.separate_visibility=true", "map.resolution=256"}));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved);
-    EditorRequests actions = editor.frame();
-    actions.measure_saved = true;
-    EXPECT_TRUE(editor.model().fulfil(actions));
+    EditorRequests requests = editor.frame();
+    requests.measure_saved = true;
+    EXPECT_TRUE(editor.model().fulfil(requests));
     EXPECT_TRUE(editor.model().measuring());
     EXPECT_TRUE(editor.model().facts().measuring_saved);
     editor.settle();
@@ -319,12 +319,12 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.model().state.settings.map.resolution = 512;
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current);
-    actions = editor.frame();
-    actions.measure_saved = true;
-    editor.model().fulfil(actions);
-    actions.measure_saved = false;
-    actions.cancel_saved = true;
-    editor.model().fulfil(actions);
+    requests = editor.frame();
+    requests.measure_saved = true;
+    editor.model().fulfil(requests);
+    requests.measure_saved = false;
+    requests.cancel_saved = true;
+    editor.model().fulfil(requests);
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current) << "a cancelled measurement tells nothing";
 }

@@ -54,7 +54,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
     for (const auto& [width, height, scale] :
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.25f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
-        ui.state.open_tab = BottomTab::Error;
+        ui.state.window.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
             ui.reference = made_up_reference();
@@ -88,7 +88,7 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
 TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
     for (const int width : {1280, 1920}) {
         UiHarness ui(width, 900);
-        ui.state.open_tab = BottomTab::Error;
+        ui.state.window.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         ui.reference = made_up_reference();
         ui.error = made_up_error();
@@ -109,9 +109,9 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
 TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
     UiHarness ui(1280, 720);
     EXPECT_FALSE(ui.frames(3).want_error);
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.open_tab = BottomTab::Error;
     EXPECT_TRUE(ui.frames(3).want_error);
-    ui.state.open_tab = BottomTab::Log;
+    ui.state.window.open_tab = BottomTab::Log;
     EXPECT_FALSE(ui.frames(3).want_error);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
     EXPECT_TRUE(ui.frames(2).want_error) << "for the legend";
@@ -136,18 +136,19 @@ TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
         ui.reference = made_up_reference();
         for (const ComparisonView view : {ComparisonView::Swipe, ComparisonView::SideBySide, ComparisonView::Difference,
                                           ComparisonView::Alone, ComparisonView::Off}) {
-            ui.state.against.view = view;
+            ui.state.comparison.view = view;
             for (int variant = 0; variant < 3; ++variant) {
-                ui.state.against.reference = variant != 1;
-                ui.against.reset();
+                ui.state.comparison.reference = variant != 1;
+                ui.picture_comparison.reset();
                 if (variant > 0) {
-                    ui.against = PictureComparisonFacts{.label = "x", .mae = 0.01};
+                    ui.picture_comparison = PictureComparisonFacts{.label = "x", .mae = 0.01};
                     const FrameResult made_up = made_up_frame(ui.scene, ui.state.settings);
-                    if (variant == 2) ui.against->picture = ui.against->difference = made_up.colour;
-                    if (variant == 1) ui.against->problem = "no such preset";
+                    if (variant == 2)
+                        ui.picture_comparison->picture = ui.picture_comparison->difference = made_up.colour;
+                    if (variant == 1) ui.picture_comparison->problem = "no such preset";
                 }
-                const EditorRequests actions = ui.frames(3);
-                EXPECT_GT(actions.scene_width, 100);
+                const EditorRequests requests = ui.frames(3);
+                EXPECT_GT(requests.scene_width, 100);
                 EXPECT_GT(ImGui::GetDrawData()->TotalVtxCount, 2000);
             }
         }
@@ -156,20 +157,20 @@ TEST(PictureComparison, EveryViewFitsAndSaysWhatIsMissing) {
 
 TEST(PictureComparison, TheLineIsDraggedAndNothingElse) {
     UiHarness ui(1280, 720);
-    ui.state.against = {.view = ComparisonView::Swipe};
+    ui.state.comparison = {.view = ComparisonView::Swipe};
     ui.frames(3);
-    ASSERT_TRUE(ui.state.scene_view);
-    const PictureView view = *ui.state.scene_view;
+    ASSERT_TRUE(ui.state.viewport.view);
+    const PictureView view = *ui.state.viewport.view;
     const auto at = [&](double x) {
         return glm::vec2(view.origin.x + x * view.size.x, view.origin.y + 0.75 * view.size.y);
     };
     const Settings before = ui.state.settings;
     ui.drag(at(0.5), at(0.2));
-    EXPECT_NEAR(ui.state.against.at, 0.2, 0.01);
+    EXPECT_NEAR(ui.state.comparison.at, 0.2, 0.01);
     EXPECT_EQ(ui.state.settings, before);
     EXPECT_FALSE(ui.state.probe_pixel);
     ui.drag(at(0.2), glm::vec2(5, 300));
-    EXPECT_GE(ui.state.against.at, 0.f) << "not beyond the picture";
+    EXPECT_GE(ui.state.comparison.at, 0.f) << "not beyond the picture";
     ui.drag(at(0.7), at(0.8));
     EXPECT_NE(ui.state.settings, before) << "elsewhere the camera turns";
 }

@@ -159,19 +159,19 @@ TEST(FilePortal, FilesAreThoseOfThisMachine) {
 TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     UiHarness ui(1280, 720);
     const auto ask = [&] {
-        ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
+        ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
         const EditorRequests first = ui.frame();
         ui.frames(2);
         const bool own = ui.drawn().shows("Save the preset as");
-        ui.state.file_dialog.asked = false;
+        ui.state.files.dialog.asked = false;
         return std::pair(first.ask_desktop, own);
     };
     ui.desktop_dialogs = true;
-    const auto [wish, own] = ask();
-    ASSERT_TRUE(wish);
-    EXPECT_EQ(wish->job, FileDialog::Job::SavePreset);
-    EXPECT_EQ(wish->folder, "/tmp");
-    EXPECT_EQ(wish->name, "mine.json");
+    const auto [request, own] = ask();
+    ASSERT_TRUE(request);
+    EXPECT_EQ(request->job, FileDialog::Job::SavePreset);
+    EXPECT_EQ(request->folder, "/tmp");
+    EXPECT_EQ(request->name, "mine.json");
     EXPECT_FALSE(own);
     EXPECT_FALSE(ui.frame().ask_desktop) << "once";
     ui.state.layout.desktop_dialogs = false;

@@ -113,10 +113,10 @@ TEST(FrameLoader, PicturesAndNumbersAreThoseOfWhoWaits) {
 TEST(FrameLoader, AWishMadeWhileAFrameIsDrawnIsFulfilledAfterIt) {
     const auto editor = hasty_editor();
     choose(*editor, "pcf5");
-    EditorRequests actions = editor->frame();
+    EditorRequests requests = editor->frame();
     ASSERT_TRUE(editor->model().drawing());
-    actions.save_error = "/nowhere/error.json";
-    editor->model().fulfil(actions);
+    requests.save_error = "/nowhere/error.json";
+    editor->model().fulfil(requests);
     editor->settle();
     const auto& lines = editor->model().state.log.lines();
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(),
@@ -137,10 +137,10 @@ TEST(FrameLoader, ASceneThatArrivesMeanwhileIsShownNext) {
 
 TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
     const auto editor = hasty_editor();
-    EditorRequests actions = editor->frame();
+    EditorRequests requests = editor->frame();
     editor->settle();
-    actions.scene_width = 1 << 20;
-    editor->model().fulfil(actions);
+    requests.scene_width = 1 << 20;
+    editor->model().fulfil(requests);
     editor->model().finish_drawing();
     EXPECT_FALSE(std::string(editor->model().facts().problem).empty());
     EXPECT_GT(editor->model().state.log.unseen_errors(), 0);
@@ -148,9 +148,9 @@ TEST(FrameLoader, AFrameThatFailsIsALineInTheLog) {
 
 TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
     const auto editor = hasty_editor();
-    const ShaderWarmup& rehearsals = *editor->model().rehearsals();
-    rehearsals.wait();
-    const std::size_t done = rehearsals.done();
+    const ShaderWarmup& warmup = *editor->model().warmup();
+    warmup.wait();
+    const std::size_t done = warmup.done();
     EXPECT_GT(done, 0u);
     const std::uint64_t drawn = editor->model().facts().result->contents.parts.front().drawn;
     for (int i = 0; i < 5; ++i) editor->frame();
@@ -159,15 +159,15 @@ TEST(FrameLoader, WhenAllIsForeseenTheEditorRests) {
     const EditorModel& model = editor->model();
     EXPECT_FALSE(model.loading_moved() || model.measuring_moved() || model.tracing_moved())
         << "nothing calls for a frame";
-    rehearsals.wait();
-    EXPECT_EQ(rehearsals.done(), done);
+    warmup.wait();
+    EXPECT_EQ(warmup.done(), done);
 }
 
 /// The map fills the window, and there is no picture of the scene.
 TEST(FrameLoader, AMapAloneFollowsItsSettings) {
     const auto editor = hasty_editor();
     EditorState& state = editor->model().state;
-    state.maximised = Panel::Map;
+    state.window.maximised = Panel::Map;
     editor->settle();
     state.settings.map.resolution = 64;
     editor->settle();

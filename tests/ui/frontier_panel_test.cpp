@@ -68,7 +68,7 @@ struct Panel {
     UiHarness ui;
     explicit Panel(int width = 1280, int height = 720, float scale = 1) : ui(width, height, scale) {
         ui.sweep = made_up_sweep();
-        ui.state.open_tab = BottomTab::Frontier;
+        ui.state.window.open_tab = BottomTab::Frontier;
         ui.frames(4);
     }
 };
@@ -200,23 +200,23 @@ TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
     const auto press_sweep = [&] {
         p.ui.frames(2);
         // The button stands below the line with "Vary another".
-        std::optional<SweepRequest> wish;
-        for (float y = 545; y < 640 && !wish; y += 6) {
+        std::optional<SweepRequest> request;
+        for (float y = 545; y < 640 && !request; y += 6) {
             p.ui.move({60, y});
             p.ui.frames(2);
             p.ui.press(true);
             p.ui.frame();
             p.ui.press(false);
-            wish = p.ui.frame().start_sweep;
+            request = p.ui.frame().start_sweep;
         }
-        return wish;
+        return request;
     };
-    const auto wish = press_sweep();
-    ASSERT_TRUE(wish);
-    ASSERT_FALSE(wish->axes.empty());
-    EXPECT_EQ(wish->axes[0], "bias.slope=0:2:0.5");
-    EXPECT_EQ(wish->width, 96);
-    EXPECT_EQ(wish->height, 64);
+    const auto request = press_sweep();
+    ASSERT_TRUE(request);
+    ASSERT_FALSE(request->axes.empty());
+    EXPECT_EQ(request->axes[0], "bias.slope=0:2:0.5");
+    EXPECT_EQ(request->width, 96);
+    EXPECT_EQ(request->height, 64);
     p.ui.state.sweep.axes = {{"bias.slope", "nonsense"}};
     EXPECT_FALSE(press_sweep()) << "values that are none cannot be swept";
 }
@@ -234,9 +234,9 @@ TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
         p.ui.press(true);
         p.ui.frame();
         p.ui.press(false);
-        const EditorRequests actions = p.ui.frame();
-        cancelled = actions.cancel_sweep;
-        EXPECT_FALSE(actions.start_sweep);
+        const EditorRequests requests = p.ui.frame();
+        cancelled = requests.cancel_sweep;
+        EXPECT_FALSE(requests.start_sweep);
     }
     EXPECT_TRUE(cancelled);
 }
@@ -247,7 +247,7 @@ TEST(FrontierPanel, PresentSettingsAreMeasuredOnlyWhileShown) {
     p.ui.state.sweep.follow = false;
     EXPECT_FALSE(p.ui.frame().want_present);
     p.ui.state.sweep.follow = true;
-    p.ui.state.open_tab = BottomTab::Log;
+    p.ui.state.window.open_tab = BottomTab::Log;
     p.ui.frames(3);
     EXPECT_FALSE(p.ui.frame().want_present);
 }

@@ -38,7 +38,7 @@ NumericHealth made_up_health() {
 TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_health);
-    ui.state.open_tab = BottomTab::Numbers;
+    ui.state.window.open_tab = BottomTab::Numbers;
     EXPECT_TRUE(ui.frames(4).want_health);
     EXPECT_NE(letters_of(ui).find("Searching"), std::string::npos);
     NumericHealth sound;
@@ -53,7 +53,7 @@ TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
 TEST(NumbersPanel, TellsWhoHoldsMemory) {
     UiHarness ui(1900, 1000);
     EXPECT_FALSE(ui.frames(3).want_memory);
-    ui.state.open_tab = BottomTab::Numbers;
+    ui.state.window.open_tab = BottomTab::Numbers;
     EXPECT_TRUE(ui.frames(4).want_memory);
     MemoryReport memory;
     memory.process = {.resident = 321u << 20, .peak = 654u << 20, .heap = 100u << 20, .heap_free = 33u << 20};
@@ -75,7 +75,7 @@ TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
     UiHarness ui(1300, 800);
     const NumericHealth health = made_up_health();
     ui.health = &health;
-    ui.state.open_tab = BottomTab::Numbers;
+    ui.state.window.open_tab = BottomTab::Numbers;
     ui.state.settings.view.map_source = MapSource::Camera;
     ui.frames(4);
     const std::string text = letters_of(ui);
@@ -85,9 +85,9 @@ TEST(NumbersPanel, AClickShowsTheTexelInTheMapOrProbesThePixel) {
     ASSERT_TRUE(row);
     ui.click(*row);
     EXPECT_EQ(ui.state.settings.view.map_source, MapSource::Light);
-    ASSERT_TRUE(ui.state.marked_texel);
-    EXPECT_EQ(ui.state.marked_texel->texel, glm::ivec2(100, 20));
-    EXPECT_GT(ui.state.map_window.zoom, 2) << "the texel is too small to see";
+    ASSERT_TRUE(ui.state.map.marked_texel);
+    EXPECT_EQ(ui.state.map.marked_texel->texel, glm::ivec2(100, 20));
+    EXPECT_GT(ui.state.map.window.zoom, 2) << "the texel is too small to see";
     EXPECT_FALSE(ui.state.probe_pixel);
     for (float y = row->y + 10; y < row->y + 40 && !ui.state.probe_pixel; y += 5) ui.click({row->x, y});
     EXPECT_EQ(ui.state.probe_pixel, glm::ivec2(33, 12));

@@ -202,7 +202,7 @@ protected:
     /// The middle of an object in the picture.
     glm::ivec2 object(const std::string& path) {
         const Bounds b = bounds_of(*editor_->model().facts().scene, path);
-        const auto at = twin().scene_view->point(b.centre());
+        const auto at = twin().viewport.view->point(b.centre());
         return at ? glm::ivec2(*at) : glm::ivec2(1);
     }
     int presses_ = 0;

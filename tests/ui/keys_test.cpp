@@ -88,7 +88,7 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     // A click chooses another pixel, of which nothing was wished.
     ui.verdict_follows = true;
     key('C');
-    ui.click(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size);
+    ui.click(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size);
     ui.verdict_follows = false;
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1);
@@ -107,10 +107,10 @@ TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ui.click(*search + glm::vec2(0, 60));  // among the settings
     const ImGuiID focused = ImGui::GetCurrentContext()->NavId;
     io.KeysDown[402] = true;
-    const EditorRequests wish = ui.frame();
+    const EditorRequests request = ui.frame();
     io.KeysDown[402] = false;
     ui.frames(3);
-    EXPECT_TRUE(wish.load_preset);
+    EXPECT_TRUE(request.load_preset);
     EXPECT_EQ(ImGui::GetCurrentContext()->NavId, focused);
     EXPECT_TRUE(ImGui::GetCurrentContext()->NavDisableHighlight);
 }
@@ -133,11 +133,11 @@ TEST_F(Keys, XSaysThatItLooks) {
 TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
-    EXPECT_FALSE(ui.state.against.reference);
+    EXPECT_FALSE(ui.state.comparison.reference);
     key('P');  // off
-    ui.state.against.view = ComparisonView::Swipe, ui.state.against.reference = true;
+    ui.state.comparison.view = ComparisonView::Swipe, ui.state.comparison.reference = true;
     key('P');
-    EXPECT_TRUE(ui.state.against.reference) << "what is compared stays";
+    EXPECT_TRUE(ui.state.comparison.reference) << "what is compared stays";
 }
 
 TEST_F(Keys, UTakesAllBiasAway) {
@@ -200,10 +200,10 @@ TEST_F(Keys, ALetterThatArrivesWithTheClickIntoAFieldIsTypedAndDoesNothingElse) 
     ui.press(false);
     ImGui::GetIO().KeysDown['L'] = false;
     ui.frames(2);
-    EXPECT_EQ(ui.state.search, "l");
+    EXPECT_EQ(ui.state.settings_panel.search, "l");
     EXPECT_EQ(settings(), before) << "the view went through the light";
     // Beside any field the key acts, with a press or without.
-    ui.state.search.clear();
+    ui.state.settings_panel.search.clear();
     ui.click({4, 4});  // which leaves the field
     ui.frames(2);
     ui.press(true);

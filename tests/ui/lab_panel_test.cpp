@@ -21,7 +21,7 @@ protected:
     UiHarness ui{1900, 1000};
 
     void SetUp() override {
-        ui.state.open_tab = BottomTab::Lab;
+        ui.state.window.open_tab = BottomTab::Lab;
         ui.state.layout.bottom_height = 32;
         ui.frames(4);
         ASSERT_EQ(ui.state.tab, BottomTab::Lab);
@@ -74,16 +74,16 @@ TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
-    model.state.open_tab = BottomTab::Lab;
+    model.state.window.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
-    EditorRequests wish;
-    wish.scene_width = model.facts().result->colour.width;
-    wish.scene_height = model.facts().result->colour.height;
-    wish.compare_pipelines = true;
-    wish.measure_shimmer = ShimmerOptions{.steps = 2};
+    EditorRequests request;
+    request.scene_width = model.facts().result->colour.width;
+    request.scene_height = model.facts().result->colour.height;
+    request.compare_pipelines = true;
+    request.measure_shimmer = ShimmerOptions{.steps = 2};
     const Settings settings = model.state.settings;
-    model.fulfil(wish);
+    model.fulfil(request);
     EXPECT_TRUE(model.facts().comparing_pipelines);
     editor.settle();
     EXPECT_EQ(model.state.settings, settings);

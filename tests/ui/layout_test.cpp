@@ -16,7 +16,7 @@ namespace si::test {
 namespace {
 
 double scene_share(const UiHarness& ui) {
-    const PictureView& v = *ui.state.scene_view;
+    const PictureView& v = *ui.state.viewport.view;
     return v.size.x * v.size.y / (double(ui.width()) * ui.height());
 }
 
@@ -48,11 +48,11 @@ TEST(Layout, TheSceneHasHalfOfTheWindowAtFirst) {
 TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
     for (const int width : {640, 900, 1280, 1600}) {
         Shown ui(width, width * 9 / 16);
-        const glm::dvec2 origin = ui.state.scene_view->origin, size = ui.state.scene_view->size;
+        const glm::dvec2 origin = ui.state.viewport.view->origin, size = ui.state.viewport.view->size;
         const auto unmoved = [&](const char* what) {
             ui.frames(3);
-            EXPECT_EQ(ui.state.scene_view->origin, origin) << what << " at " << width;
-            EXPECT_EQ(ui.state.scene_view->size, size) << what << " at " << width;
+            EXPECT_EQ(ui.state.viewport.view->origin, origin) << what << " at " << width;
+            EXPECT_EQ(ui.state.viewport.view->size, size) << what << " at " << width;
         };
         ui.state.settings.view.overlay = 5;
         unmoved("an overlay");
@@ -60,9 +60,9 @@ TEST(Layout, ThePictureStaysWhereItIsWhateverIsChosen) {
         unmoved("its scale");
         ui.state.settings.light_count = 3;
         unmoved("three lights");
-        ui.state.against.view = ComparisonView::Swipe;
+        ui.state.comparison.view = ComparisonView::Swipe;
         unmoved("a comparison");
-        ui.state.against.view = ComparisonView::Off;
+        ui.state.comparison.view = ComparisonView::Off;
         set_setting(ui.state.settings, "filter.kernel", "evsm4");
         unmoved("moments in the map");
         ui.state.log.add(LogKind::Error, "Something long that has happened to be said, " + std::string(300, 'x'));
@@ -74,20 +74,20 @@ TEST(Layout, WhatIsNotDrawnKeepsNothingAwake) {
     // A tab that is to be opened waits until there are tabs again.
     Shown ui(1280, 720);
     ui.state.tab = BottomTab::Effects;
-    ui.state.maximised = si::Panel::Scene;
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.maximised = si::Panel::Scene;
+    ui.state.window.open_tab = BottomTab::Error;
     ui.frames(3);
     const EditorRequests alone = ui.frame();
     EXPECT_FALSE(alone.redraw);
     EXPECT_TRUE(alone.at_rest);
     EXPECT_FALSE(alone.want_timing) << "of the tab below";
-    ui.state.maximised.reset();
+    ui.state.window.maximised.reset();
     ui.frames(3);
     EXPECT_EQ(ui.state.tab, BottomTab::Error);
     EXPECT_TRUE(ui.frame().want_error);
     EXPECT_FALSE(ui.frame().redraw);
-    EXPECT_FALSE(ui.state.open_tab);
-    ui.state.maximised = si::Panel::Map;
+    EXPECT_FALSE(ui.state.window.open_tab);
+    ui.state.window.maximised = si::Panel::Map;
     EXPECT_FALSE(ui.frame().want_error);
 }
 
@@ -96,22 +96,22 @@ TEST(Layout, APanelFillsTheWindowByAKeyAndGivesItBack) {
     ui.move({300, 300});
     ui.frames(2);
     ui.key(300);
-    EXPECT_EQ(ui.state.maximised, si::Panel::Scene);
+    EXPECT_EQ(ui.state.window.maximised, si::Panel::Scene);
     EXPECT_GE(scene_share(ui), 0.88);
     EXPECT_FALSE(ui.frame().want_map) << "what is hidden costs nothing";
     EXPECT_FALSE(ui.part("settings"));
     ui.key(ImGui::GetKeyIndex(ImGuiKey_Escape));
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
     ASSERT_TRUE(ui.part("settings"));
     const ImGuiWindow* map = ui.part("map");
     ASSERT_TRUE(map);
     ui.move({map->Pos.x + 100, map->Pos.y + 100});
     ui.frames(2);
     ui.key(300);
-    EXPECT_EQ(ui.state.maximised, si::Panel::Map);
+    EXPECT_EQ(ui.state.window.maximised, si::Panel::Map);
     EXPECT_TRUE(ui.frame().want_map);
     ui.key(300);
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
 }
 
 TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
@@ -128,9 +128,9 @@ TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
         return glm::vec2(map->Pos.x + gap.x + 8, map->Pos.y + gap.y + 11);
     };
     double_click(title());
-    EXPECT_EQ(ui.state.maximised, si::Panel::Map);
+    EXPECT_EQ(ui.state.window.maximised, si::Panel::Map);
     double_click(title());
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
 
     const auto bar = [&]() -> const ImGuiTabBar& {
         ImGuiContext& g = *ImGui::GetCurrentContext();
@@ -142,21 +142,21 @@ TEST(Layout, ADoubleClickOnATitleFillsTheWindowAndGivesItBack) {
     };
     const auto beside = [&] { return glm::vec2(bar().BarRect.Max.x - 5, bar().BarRect.GetCenter().y); };
     double_click(tab(3));
-    EXPECT_EQ(ui.state.maximised, si::Panel::Tabs);
+    EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
     double_click(beside());
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
     double_click(beside());
-    EXPECT_EQ(ui.state.maximised, si::Panel::Tabs);
+    EXPECT_EQ(ui.state.window.maximised, si::Panel::Tabs);
     EXPECT_EQ(ui.state.tab, BottomTab::Objects);
     double_click(tab(3));
-    EXPECT_FALSE(ui.state.maximised);
+    EXPECT_FALSE(ui.state.window.maximised);
     double_click(tab(3) + glm::vec2(0, 60));
-    EXPECT_FALSE(ui.state.maximised) << "below the tabs";
+    EXPECT_FALSE(ui.state.window.maximised) << "below the tabs";
     ui.frames(30);
     ui.click(tab(1));
     ui.click(tab(2));
-    EXPECT_FALSE(ui.state.maximised) << "two tabs, a click each";
+    EXPECT_FALSE(ui.state.window.maximised) << "two tabs, a click each";
 }
 
 TEST(Layout, TheSettingsOfANarrowWindowHaveAThirdOfIt) {
@@ -187,7 +187,7 @@ TEST(Layout, TheMapStandsWhereItIsPut) {
     EXPECT_EQ(scene_share(ui), above);
     const ImGuiWindow* map = ui.part("map");
     ASSERT_TRUE(map);
-    const PictureView& scene = *ui.state.scene_view;
+    const PictureView& scene = *ui.state.viewport.view;
     EXPECT_GE(map->Pos.x, scene.origin.x);
     EXPECT_LE(map->Pos.y + map->Size.y, scene.origin.y + scene.size.y);
     ui.state.layout.map_place = MapSpot::Hidden;
@@ -239,7 +239,7 @@ TEST(Layout, NothingMovesInTheSceneToolsWhateverIsChosen) {
     ui.state.settings.view.panes = Panes::Four;
     ui.frames(3);
     EXPECT_EQ(places(), before) << "several panes";
-    ui.state.against.view = ComparisonView::Swipe;
+    ui.state.comparison.view = ComparisonView::Swipe;
     ui.frames(3);
     EXPECT_EQ(places(), before) << "a comparison";
 }
@@ -252,8 +252,8 @@ TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
     const auto defaults = ui.find("##Combo", "", "the program's defaults");
     ASSERT_TRUE(defaults);
     ui.click(*defaults);
-    EXPECT_EQ(ui.state.against.view, ComparisonView::Swipe);
-    EXPECT_FALSE(ui.state.against.reference);
+    EXPECT_EQ(ui.state.comparison.view, ComparisonView::Swipe);
+    EXPECT_FALSE(ui.state.comparison.reference);
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
 }
 
@@ -304,13 +304,13 @@ TEST(Layout, ADigitChoosesTheOverlayOfThePaneUnderTheMouse) {
     Shown ui(1600, 900);
     ui.state.settings.view.panes = Panes::Four;
     ui.frames(3);
-    const glm::dvec2 origin = ui.state.scene_view->origin, size = ui.state.scene_view->size;
+    const glm::dvec2 origin = ui.state.viewport.view->origin, size = ui.state.viewport.view->size;
     ui.move(glm::vec2(origin + 1.5 * size));
     ui.frames(2);
     ui.key('2');
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_EQ(ui.state.settings.view.overlay_4, 2);
-    ui.state.against.view = ComparisonView::Swipe;
+    ui.state.comparison.view = ComparisonView::Swipe;
     ui.frames(2);
     ui.key('3');
     EXPECT_EQ(ui.state.settings.view.overlay, 3) << "compared, the picture is one pane";
@@ -336,7 +336,7 @@ TEST(Layout, TheTabsAreAsHighAsTheOneChosenByHandNeeds) {
     Shown ui(1600, 900);
     const auto height = [&] { return ui.part("bottom")->Size.y; };
     const float at_first = height();
-    ui.click(glm::vec2(ui.state.scene_view->origin + 0.5 * ui.state.scene_view->size));
+    ui.click(glm::vec2(ui.state.viewport.view->origin + 0.5 * ui.state.viewport.view->size));
     ui.frames(3);
     ASSERT_EQ(ui.state.tab, BottomTab::Probe);
     EXPECT_EQ(height(), at_first) << "what opens a tab besides moves nothing";
@@ -436,7 +436,7 @@ TEST(Layout, WhatTheMapsSquareDoesNotFillIsTheSettings) {
         ui.state.layout.map_plots = plots;
         ui.state.layout.map_place = MapSpot::AboveSettings;
         ui.frames(3);
-        const ScreenRect map = ui.state.map_rect;
+        const ScreenRect map = ui.state.shots.map_rect;
         EXPECT_GT(map.size.y, 0.95f * map.size.x) << plots;
         EXPECT_LT(map.size.y, 1.1f * map.size.x) << plots;
     }
@@ -465,11 +465,11 @@ TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     ui.state.settings.bias.raster_slope = 2;
     EXPECT_TRUE(shows("Polygon offset factor")) << "what is changed is never hidden";
     EXPECT_FALSE(shows("Polygon offset units"));
-    ui.state.search = "addressing";
+    ui.state.settings_panel.search = "addressing";
     EXPECT_TRUE(shows("Addressing"));
-    ui.state.search.clear();
+    ui.state.settings_panel.search.clear();
     ui.state.settings.bias.raster_slope = 0;
-    ui.state.only_changed = true;
+    ui.state.settings_panel.only_changed = true;
     ui.state.settings.map.wrap = MapWrap::Clamp;
     EXPECT_TRUE(shows("Addressing"));
 }
@@ -478,7 +478,7 @@ TEST(Layout, HelpIsReadAtAGlance) {
     for (const auto& [w, h, scale] :
          {std::tuple{1280, 720, 1.0f}, {1600, 900, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}}) {
         Shown ui(w, h, scale);
-        ui.state.show_shortcuts = true;
+        ui.state.window.show_shortcuts = true;
         ui.frames(4);
         const ImGuiWindow* help = ImGui::FindWindowByName("Mouse and keyboard");
         ASSERT_TRUE(help && help->WasActive);
@@ -488,8 +488,8 @@ TEST(Layout, HelpIsReadAtAGlance) {
         EXPECT_GE(help->Pos.y, 0);
         EXPECT_LE(help->Pos.x + help->Size.x, float(w));
         EXPECT_LE(help->Pos.y + help->Size.y, float(h));
-        for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways",
-                                 "screenshot of scene, map, window", "Double-click a splitter", "as wide as at first"})
+        for (const char* text : {"Middle drag, Shift+drag", "move the camera sideways", "screenshot of the scene",
+                                 "Double-click a splitter", "as wide as at first"})
             EXPECT_TRUE(ui.drawn().shows(text)) << text << " at " << w;
     }
 }
@@ -497,7 +497,7 @@ TEST(Layout, HelpIsReadAtAGlance) {
 /// Where two columns have no room there is one, which scrolls.
 TEST(Layout, HelpIsWithinASmallWindow) {
     Shown ui(640, 400);
-    ui.state.show_shortcuts = true;
+    ui.state.window.show_shortcuts = true;
     ui.frames(4);
     const ImGuiWindow* help = ImGui::FindWindowByName("Mouse and keyboard");
     ASSERT_TRUE(help && help->WasActive);

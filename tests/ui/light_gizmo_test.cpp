@@ -27,7 +27,7 @@ struct Gizmo {
         ui.frames(3);
         ui.state.history.reset(settings);
     }
-    const PictureView& view() const { return *ui.state.scene_view; }
+    const PictureView& view() const { return *ui.state.viewport.view; }
     LightPose pose(int i = 0) const {
         return light_pose(settings.lights[std::size_t(i)], fit_lights(ui.scene, settings)[std::size_t(i)], 0);
     }
@@ -99,16 +99,16 @@ TEST(LightGizmo, WithinNinePixelsAHandleIsHit) {
     for (const glm::vec2 off : {glm::vec2(9, 0), glm::vec2(0, -9), glm::vec2(-6, 6)}) {
         g.ui.move(at + off);
         g.ui.frames(2);
-        ASSERT_TRUE(g.ui.state.hovered_light);
-        EXPECT_EQ(g.ui.state.hovered_light->handle, LightHandle::Far);
+        ASSERT_TRUE(g.ui.state.viewport.hovered_light);
+        EXPECT_EQ(g.ui.state.viewport.hovered_light->handle, LightHandle::Far);
     }
     g.ui.move(at + glm::vec2(14, 0));
     g.ui.frames(2);
-    EXPECT_FALSE(g.ui.state.hovered_light);
+    EXPECT_FALSE(g.ui.state.viewport.hovered_light);
     g.ui.click(at);
     g.ui.move(at + glm::vec2(3, 0));
     g.ui.frames(2);
-    EXPECT_TRUE(g.ui.state.hovered_light) << "and again after a click";
+    EXPECT_TRUE(g.ui.state.viewport.hovered_light) << "and again after a click";
 }
 
 TEST(LightGizmo, AHandleTakenBesideItsMiddleDoesNotJump) {
@@ -146,17 +146,17 @@ TEST(LightGizmo, OnlyLightsThatSettingsAndFrameKnowAreThere) {
     g.ui.frames(2);
     g.ui.move(*g.view().point(g.pose(1).position));
     g.ui.frames(2);
-    ASSERT_TRUE(g.ui.state.hovered_light);
-    EXPECT_EQ(g.ui.state.hovered_light->light, 1);
+    ASSERT_TRUE(g.ui.state.viewport.hovered_light);
+    EXPECT_EQ(g.ui.state.viewport.hovered_light->light, 1);
     g.ui.frame_settings = g.settings;  // the frame of a moment ago
     g.settings.light_count = 1;
     g.ui.frames(2);
-    EXPECT_FALSE(g.ui.state.hovered_light) << "of a light that is gone";
+    EXPECT_FALSE(g.ui.state.viewport.hovered_light) << "of a light that is gone";
     g.ui.frame_settings->light_count = 1;
     g.settings.light_count = 2;
     g.settings.view.light = 1;
     g.ui.frames(2);
-    EXPECT_FALSE(g.ui.state.hovered_light) << "of a light that was not drawn yet";
+    EXPECT_FALSE(g.ui.state.viewport.hovered_light) << "of a light that was not drawn yet";
 }
 
 TEST(LightGizmo, ControlGoesInSteps) {
@@ -214,7 +214,7 @@ TEST(LightGizmo, SeenThroughItselfALightHasNoHandles) {
         for (double y = 5; y < v.size.y; y += 25) {
             g.ui.move(v.origin + glm::dvec2(x, y));
             g.ui.frame();
-            EXPECT_FALSE(g.ui.state.hovered_light) << x << ", " << y;
+            EXPECT_FALSE(g.ui.state.viewport.hovered_light) << x << ", " << y;
         }
     EXPECT_EQ(g.settings, before);
 }
@@ -231,7 +231,7 @@ TEST(LightGizmo, ALightMayDisappearUnderAHandle) {
     g.ui.frames(2);
     g.ui.press(false);
     g.ui.frames(2);
-    EXPECT_FALSE(g.ui.state.handle_drag);
+    EXPECT_FALSE(g.ui.state.viewport.handle_drag);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ class LightTable : public testing::Test {
 protected:
     LightTable() {
         ui.state.settings.light_count = 3;
-        ui.state.search = "intensity";  // the group alone
+        ui.state.settings_panel.search = "intensity";  // the group alone
         ui.frames(2);
     }
     void click(const std::function<unsigned(unsigned)>& id) {
@@ -171,7 +171,7 @@ TEST_F(LightTable, F2NamesTheShownLight) {
     ui.type("fill");
     key(ImGui::GetKeyIndex(ImGuiKey_Escape));
     EXPECT_EQ(light(1).name, "key");
-    EXPECT_FALSE(ui.state.light_rename);
+    EXPECT_FALSE(ui.state.lights.rename);
     key(kF2);
     ui.type(std::string(61, 'n'));
     key(ImGui::GetKeyIndex(ImGuiKey_Enter));
@@ -184,12 +184,12 @@ TEST_F(LightTable, ADoubleClickNamesALightAndAClickElsewhereTakesIt) {
     ASSERT_TRUE(at);
     ui.click(*at);
     ui.click(*at);
-    ASSERT_TRUE(ui.state.light_rename);
+    ASSERT_TRUE(ui.state.lights.rename);
     ui.frames(2);
     ui.type("rim");
     click(in_line(0, "##on"));
     EXPECT_EQ(light(2).name, "rim");
-    EXPECT_FALSE(ui.state.light_rename);
+    EXPECT_FALSE(ui.state.lights.rename);
 }
 
 TEST_F(LightTable, ASwatchOpensAColourToChoose) {
@@ -238,7 +238,7 @@ TEST(LightList, ComparisonsNameALight) {
     ComparisonFacts other{.with = ui.state.compare, .settings = ui.state.settings};
     other.settings.lights[1].azimuth += 10;
     ui.comparison = other;
-    ui.state.open_tab = BottomTab::Compare;
+    ui.state.window.open_tab = BottomTab::Compare;
     ui.frames(4);
     EXPECT_TRUE(ui.drawn().shows("Light 1 (key)"));
 }

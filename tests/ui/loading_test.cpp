@@ -106,9 +106,9 @@ struct Loading {
 
     explicit Loading(const std::string& name = "city.gltf") {
         editor.settle();
-        EditorRequests actions = editor.frame();
-        actions.load_scene = name;
-        editor.model().fulfil(actions);
+        EditorRequests requests = editor.frame();
+        requests.load_scene = name;
+        editor.model().fulfil(requests);
     }
     std::optional<LoadingFacts> facts() { return editor.model().facts().loading; }
     const std::string& shown() { return editor.model().state.scene_name; }
@@ -154,9 +154,9 @@ TEST(Loading, CancelKeepsTheSceneThatIsShown) {
     Loading l;
     l.puppet.advance(0.5);
     const Settings before = l.editor.model().state.settings;
-    EditorRequests actions = l.editor.frame();
-    actions.cancel_load = true;
-    l.editor.model().fulfil(actions);
+    EditorRequests requests = l.editor.frame();
+    requests.cancel_load = true;
+    l.editor.model().fulfil(requests);
     EXPECT_FALSE(l.facts()) << "at once, not when the reader notices";
     EXPECT_EQ(last_line(l.editor), "Cancelled: city.gltf was not loaded");
     l.editor.model().finish_loading();
@@ -228,10 +228,10 @@ TEST(Loading, APresetWaitsForItsSceneAndGoesWithItsCancel) {
     const double bias = l.editor.model().state.settings.bias.constant;
     l.editor.model().open(file);
     EXPECT_EQ(l.facts()->name, "town.gltf");
-    EditorRequests actions = l.editor.frame();
+    EditorRequests requests = l.editor.frame();
     EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
-    actions.cancel_load = true;
-    l.editor.model().fulfil(actions);
+    requests.cancel_load = true;
+    l.editor.model().fulfil(requests);
     l.editor.model().finish_loading();
     EXPECT_EQ(l.editor.model().state.settings.bias.constant, bias);
     l.editor.model().open(file);
@@ -291,9 +291,9 @@ TEST(Loading, AFirstSceneThatFailsLeavesAnEditorThatOpensAnother) {
     EXPECT_FALSE(model.facts().result);
     EXPECT_THROW(model.require_scene(), Error);
     // Keys and buttons that need a scene do no harm.
-    EditorRequests actions = editor.frame();
-    actions.copy_command_line = true;
-    model.fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.copy_command_line = true;
+    model.fulfil(requests);
     editor.mouse.at = glm::vec2(270, 330);
     editor.mouse.left = true;
     editor.frame();
@@ -311,9 +311,9 @@ TEST(Loading, ACancelledFirstSceneLeavesAnEditorThatSaysSo) {
     Puppet puppet;
     HeadlessEditor editor(first("city.gltf"), puppet.reader());
     puppet.advance(0.3);
-    EditorRequests actions = editor.frame();
-    actions.cancel_load = true;
-    editor.model().fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.cancel_load = true;
+    editor.model().fulfil(requests);
     editor.settle();
     EXPECT_EQ(editor.model().facts().problem, "Cancelled: city.gltf was not loaded");
     EXPECT_EQ(editor.model().state.log.unseen_errors(), 0);

@@ -54,11 +54,11 @@ TEST(MapViewer, AHoveredPixelsFootprintHoldsTheProbesTexel) {
     EditorState& state = editor.model().state;
     const auto at = hover(editor, {120, 250}, {500, 380}, [&] {
         const EditorFrame f = editor.model().facts();
-        return state.hovered_pixel && f.map_coordinates &&
-               f.map_coordinates->at(state.hovered_pixel->x, state.hovered_pixel->y, 3) > 0;
+        return state.viewport.hovered_pixel && f.map_coordinates &&
+               f.map_coordinates->at(state.viewport.hovered_pixel->x, state.viewport.hovered_pixel->y, 3) > 0;
     });
     ASSERT_TRUE(at) << "no pixel reads the map";
-    const glm::ivec2 pixel = *state.hovered_pixel;
+    const glm::ivec2 pixel = *state.viewport.hovered_pixel;
     state.probe_pixel = pixel;
     for (int i = 0; i < 3; ++i) editor.frame();
     const EditorFrame f = editor.model().facts();
@@ -79,10 +79,10 @@ TEST(MapViewer, AHoveredTexelShowsThePixelsThatReadIt) {
     EditorState& state = editor.model().state;
     const auto at = hover(editor, {560, 120}, {860, 400}, [&] {
         const EditorFrame f = editor.model().facts();
-        return state.hovered_texel && f.texel_usage && f.texel_usage->pixels(*state.hovered_texel) > 200;
+        return state.map.hovered_texel && f.texel_usage && f.texel_usage->pixels(*state.map.hovered_texel) > 200;
     });
     ASSERT_TRUE(at) << "no texel is read";
-    const std::size_t readers = editor.model().facts().texel_usage->pixels(*state.hovered_texel);
+    const std::size_t readers = editor.model().facts().texel_usage->pixels(*state.map.hovered_texel);
     EXPECT_GE(differing_pixels(before, editor.picture(), 480), readers / 2) << "the scene picture shows no readers";
 }
 
@@ -106,7 +106,7 @@ TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
         EXPECT_FALSE(editor.model().facts().exact_utilisation) << "nobody asked";
         EXPECT_EQ(editor.model().facts().result->texels_read.texture, 0u);
         const ByteImage before = editor.picture();
-        editor.model().state.exact_texels ^= true;
+        editor.model().state.map.exact_texels ^= true;
         editor.model().state.layout = test::kBeside;
         editor.settle();
         const EditorFrame exact = editor.model().facts();
@@ -116,7 +116,7 @@ TEST(MapViewer, TheTexelsThatAreReadAreMarkedExactlyWhenAskedFor) {
         write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / picture, editor.picture());
         EXPECT_TRUE(hover(editor, {560, 120}, {860, 400}, [&] { return editor.model().facts().texel_usage; }));
         const double squares = editor.model().facts().texel_usage->utilisation();
-        editor.model().state.exact_texels ^= true;
+        editor.model().state.map.exact_texels ^= true;
         editor.model().state.layout = test::kBeside;
         editor.settle();
         EXPECT_FALSE(editor.model().facts().exact_utilisation);
@@ -167,9 +167,9 @@ TEST(MapViewer, SavesTheStoredDepth) {
     HeadlessEditor editor(options());
     editor.model().state.layout = test::kBeside;
     editor.settle();
-    EditorRequests actions = editor.frame();
-    actions.save_map = file.string();
-    editor.model().fulfil(actions);
+    EditorRequests requests = editor.frame();
+    requests.save_map = file.string();
+    editor.model().fulfil(requests);
     std::ifstream in(file, std::ios::binary);
     std::string magic;
     int width = 0, height = 0;
@@ -180,11 +180,11 @@ TEST(MapViewer, SavesTheStoredDepth) {
     editor.settle();  // saving drew other passes: the editor's picture is whole again
     EXPECT_NE(editor.model().facts().result->colour.texture, 0u);
 
-    actions.save_map = "/no/such/folder/map.pfm";
-    editor.model().fulfil(actions);
+    requests.save_map = "/no/such/folder/map.pfm";
+    editor.model().fulfil(requests);
     EXPECT_EQ(editor.model().state.log.lines().back().kind, LogKind::Error);
-    actions.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
-    editor.model().fulfil(actions);
+    requests.save_map = (std::filesystem::path(SI_TEST_OUTPUT_DIR) / "map.txt").string();
+    editor.model().fulfil(requests);
     EXPECT_NE(editor.model().state.log.lines().back().text.find(".png"), std::string::npos);
 }
 
@@ -208,7 +208,7 @@ TEST(MapViewer, LostCastersAreFacts) {
     editor.model().state.layout = test::kBeside;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().lost_casters.empty()) << "sought for a panel that is hidden";
-    editor.model().state.open_tab = BottomTab::Objects;
+    editor.model().state.window.open_tab = BottomTab::Objects;
     editor.model().state.layout = test::kBeside;
     editor.settle();
     ASSERT_FALSE(editor.model().facts().lost_casters.empty()) << "the floor has no back";

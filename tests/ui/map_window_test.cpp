@@ -11,7 +11,7 @@ namespace {
 
 struct MapViewer {
     UiHarness ui;
-    MapWindow& window = ui.state.map_window;
+    MapWindow& window = ui.state.map.window;
     glm::vec2 middle{0};
 
     explicit MapViewer(int width = 1280) : ui(width, 720) {
@@ -25,8 +25,8 @@ struct MapViewer {
     glm::ivec2 texel_at(glm::vec2 at) {
         ui.move(at);
         ui.frames(2);
-        EXPECT_TRUE(ui.state.hovered_texel) << at.x << ", " << at.y;
-        return ui.state.hovered_texel.value_or(glm::ivec2(-1));
+        EXPECT_TRUE(ui.state.map.hovered_texel) << at.x << ", " << at.y;
+        return ui.state.map.hovered_texel.value_or(glm::ivec2(-1));
     }
     void wheel(float steps) {
         ImGui::GetIO().MouseWheel = steps;
@@ -103,7 +103,7 @@ TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);
     m.ui.click(*box);
-    EXPECT_TRUE(m.ui.state.exact_texels);
+    EXPECT_TRUE(m.ui.state.map.exact_texels);
     EXPECT_TRUE(m.ui.frames(2).want_exact_texels);
     m.ui.move({100, 300});
     m.ui.press(true);
@@ -115,7 +115,7 @@ TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     m.ui.state.frozen = FrozenCamera{};
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels) << "they are those of the camera that draws";
     m.ui.click(*box);
-    EXPECT_TRUE(m.ui.state.exact_texels) << "it waits meanwhile";
+    EXPECT_TRUE(m.ui.state.map.exact_texels) << "it waits meanwhile";
     m.ui.state.frozen.reset();
     m.ui.state.settings.view.map_source = MapSource::Camera;
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);

@@ -18,7 +18,7 @@ namespace {
 class ObjectsPanel : public testing::Test {
 protected:
     explicit ObjectsPanel(int width = 1280) : ui(width, 900) {
-        ui.state.open_tab = BottomTab::Objects;
+        ui.state.window.open_tab = BottomTab::Objects;
         ui.state.layout.bottom_height = 34;
         ui.frames(4);
     }
@@ -125,7 +125,7 @@ TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
     ASSERT_TRUE(at);
     ui.click(*at);
     EXPECT_FALSE(row(below));
-    ui.state.object_search = below;
+    ui.state.objects.search = below;
     EXPECT_TRUE(row(below));
 }
 
@@ -143,7 +143,7 @@ TEST_F(ObjectsPanel, TheSearchPromisesNoOtherNames) {
 
 TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
     ui.state.layout.bottom_height = 12;
-    ui.state.closed_nodes = {"Stage/Fence"};
+    ui.state.objects.closed_nodes = {"Stage/Fence"};
     ui.frames(4);
     const auto below_fence = [&](const Object& o) {
         return ui.scene.nodes[std::size_t(o.node)].path.starts_with("Stage/Fence/");
@@ -155,25 +155,25 @@ TEST_F(ObjectsPanel, WhatIsChosenInTheSceneComesIntoView) {
         ui.frames(4);
         EXPECT_TRUE(row(path)) << path;
     }
-    EXPECT_TRUE(ui.state.closed_nodes.empty());
+    EXPECT_TRUE(ui.state.objects.closed_nodes.empty());
     // What the list itself chooses moves nothing.
     ui.state.layout.bottom_height = 34;
     select_objects(ui.state, std::vector<std::string>{"Stage/Ground"});
     ui.frames(4);
-    ui.state.closed_nodes = {"Stage/Fence"};
+    ui.state.objects.closed_nodes = {"Stage/Fence"};
     click("Stage/Fence");
     ui.frames(4);
     EXPECT_GT(chosen().size(), 3u);
-    EXPECT_EQ(ui.state.closed_nodes.size(), 1u);
+    EXPECT_EQ(ui.state.objects.closed_nodes.size(), 1u);
 }
 
 TEST_F(ObjectsPanel, TheRowUnderTheMouseIsMarkedInTheScene) {
     const auto at = row("Stage/Plinth");
     ASSERT_TRUE(at);
-    EXPECT_EQ(ui.state.hovered_object, "Stage/Plinth");
+    EXPECT_EQ(ui.state.objects.hovered, "Stage/Plinth");
     ui.move({20, 200});
     ui.frames(2);
-    EXPECT_EQ(ui.state.hovered_object, "");
+    EXPECT_EQ(ui.state.objects.hovered, "");
 }
 
 TEST_F(ObjectsPanel, AChangeOfOneChosenObjectIsAChangeOfAll) {
@@ -202,7 +202,7 @@ TEST_F(ObjectsPanel, TheHeadersSort) {
     };
     EXPECT_TRUE(above("Stage/Ground", "Stage/Wall")) << "as the file has it";
     for (const Node& node : ui.scene.nodes)
-        if (node.path != "Stage") ui.state.closed_nodes.insert(node.path);
+        if (node.path != "Stage") ui.state.objects.closed_nodes.insert(node.path);
     ui.click(header(1));
     ASSERT_EQ(table()->SortSpecsCount, 1);
     ASSERT_EQ(table()->Columns[1].SortDirection, int(ImGuiSortDirection_Descending));
@@ -248,7 +248,7 @@ protected:
         ui.state.settings.view.frustum = false;
         ui.frames(3);
         ui.state.history.reset(ui.state.settings);
-        EXPECT_TRUE(ui.state.scene_view);
+        EXPECT_TRUE(ui.state.viewport.view);
     }
     bool open() const { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); }
     void click(const char* item) {
@@ -265,9 +265,9 @@ TEST_F(SceneMenu, ARightClickOpensItAndADragFlies) {
     ui.click(at, 1);
     EXPECT_TRUE(open());
     EXPECT_EQ(ui.state.settings, before) << "nothing moved";
-    const PictureView& view = *ui.state.scene_view;
-    EXPECT_EQ(ui.state.selected_object, object_at(ui.scene, view.ray({at.x, at.y})));
-    ASSERT_FALSE(ui.state.selected_object.empty());
+    const PictureView& view = *ui.state.viewport.view;
+    EXPECT_EQ(ui.state.selection.first, object_at(ui.scene, view.ray({at.x, at.y})));
+    ASSERT_FALSE(ui.state.selection.first.empty());
     ui.click({5, 400});
     ASSERT_FALSE(open());
     ui.drag(at, at + glm::vec2(40, 10), 1);
@@ -277,7 +277,7 @@ TEST_F(SceneMenu, ARightClickOpensItAndADragFlies) {
 
 TEST_F(SceneMenu, ItsItemsChangeAllThatIsChosen) {
     ui.click(at, 1);
-    const std::string first = ui.state.selected_object;
+    const std::string first = ui.state.selection.first;
     click("Casts");
     EXPECT_FALSE(ui.state.settings.objects[first].cast);
     EXPECT_EQ(ui.state.settings.objects.size(), 1u);
@@ -306,7 +306,7 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
         return paths;
     };
     ui.click(at, 1);
-    const std::string first = ui.state.selected_object;
+    const std::string first = ui.state.selection.first;
     click("Hide");
     EXPECT_EQ(hidden(), std::set<std::string>{first});
     ui.click(at, 1);
@@ -350,7 +350,7 @@ TEST_F(ObjectsPanel, WhatIsHiddenStaysInTheListAndComesBackByAButton) {
 
 TEST_F(SceneMenu, FramesTheObject) {
     ui.click(at, 1);
-    const Bounds b = bounds_of(ui.scene, ui.state.selected_object);
+    const Bounds b = bounds_of(ui.scene, ui.state.selection.first);
     click("Frame");
     EXPECT_NEAR(ui.state.settings.camera.target_x, b.centre().x, 1e-9);
 }

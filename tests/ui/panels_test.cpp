@@ -120,7 +120,7 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
             sanitise(ui.state.settings);
             for (const BottomTab tab : {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects,
                                         BottomTab::Compare, BottomTab::Frontier, BottomTab::Advice, BottomTab::Log}) {
-                ui.state.open_tab = tab;
+                ui.state.window.open_tab = tab;
                 ui.state.probe_pixel = glm::ivec2(3, 4);
                 ui.frames(2);
                 ASSERT_EQ(ui.state.tab, tab);
@@ -135,9 +135,9 @@ TEST(Panels, DrawForEveryChoiceOfEveryRow) {
 TEST(Panels, DrawWithoutAFrameAndWithoutLights) {
     UiHarness ui(kWidth, kHeight);
     ui.with_facts = false;
-    const EditorRequests actions = ui.frames(3);
-    EXPECT_GT(actions.scene_width, 300);
-    EXPECT_GT(actions.scene_height, 200);
+    const EditorRequests requests = ui.frames(3);
+    EXPECT_GT(requests.scene_width, 300);
+    EXPECT_GT(requests.scene_height, 200);
     ui.with_facts = true;
     ui.state.settings.light_count = 0;
     ui.frames(3);
@@ -147,11 +147,11 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
     for (const auto& [w, h, scale] :
          {std::tuple{1280, 720, 1.0f}, {1920, 1080, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
-        const EditorRequests actions = ui.frames(4);
-        EXPECT_GT(actions.scene_width, w / 6) << w;
-        EXPECT_LT(actions.scene_width, w) << w;
-        EXPECT_GT(actions.scene_height, h / 4) << w;
-        EXPECT_LT(actions.scene_height, h) << w;
+        const EditorRequests requests = ui.frames(4);
+        EXPECT_GT(requests.scene_width, w / 6) << w;
+        EXPECT_LT(requests.scene_width, w) << w;
+        EXPECT_GT(requests.scene_height, h / 4) << w;
+        EXPECT_LT(requests.scene_height, h) << w;
     }
 }
 
@@ -160,7 +160,7 @@ TEST(Panels, NothingIsCutOffAtAnySize) {
 TEST(Panels, NoIdIsUsedTwiceInTheSettings) {
     UiHarness ui(kWidth, 6000);  // tall enough to hold all rows
     ui.state.settings.light_count = 3;
-    ui.state.search.assign(1, '.');  // a dot matches every key: all groups open
+    ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open
     ui.frames(3);
     std::set<unsigned> closed;
     unsigned last = 0;
@@ -227,7 +227,7 @@ TEST(Panels, WhatTheDriverLacksHasNoEffect) {
 
 TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
     UiHarness ui(1280, 900);
-    ui.state.search = "light.size";
+    ui.state.settings_panel.search = "light.size";
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().find(U"0.27°"));
     ui.state.settings.lights[0].type = LightType::Point;
@@ -237,7 +237,7 @@ TEST(Panels, ALightsSizeHasTheUnitOfItsKind) {
 
 TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
     UiHarness ui(1280, 900);
-    ui.state.search = "light.near";
+    ui.state.settings_panel.search = "light.near";
     ui.frames(3);
     EXPECT_TRUE(ui.drawn().find(U"auto"));
     const std::u32string shown = ui.printed();
@@ -251,7 +251,7 @@ TEST(Panels, AutomaticValuesSayWhatTheyCameTo) {
 
 TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "bias.constant";
+    ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     const auto at = [&](float share) {
         const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
@@ -280,7 +280,7 @@ TEST(Panels, TheStatusBarSaysWhatMapsTakeAndHowOftenTheyAreRead) {
 
 TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "bias.constant";
+    ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     ui.move(kFirstLabel);
     ui.frames(5);
@@ -298,7 +298,7 @@ TEST(Panels, ATooltipHidesNoSettingBesideItsOwn) {
 TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
     UiHarness ui(kWidth, kHeight);
     ui.state.settings.bias.unit = BiasUnit::Depth;
-    ui.state.search = "bias.constant";
+    ui.state.settings_panel.search = "bias.constant";
     const auto shows = [&](double value, const char32_t* text) {
         ui.state.settings.bias.constant = value;
         ui.frames(3);
@@ -318,6 +318,36 @@ TEST(Panels, ABiasOfDepthHasNoZerosThatSayNothing) {
     EXPECT_NEAR(dragged, std::round(dragged), 1e-6) << "six digits after the point";
 }
 
+/// Labels are free texts: whoever writes a command or a preset finds the key in the tooltip.
+TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
+    UiHarness ui(kWidth, 6000);                     // tall enough to hold all rows
+    ui.state.settings_panel.search.assign(1, '.');  // a dot matches every key: all groups open
+    ui.frames(3);
+    std::string tips;
+    for (float y = 75; y < 5990; y += 9) {
+        ui.move({kFirstLabel.x, y});
+        ui.frames(2);
+        for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
+            if (!w->Active || !(w->Flags & ImGuiWindowFlags_Tooltip)) continue;
+            for (const DrawnText::Letter& l : ui.letters())
+                if (w->Rect().Contains(ImVec2(0.5f * (l.lo.x + l.hi.x), 0.5f * (l.lo.y + l.hi.y))))
+                    tips += l.letter < 128 ? char(l.letter) : '?';
+        }
+        tips += '\n';
+    }
+    int found = 0;
+    int drawn = 0;
+    for (const SettingRef& ref : every_setting()) {
+        if (ref.param->scope == Scope::Object) continue;
+        ++drawn;
+        const bool shown = tips.find(setting_key(ref) + "default") != std::string::npos;
+        EXPECT_TRUE(shown) << setting_key(ref);
+        found += shown;
+    }
+    EXPECT_GT(drawn, 150);
+    EXPECT_GT(found, 0);
+}
+
 TEST(Panels, TooltipsBreakNoKey) {
     UiHarness ui(kWidth, kHeight);
     ui.frames(3);
@@ -335,16 +365,16 @@ TEST(Panels, OneIsNoPlural) {
         ui.frames(3);
         return ui.drawn().find(std::u32string(text, text + std::string_view(text).size())).has_value();
     };
-    ui.state.search = "light.cascades";
+    ui.state.settings_panel.search = "light.cascades";
     EXPECT_TRUE(shows("1map"));
     EXPECT_FALSE(shows("1maps"));
     ui.state.settings.lights[0].cascades = 2;
     EXPECT_TRUE(shows("2maps"));
-    ui.state.search = "bias.normal";
+    ui.state.settings_panel.search = "bias.normal";
     ui.state.settings.bias.normal = 1;
     EXPECT_TRUE(shows("1texel"));
     EXPECT_FALSE(shows("1texels"));
-    ui.state.search = "scene.time";
+    ui.state.settings_panel.search = "scene.time";
     ui.state.settings.scene.time = 1;
     EXPECT_TRUE(shows("1s")) << "a second";
 }
@@ -352,7 +382,7 @@ TEST(Panels, OneIsNoPlural) {
 TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
     UiHarness ui(1280, 1200);
     const auto above = [&](const char* search, const char32_t* first, const char32_t* second) {
-        ui.state.search = search;
+        ui.state.settings_panel.search = search;
         ui.frames(3);
         const auto a = ui.drawn().find(first, 0), b = ui.drawn().find(second, 0);
         return a && (!b || a->y < b->y);  // else it is scrolled to
@@ -363,7 +393,7 @@ TEST(Panels, GroupsThatAreCalledByWhatIsSearchedForComeFirst) {
 
 TEST(Panels, DraggingASliderIsOneStepOfUndo) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "bias.constant";
+    ui.state.settings_panel.search = "bias.constant";
     ui.frames(3);
     const double before = ui.state.settings.bias.constant;
     ui.drag(kFirstValue, kFirstValue + glm::vec2(60, 0));
@@ -394,7 +424,7 @@ TEST(Panels, UndoAndRedoByKeyboard) {
 
 TEST(Panels, CtrlClickTypesAnyValueInRange) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "map.resolution";
+    ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
     ImGui::GetIO().KeyCtrl = true;
     ui.click(kFirstValue);
@@ -406,7 +436,7 @@ TEST(Panels, CtrlClickTypesAnyValueInRange) {
 
 TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "map.resolution";
+    ui.state.settings_panel.search = "map.resolution";
     ui.frames(3);
     ui.drag(kFirstValue, kFirstValue + glm::vec2(-40, 0));
     const int n = ui.state.settings.map.resolution;
@@ -416,7 +446,7 @@ TEST(Panels, DraggingTheResolutionFindsPowersOfTwo) {
 
 TEST(Panels, RightClickResets) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.search = "bias.constant";
+    ui.state.settings_panel.search = "bias.constant";
     ui.state.settings.bias.constant = 9;
     ui.frames(3);
     for (const glm::vec2 at : {kFirstLabel, kFirstValue}) {
@@ -513,7 +543,7 @@ TEST(Panels, TheEndsOfTheGreyScaleAreDraggedInTheHistogram) {
 TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
     UiHarness ui(kWidth, kHeight);
     ui.lost_casters = {{.object = 2, .cull = Cull::Front, .triangles = 2}};
-    ui.state.open_tab = BottomTab::Objects;
+    ui.state.window.open_tab = BottomTab::Objects;
     ui.frames(5);
     const std::string path = ui.scene.nodes[std::size_t(ui.scene.objects[2].node)].path;
     const auto keep = ui.find("bottom", "", "Cast from both sides");
@@ -526,7 +556,7 @@ TEST(Panels, LostCastersAreNamedAndKeptByAButton) {
 
 TEST(Panels, TheListOfObjectsEditsOneAtATime) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.open_tab = BottomTab::Objects;
+    ui.state.window.open_tab = BottomTab::Objects;
     const std::string other = ui.scene.nodes[std::size_t(ui.scene.objects[1].node)].path;
     ui.state.settings.objects[other].cull = ObjectCull::Back;
     ui.frames(3);
@@ -551,7 +581,7 @@ TEST(Panels, TheListOfObjectsEditsOneAtATime) {
 
 TEST(Panels, ObjectsWithoutChangesLeaveNoTraceInTheSettings) {
     UiHarness ui(kWidth, kHeight);
-    ui.state.open_tab = BottomTab::Objects;
+    ui.state.window.open_tab = BottomTab::Objects;
     ui.frames(5);
     EXPECT_TRUE(ui.state.settings.objects.empty());
 }
@@ -573,7 +603,7 @@ TEST(SettingsPanel, ShowsTheSettingsOfTheChosenKernelAlone) {
     EXPECT_FALSE(shows(U"Blockertaps"));
     EXPECT_TRUE(shows(U"Light-bleedreduction"));
     // By name it is found under every kernel, greyed.
-    ui.state.search = "blocker";
+    ui.state.settings_panel.search = "blocker";
     EXPECT_TRUE(shows(U"Blockertaps"));
 }
 

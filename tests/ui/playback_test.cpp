@@ -54,9 +54,9 @@ struct Bar {
     double time() const { return ui.state.settings.scene.time; }
     EditorRequests space() {
         ImGui::GetIO().KeysDown[' '] = true;
-        const EditorRequests actions = ui.frame();
+        const EditorRequests requests = ui.frame();
         ImGui::GetIO().KeysDown[' '] = false;
-        return actions;
+        return requests;
     }
 };
 

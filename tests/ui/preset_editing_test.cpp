@@ -47,9 +47,9 @@ protected:
     }
     EditorModel& model() { return editor_->model(); }
     EditorState& state() { return editor_->model().state; }
-    void wish(const PresetRequests& actions) {
+    void request(const PresetRequests& requests) {
         EditorRequests all;
-        static_cast<PresetRequests&>(all) = actions;
+        static_cast<PresetRequests&>(all) = requests;
         all.scene_width = 320;
         all.scene_height = 180;
         model().fulfil(all);
@@ -87,21 +87,21 @@ TEST_F(PresetEditing, PageDownWalksThroughTheGuidedPresetsAndPageUpBack) {
     open();
     const std::vector<BuiltinPreset> all = builtin_presets();
     ASSERT_GT(all.size(), 30u);
-    state().maximised = Panel::Tabs;  // each is drawn by tests of its own
+    state().window.maximised = Panel::Tabs;  // each is drawn by tests of its own
     int walked = 0;
     for (const BuiltinPreset& p : all) {
         press(kPageDown);
-        ASSERT_EQ(state().guide.key, p.key);
-        EXPECT_EQ(state().guide.about, p.about);
+        ASSERT_EQ(state().files.guide.key, p.key);
+        EXPECT_EQ(state().files.guide.about, p.about);
         EXPECT_EQ(state().scene_name, p.scene);
         EXPECT_EQ(state().settings, load_preset(p.key).settings) << p.key;
         ++walked;
     }
     EXPECT_EQ(walked, int(all.size()));
     press(kPageDown);
-    EXPECT_EQ(state().guide.key, all.back().key) << "the walk ends";
+    EXPECT_EQ(state().files.guide.key, all.back().key) << "the walk ends";
     press(kPageUp);
-    EXPECT_EQ(state().guide.key, all[all.size() - 2].key);
+    EXPECT_EQ(state().files.guide.key, all[all.size() - 2].key);
     expect_no_errors();
 }
 
@@ -109,14 +109,14 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     open();
     state().settings.bias.constant = 3;
     std::ofstream(path("mine.json")) << "precious";
-    wish({.save_preset = path("mine.json"), .save_about = "Mine."});
-    ASSERT_TRUE(state().replace) << "nobody was asked";
+    request({.save_preset = path("mine.json"), .save_about = "Mine."});
+    ASSERT_TRUE(state().files.replace) << "nobody was asked";
     EXPECT_EQ(file_bytes(path("mine.json")), "precious");
-    EXPECT_EQ(state().replace->path, path("mine.json"));
-    state().replace.reset();  // cancelled
+    EXPECT_EQ(state().files.replace->path, path("mine.json"));
+    state().files.replace.reset();  // cancelled
     editor_->settle();
     EXPECT_EQ(file_bytes(path("mine.json")), "precious");
-    wish({.save_preset = path("mine.json"), .save_about = "Mine.", .replace = true});
+    request({.save_preset = path("mine.json"), .save_about = "Mine.", .replace = true});
     EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 3);
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     EXPECT_EQ(load_preset(path("mine.json")).scene, "boxes");
@@ -125,8 +125,8 @@ TEST_F(PresetEditing, ForeignFilesAreReplacedOnlyWhenAPersonAgrees) {
     state().settings.bias.constant = 4;
     editor_->settle();
     EXPECT_TRUE(model().facts().unsaved);
-    wish({.save_preset = path("mine.json")});
-    EXPECT_FALSE(state().replace);
+    request({.save_preset = path("mine.json")});
+    EXPECT_FALSE(state().files.replace);
     EXPECT_EQ(load_preset(path("mine.json")).settings.bias.constant, 4);
     EXPECT_EQ(load_preset(path("mine.json")).about, "Mine.");
     expect_no_errors();
@@ -148,7 +148,7 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     start(remembering());
     state().settings.bias.constant = 3;
     editor_->settle();
-    wish({.load_scene = "teapot"});
+    request({.load_scene = "teapot"});
     ASSERT_EQ(state().settings.bias.constant, 3);
     EXPECT_TRUE(model().facts().unsaved);
     quit();
@@ -157,17 +157,17 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     EditorOptions other = remembering();
     other.session.scene = "plane";
     start(other);
-    wish({.restore_lost = true});
+    request({.restore_lost = true});
     EXPECT_EQ(state().scene_name, "teapot");
     EXPECT_TRUE(model().facts().unsaved);
     quit();
     EXPECT_EQ(offered(), 3) << "restored from another scene";
 
     start(remembering());
-    wish({.discard_lost = true});
+    request({.discard_lost = true});
     state().settings.bias.constant = 5;
     editor_->settle();
-    wish({.load_scene = "teapot"});
+    request({.load_scene = "teapot"});
     undo();
     ASSERT_EQ(state().scene_name, "boxes");
     EXPECT_TRUE(model().facts().unsaved);
@@ -175,8 +175,8 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     EXPECT_EQ(offered(), 5) << "undone into the scene before";
 
     start(remembering());
-    wish({.discard_lost = true});
-    wish({.load_scene = "teapot"});
+    request({.discard_lost = true});
+    request({.load_scene = "teapot"});
     EXPECT_FALSE(model().facts().unsaved);
     undo();
     EXPECT_FALSE(model().facts().unsaved);
@@ -189,28 +189,28 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
 
 TEST_F(PresetEditing, BeforeAnythingIsSavedThereIsNothingToGoBackToAndItSaysWhatToDo) {
     open();
-    state().preset_path = path("unsaved.json");
+    state().files.preset_path = path("unsaved.json");
     state().settings.bias.constant = 3;
-    wish({.load_preset = path("unsaved.json")});
+    request({.load_preset = path("unsaved.json")});
     ASSERT_FALSE(state().log.lines().empty());
     EXPECT_NE(state().log.lines().back().text.find("nothing is saved there yet. Save it first (Ctrl+S)"),
               std::string::npos)
         << state().log.lines().back().text;
     EXPECT_EQ(state().settings.bias.constant, 3);
-    wish({.save_preset = path("unsaved.json")});
+    request({.save_preset = path("unsaved.json")});
     state().settings.bias.constant = 4;
-    wish({.load_preset = path("unsaved.json")});
+    request({.load_preset = path("unsaved.json")});
     EXPECT_EQ(state().settings.bias.constant, 3);
 }
 
 TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
     save_preset({"T", "P", "Look here.", "boxes", {}}, path("told.json"));
     open();
-    wish({.open_file = path("told.json")});
-    EXPECT_EQ(state().preset_path, path("told.json"));
-    EXPECT_EQ(state().guide, (GuideNote{path("told.json"), "T", "Look here."}));
+    request({.open_file = path("told.json")});
+    EXPECT_EQ(state().files.preset_path, path("told.json"));
+    EXPECT_EQ(state().files.guide, (GuideNote{path("told.json"), "T", "Look here."}));
     state().settings.map.resolution = 64;
-    wish({.save_preset = state().preset_path});
+    request({.save_preset = state().files.preset_path});
     const Preset saved = load_preset(path("told.json"));
     EXPECT_EQ(saved.title, "T");
     EXPECT_EQ(saved.topic, "P");
@@ -221,13 +221,13 @@ TEST_F(PresetEditing, WhatWasOpenedMayBeSavedAndKeepsItsTexts) {
 TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
     save_gltf(load_scene("boxes"), folder_ / "own.gltf");
     open(preset_options(path("own.gltf")));
-    wish({.save_preset = path("with scene.json")});
+    request({.save_preset = path("with scene.json")});
     EXPECT_EQ(load_preset(path("with scene.json")).scene, "own.gltf") << "beside it";
     fs::create_directory(folder_ / "deep");
-    wish({.save_preset = path("deep/p.json")});
+    request({.save_preset = path("deep/p.json")});
     EXPECT_EQ(load_preset(path("deep/p.json")).scene, path("own.gltf"));
     state().settings.bias.constant = 9;
-    wish({.open_file = path("with scene.json")});
+    request({.open_file = path("with scene.json")});
     EXPECT_EQ(state().scene_name, path("own.gltf"));
     EXPECT_NE(state().settings.bias.constant, 9);
     EXPECT_FALSE(model().facts().unsaved);
@@ -240,7 +240,7 @@ TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     large.height = 720;
     open(large);
     state().compare = {CompareKind::Preset, "acne"};
-    state().open_tab = BottomTab::Compare;
+    state().window.open_tab = BottomTab::Compare;
     editor_->settle();
     const EditorFrame facts = model().facts();
     ASSERT_TRUE(facts.comparison);
@@ -269,20 +269,20 @@ TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
 
 TEST_F(PresetEditing, ResettingAllGivesTheScenesOwnSettingsAndIsUndone) {
     open();
-    wish({.load_preset = "acne"});
+    request({.load_preset = "acne"});
     const Settings acne = state().settings;
-    wish({.reset_all = true});
+    request({.reset_all = true});
     EXPECT_EQ(state().settings, base_settings(load_scene("boxes")));
-    EXPECT_TRUE(state().guide.about.empty());
+    EXPECT_TRUE(state().files.guide.about.empty());
     undo();
     EXPECT_EQ(state().settings, acne);
-    EXPECT_EQ(state().guide.key, "acne") << "what was said of it comes back too";
+    EXPECT_EQ(state().files.guide.key, "acne") << "what was said of it comes back too";
 }
 
 TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
     open();
     const Settings first = state().settings;
-    wish({.load_preset = "constant-bias"});
+    request({.load_preset = "constant-bias"});
     ASSERT_EQ(state().scene_name, "figures");
     state().settings.bias.constant = 0.2;
     editor_->settle();
@@ -291,12 +291,12 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
     undo();
     EXPECT_EQ(state().scene_name, "boxes");
     EXPECT_EQ(state().settings, first);
-    EXPECT_TRUE(state().guide.key.empty());
+    EXPECT_TRUE(state().files.guide.key.empty());
     EXPECT_FALSE(state().history.can_undo());
     redo();
     EXPECT_EQ(state().scene_name, "figures");
     EXPECT_EQ(state().settings, load_preset("constant-bias").settings);
-    EXPECT_EQ(state().guide.key, "constant-bias");
+    EXPECT_EQ(state().files.guide.key, "constant-bias");
     redo();
     EXPECT_EQ(state().settings.bias.constant, 0.2);
     EXPECT_FALSE(state().history.can_redo());
@@ -306,7 +306,7 @@ TEST_F(PresetEditing, UndoAndRedoGoBackAcrossScenes) {
 TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
     save_gltf(load_scene("boxes"), folder_ / "gone.gltf");
     open(preset_options(path("gone.gltf")));
-    wish({.load_scene = "plane"});
+    request({.load_scene = "plane"});
     const Settings now = state().settings;
     fs::remove(folder_ / "gone.gltf");
     undo();
@@ -320,7 +320,7 @@ TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
 TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     open(remembering());
     model().keep();
-    wish({.load_preset = "peter-panning"});
+    request({.load_preset = "peter-panning"});
     state().settings.bias.constant = 0.0123;
     editor_->settle();
     model().keep();
@@ -330,7 +330,7 @@ TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     EXPECT_EQ(model().facts().lost->scene, "figures");
     write_png(fs::path(SI_TEST_OUTPUT_DIR) / "editor_lost_session.png", editor_->picture());
     const Settings fresh = state().settings;
-    wish({.restore_lost = true});
+    request({.restore_lost = true});
     EXPECT_EQ(state().scene_name, "figures");
     EXPECT_EQ(state().settings, lost);
     EXPECT_FALSE(model().facts().lost);
@@ -350,7 +350,7 @@ TEST_F(PresetEditing, ADiscardedSessionIsGone) {
     model().keep();
     open(remembering());
     ASSERT_TRUE(model().facts().lost);
-    wish({.discard_lost = true});
+    request({.discard_lost = true});
     EXPECT_FALSE(model().facts().lost);
     model().end();
     open(remembering());
@@ -367,11 +367,11 @@ TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
     model().keep();
     fs::rename(folder_ / "lost.gltf", folder_ / "moved.gltf");
     open(remembering());
-    wish({.restore_lost = true});
+    request({.restore_lost = true});
     EXPECT_EQ(state().scene_name, "boxes");
     EXPECT_TRUE(model().facts().lost) << "a try that failed threw it away";
     fs::rename(folder_ / "moved.gltf", folder_ / "lost.gltf");
-    wish({.restore_lost = true});
+    request({.restore_lost = true});
     EXPECT_EQ(state().settings.bias.constant, 5);
     EXPECT_FALSE(model().facts().lost);
 }
@@ -380,8 +380,8 @@ TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
     save_gltf(load_scene("boxes"), folder_ / "recent.gltf");
     open(remembering());
     state().layout.map_share = 0.3f;
-    wish({.load_scene = path("recent.gltf")});
-    wish({.save_preset = path("recent.json")});
+    request({.load_scene = path("recent.gltf")});
+    request({.save_preset = path("recent.json")});
     model().keep_window(1111, 777, false);
     model().end();
     open(remembering());
@@ -393,7 +393,7 @@ TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
     EXPECT_EQ(facts.recent_presets[0], path("recent.json"));
     EXPECT_EQ(Workspace(folder_ / "state").data().window_width, 1111);
     fs::remove(folder_ / "recent.gltf");
-    wish({.load_scene = path("recent.gltf")});
+    request({.load_scene = path("recent.gltf")});
     EXPECT_TRUE(model().facts().recent_scenes.empty()) << "what is gone is no longer offered";
     open();
     EXPECT_EQ(state().layout, EditorLayout{}) << "without a folder nothing is remembered";
@@ -412,7 +412,7 @@ TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
 TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
     open();
     for (const char* key : {"acne", "front-culling-exceptions", "ninety-ten", "far-guard", "reversed-depth"}) {
-        wish({.load_preset = key});
+        request({.load_preset = key});
         state().settings.view.frustum = false;
         EditorRequests copy;
         copy.scene_width = 320;

@@ -37,7 +37,7 @@ ImGuiWindow* window_of(const char* part) {
 
 /// Clicks along a row of pixels until something is wished for; the wishes of that frame.
 template <class Requested>
-std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, float y, Requested wished) {
+std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, float y, Requested requested) {
     for (float x = x0; x < x1; x += 6) {
         ui.move({x, y});
         ui.frames(2);
@@ -45,7 +45,7 @@ std::optional<EditorRequests> click_along(UiHarness& ui, float x0, float x1, flo
         ui.frame();
         ui.press(false);
         for (int i = 0; i < 2; ++i)
-            if (const EditorRequests actions = ui.frame(); wished(actions)) return actions;
+            if (const EditorRequests requests = ui.frame(); requested(requests)) return requests;
     }
     return {};
 }
@@ -79,12 +79,12 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     all.insert(all.end(), ui.hard_cases.begin(), ui.hard_cases.end());
     std::optional<int> guided_height;
     for (const PresetEntry& p : all) {
-        ui.state.guide = {p.key, p.title, p.about};
-        const EditorRequests actions = ui.frames(3);
+        ui.state.files.guide = {p.key, p.title, p.about};
+        const EditorRequests requests = ui.frames(3);
         // The view in which presets are compared stays where it is while one walks through them.
         if (&p < &all[ui.presets.size()]) {
-            if (!guided_height) guided_height = actions.scene_height;
-            EXPECT_EQ(actions.scene_height, *guided_height) << p.key;
+            if (!guided_height) guided_height = requests.scene_height;
+            EXPECT_EQ(requests.scene_height, *guided_height) << p.key;
         }
         for (const char* name : {"guide", "lost session"}) {
             const ImGuiWindow* strip = window_of(name);
@@ -93,11 +93,11 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
             EXPECT_EQ(strip->ScrollMax.x, 0) << p.key << " is cut off in " << name;
             EXPECT_LE(strip->Pos.x + strip->Size.x, float(w));
         }
-        EXPECT_EQ(actions.scene_width, bare.scene_width);
-        EXPECT_GT(actions.scene_height, h / 8) << p.key;
+        EXPECT_EQ(requests.scene_width, bare.scene_width);
+        EXPECT_GT(requests.scene_height, h / 8) << p.key;
     }
-    ui.state.file_dialog = {};
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    ui.state.files.dialog = {};
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     ui.frames(3);
     const ImGuiWindow* dialog = window_of("Save the preset as");
     ASSERT_TRUE(dialog);
@@ -114,7 +114,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     UiHarness ui(1280, 720);
     ui.presets = guided();
     const PresetEntry& second = ui.presets[1];
-    ui.state.guide = {second.key, second.title, second.about};
+    ui.state.files.guide = {second.key, second.title, second.about};
     ui.frames(3);
     const auto row = [](const char* name) {
         const ImGuiWindow* w = window_of(name);
@@ -127,8 +127,8 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
     EXPECT_EQ(*before->load_preset, ui.presets[0].key);
     const auto loads_third = [&](const EditorRequests& a) { return a.load_preset == ui.presets[2].key; };
     EXPECT_TRUE(click_along(ui, at.x, at.y, at.z, loads_third));
-    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorRequests&) { return !ui.state.hidden_guide.empty(); });
-    EXPECT_EQ(ui.state.hidden_guide, second.key);
+    click_along(ui, at.y - 50, at.y, at.z, [&](const EditorRequests&) { return !ui.state.files.hidden_guide.empty(); });
+    EXPECT_EQ(ui.state.files.hidden_guide, second.key);
     ui.frames(2);
     EXPECT_FALSE(window_of("guide")) << "hidden";
 
@@ -142,7 +142,7 @@ TEST(PresetStrips, ButtonsWalkHideRestoreAndDiscard) {
 
 TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
     UiHarness ui(1280, 720);
-    ui.state.preset_path = "mine.json";
+    ui.state.files.preset_path = "mine.json";
     ui.frames(3);
     EXPECT_FALSE(window_of("driver reset"));
     ui.driver_reset = true;
@@ -160,7 +160,7 @@ TEST(PresetStrips, WhatADriverLostIsSavedAtOnceOrUnderAnotherName) {
 
 TEST(PresetStrips, AFileWithoutASentenceHasNone) {
     UiHarness ui(1280, 720);
-    ui.state.guide = {"/a/b.json", "Title", ""};
+    ui.state.files.guide = {"/a/b.json", "Title", ""};
     ui.frames(3);
     EXPECT_FALSE(window_of("guide"));
 }
@@ -172,17 +172,17 @@ TEST(PresetKeys, PageKeysWalkAndAnOpenPopupKeepsThemToItself) {
     ui.frames(2);
     const auto press = [&](ImGuiKey key) {
         press_key(key);
-        const EditorRequests actions = ui.frame();
+        const EditorRequests requests = ui.frame();
         release_key(key);
         ui.frame();
-        return actions.load_preset;
+        return requests.load_preset;
     };
     EXPECT_EQ(press(ImGuiKey_PageDown), ui.presets.front().key);
     EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets.back().key) << "from nowhere backwards: the last";
-    ui.state.guide.key = ui.presets.back().key;
+    ui.state.files.guide.key = ui.presets.back().key;
     EXPECT_EQ(press(ImGuiKey_PageDown), std::nullopt);
     EXPECT_EQ(press(ImGuiKey_PageUp), ui.presets[ui.presets.size() - 2].key);
-    ui.state.show_shortcuts = true;
+    ui.state.window.show_shortcuts = true;
     ui.frames(2);
     EXPECT_EQ(press(ImGuiKey_PageUp), std::nullopt);
 }
@@ -225,12 +225,12 @@ TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     }
     ASSERT_TRUE(chosen) << "the button was not found";
     EXPECT_EQ(*chosen->load_preset, ui.hard_cases.front().key);
-    ui.state.guide.key = ui.hard_cases[1].key;
+    ui.state.files.guide.key = ui.hard_cases[1].key;
     press_key(ImGuiKey_PageDown);
     EXPECT_EQ(ui.frame().load_preset, ui.hard_cases[2].key);
     release_key(ImGuiKey_PageDown);
     ui.frame();
-    ui.state.guide.key = ui.hard_cases.back().key;
+    ui.state.files.guide.key = ui.hard_cases.back().key;
     press_key(ImGuiKey_PageDown);
     EXPECT_EQ(ui.frame().load_preset, std::nullopt) << "the walk ends";
     release_key(ImGuiKey_PageDown);
@@ -252,7 +252,7 @@ TEST(Comparison, ListsDifferencesForEveryKindOfSetting) {
             if (is_text(p)) set_value(other, ref, "key");
         }
         ui.comparison = ComparisonFacts{ui.state.compare, other, "plane", {}};
-        ui.state.open_tab = BottomTab::Compare;
+        ui.state.window.open_tab = BottomTab::Compare;
         ui.frames(3);
         ASSERT_EQ(ui.state.tab, BottomTab::Compare);
         EXPECT_EQ(ui.state.settings, Settings{}) << "drawing changed something";
@@ -268,7 +268,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     fs::create_directory(folder / "below");
     for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
     UiHarness ui(1280, 720);
-    FileDialog& dialog = ui.state.file_dialog;
+    FileDialog& dialog = ui.state.files.dialog;
     ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
     ASSERT_EQ(dialog.entries.size(), 3u);
     EXPECT_TRUE(dialog.entries[0].folder && dialog.entries[0].name == "below");
@@ -307,14 +307,14 @@ TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
     fs::create_directory(folder / "below");
     std::ofstream(folder / "below" / "b.json") << "x";
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type((folder / "below").string());
     press_key(ImGuiKey_Enter);
     ui.frame();
     release_key(ImGuiKey_Enter);
     ui.frames(3);
-    ASSERT_EQ(ui.state.file_dialog.folder, folder / "below");
+    ASSERT_EQ(ui.state.files.dialog.folder, folder / "below");
     ui.type("b.json");
     press_key(ImGuiKey_Enter);
     std::optional<std::string> opened = ui.frame().open_file;
@@ -329,7 +329,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
     for (const char* name : {"b.json", "a.glb", "elsewhere/c.gltf"}) std::ofstream(folder / name) << "x";
     UiHarness ui(1280, 720);
     ui.recent_scenes = {(folder / "elsewhere/c.gltf").string()};
-    FileDialog& dialog = ui.state.file_dialog;
+    FileDialog& dialog = ui.state.files.dialog;
     ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(4);
     ASSERT_EQ(dialog.entries.size(), 3u);
@@ -374,7 +374,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
     EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
     // By the key, in the dialog.
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.file_dialog, FileDialog::Job::Open, folder / "x.json");
+    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type("models/for");
     press_key(ImGuiKey_Tab);
@@ -391,7 +391,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
 
 TEST(FileDialogs, ReplacingAsksFirst) {
     UiHarness ui(1280, 720);
-    ui.state.replace = Replacement{"/a/b.json", "Look."};
+    ui.state.files.replace = Replacement{"/a/b.json", "Look."};
     ui.frames(3);
     const ImGuiWindow* question = window_of("Replace the file?");
     ASSERT_TRUE(question);
@@ -403,14 +403,14 @@ TEST(FileDialogs, ReplacingAsksFirst) {
     EXPECT_EQ(*agreed->save_preset, "/a/b.json");
     EXPECT_EQ(agreed->save_about, "Look.");
     EXPECT_TRUE(agreed->replace);
-    EXPECT_FALSE(ui.state.replace);
-    ui.state.replace = Replacement{"/a/b.json", {}};
+    EXPECT_FALSE(ui.state.files.replace);
+    ui.state.files.replace = Replacement{"/a/b.json", {}};
     ui.frames(3);
     press_key(ImGuiKey_Escape);
     const EditorRequests cancelled = ui.frame();
     release_key(ImGuiKey_Escape);
     EXPECT_FALSE(cancelled.save_preset);
-    EXPECT_FALSE(ui.state.replace);
+    EXPECT_FALSE(ui.state.files.replace);
 }
 
 }  // namespace

@@ -25,7 +25,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     for (const BottomTab tab :
          {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects, BottomTab::Compare,
           BottomTab::Frontier, BottomTab::Advice, BottomTab::Lab, BottomTab::Log}) {
-        ui.state.open_tab = tab;
+        ui.state.window.open_tab = tab;
         ui.frames(4);
         const std::u32string text = ui.printed();
         EXPECT_GT(text.size(), 300u) << int(tab);

@@ -34,7 +34,7 @@ struct Probing : HeadlessEditor {
     explicit Probing(std::vector<std::string> sets = {}) : HeadlessEditor(boxes_under(std::move(sets))) { settle(); }
     EditorState& state() { return model().state; }
     void click(glm::ivec2 pixel) {
-        const PictureView& view = *state().scene_view;
+        const PictureView& view = *state().viewport.view;
         mouse.at = glm::vec2(view.origin) + glm::vec2(pixel) + 0.5f;
         frames(2);
         mouse.left = true;
@@ -63,7 +63,7 @@ struct Probing : HeadlessEditor {
 
 TEST(Probing, TheProbeSticksToItsSurface) {
     Probing editor;
-    const glm::dvec2 size = editor.state().scene_view->size;
+    const glm::dvec2 size = editor.state().viewport.view->size;
     editor.click(glm::ivec2(0.5 * size.x + 0.05 * size.y, 0.26 * size.y));  // the cube in the air
     ASSERT_TRUE(editor.probe() && editor.probe()->hit);
     ASSERT_EQ(editor.probe()->object.find("loor"), std::string::npos) << editor.probe()->object;
@@ -112,8 +112,8 @@ TEST(Probing, APixelBelowThePictureIsItsNearest) {
     HeadlessEditor editor(options);
     editor.settle();
     const EditorState& state = editor.model().state;
-    ASSERT_TRUE(editor.model().facts().probe && state.probe_pixel && state.scene_view);
-    EXPECT_EQ(*state.probe_pixel, glm::ivec2(120, int(state.scene_view->size.y) - 1)) << "where loupe and mark are";
+    ASSERT_TRUE(editor.model().facts().probe && state.probe_pixel && state.viewport.view);
+    EXPECT_EQ(*state.probe_pixel, glm::ivec2(120, int(state.viewport.view->size.y) - 1)) << "where loupe and mark are";
     EXPECT_EQ(editor.model().facts().probe->y, state.probe_pixel->y);
 }
 
@@ -137,7 +137,7 @@ TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     const LoupeFacts* loupe = editor.model().facts().loupe;
     ASSERT_TRUE(loupe);
     EXPECT_EQ(loupe->at, *editor.state().probe_pixel);
-    const PictureView& view = *editor.state().scene_view;
+    const PictureView& view = *editor.state().viewport.view;
     int different = 0;
     for (int y = 0; y < loupe->pixels.height; ++y)
         for (int x = 0; x < loupe->pixels.width; ++x) {
@@ -173,7 +173,7 @@ TEST(Probing, WidgetsHaveTheArrowKeysUnlessThePictureWasClickedLast) {
     };
     ui.frames(3);
     EXPECT_TRUE(navigates());
-    const glm::vec2 picture(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size);
+    const glm::vec2 picture(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size);
     ui.click(picture);
     ASSERT_TRUE(ui.state.probe_pixel);
     EXPECT_FALSE(navigates());
@@ -206,7 +206,7 @@ TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
     };
     const auto menu_is_open = [] { return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup); };
     ui.frames(3);
-    ui.click(glm::vec2(ui.state.scene_view->origin + 0.3 * ui.state.scene_view->size));
+    ui.click(glm::vec2(ui.state.viewport.view->origin + 0.3 * ui.state.viewport.view->size));
     ASSERT_TRUE(ui.state.probe_pixel);
     const auto view = ui.find("editor/top", "", "View");
     ASSERT_TRUE(view);
@@ -221,7 +221,7 @@ TEST(Probing, EscapeThatClosesAMenuLeavesTheProbe) {
 
 TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
-    const PictureView view = *editor.state().scene_view;
+    const PictureView view = *editor.state().viewport.view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
     editor.frames(3);
     editor.settle();
@@ -285,7 +285,7 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
 
 TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
-    ui.state.open_tab = BottomTab::Error;
+    ui.state.window.open_tab = BottomTab::Error;
     ui.state.layout.bottom_height = 17;
     ui.reference = ReferenceFacts{.current = true, .wanted = true};
     LiveError e;

@@ -54,12 +54,12 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     press(false, false);
     EXPECT_EQ(file_bytes(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
     const ByteImage scene = read_back(folder / "boxes-scene-2.png");
-    ASSERT_TRUE(state.scene_view);
-    EXPECT_EQ(scene.width, int(state.scene_view->size.x));
-    EXPECT_EQ(scene.height, int(state.scene_view->size.y));
+    ASSERT_TRUE(state.viewport.view);
+    EXPECT_EQ(scene.width, int(state.viewport.view->size.x));
+    EXPECT_EQ(scene.height, int(state.viewport.view->size.y));
     EXPECT_NE(state.log.lines().back().text.find((folder / "boxes-scene-2.png").string()), std::string::npos);
     const ByteImage window = editor.picture();
-    const glm::ivec2 at(state.scene_rect.lo);
+    const glm::ivec2 at(state.shots.scene_rect.lo);
     const auto pixel = [](const ByteImage& i, int x, int y) {
         const auto* p = &i.data[(std::size_t(y) * std::size_t(i.width) + std::size_t(x)) * 4];
         return std::array<int, 3>{p[0], p[1], p[2]};
@@ -69,7 +69,7 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
             ASSERT_EQ(pixel(scene, x, y), pixel(window, at.x + x, at.y + y)) << x << ", " << y;
     press(false, true);
     const ByteImage map = read_back(folder / "boxes-map-1.png");
-    EXPECT_EQ(map.width, int(state.map_rect.size.x));
+    EXPECT_EQ(map.width, int(state.shots.map_rect.size.x));
     press(true, false);
     EXPECT_EQ(read_back(folder / "boxes-window-1.png").width, 1280);
     state.layout.map_place = MapSpot::Hidden;
@@ -92,18 +92,18 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     HeadlessEditor editor(o);
     editor.settle();
     EditorState& state = editor.model().state;
-    state.shot_next = Shot::Drawing;
+    state.shots.next = Shot::Drawing;
     for (int i = 0; i < 3; ++i) editor.frame();
     EXPECT_NE(state.log.lines().back().text.find("click a pixel"), std::string::npos);
-    state.probe_pixel = glm::ivec2(state.wanted_picture.x / 2, state.wanted_picture.y * 3 / 4);
-    state.open_tab = BottomTab::Probe;
+    state.probe_pixel = glm::ivec2(state.viewport.wanted_size.x / 2, state.viewport.wanted_size.y * 3 / 4);
+    state.window.open_tab = BottomTab::Probe;
     editor.settle();
-    state.shot_next = Shot::Drawing;
+    state.shots.next = Shot::Drawing;
     for (int i = 0; i < 3; ++i) editor.frame();
     const ByteImage drawing = read_back(folder / "boxes-drawing-2.png");
     // As large as the SVG, with verdict and legend, whatever room the panel has.
     EXPECT_GT(drawing.width, 600) << state.log.lines().back().text;
-    EXPECT_GT(drawing.height, int(1.5f * state.drawing_rect.size.y));
+    EXPECT_GT(drawing.height, int(1.5f * state.shots.drawing_rect.size.y));
     std::set<std::uint32_t> colours;
     for (std::size_t i = 0; i + 3 < drawing.data.size(); i += 4)
         colours.insert(drawing.data[i] | drawing.data[i + 1] << 8 | drawing.data[i + 2] << 16);

@@ -48,23 +48,23 @@ bool printed(const UiHarness& ui, std::u32string words) {
 TEST(SectionView, StandsBesideTheVerdictAndIsLaidOutOnce) {
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
-    ui.state.open_tab = BottomTab::Probe;
+    ui.state.window.open_tab = BottomTab::Probe;
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
     EXPECT_TRUE(printed(ui, U"needs 0.6 texels of bias"));
     EXPECT_TRUE(printed(ui, U"stored in texel 102"));
-    const int drawn = ui.state.section_views.drawn;
+    const int drawn = ui.state.probe_panel.section_views.drawn;
     EXPECT_GE(drawn, 1);
     ui.frames(20);
-    EXPECT_EQ(ui.state.section_views.drawn, drawn) << "nothing has changed";
+    EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn) << "nothing has changed";
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
-    EXPECT_EQ(ui.state.section_views.drawn, drawn + 1) << "another pixel";
-    ui.state.open_tab = BottomTab::Log;
+    EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn + 1) << "another pixel";
+    ui.state.window.open_tab = BottomTab::Log;
     ui.frames(3);
     ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
     ui.frames(5);
-    EXPECT_EQ(ui.state.section_views.drawn, drawn + 1) << "hidden";
+    EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn + 1) << "hidden";
     EXPECT_FALSE(printed(ui, U"stored in texel 102"));
 }
 
@@ -72,16 +72,16 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
     for (const bool fills : {false, true}) {  // the window
         SCOPED_TRACE(fills);
         UiHarness ui(1600, fills ? 600 : 900);
-        if (fills) ui.state.maximised = Panel::Tabs;
+        if (fills) ui.state.window.maximised = Panel::Tabs;
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.open_tab = BottomTab::Probe;
+        ui.state.window.open_tab = BottomTab::Probe;
         ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
         ui.frames(5);
         EXPECT_FALSE(printed(ui, U"a texel a step"));
-        ASSERT_EQ(ui.state.section_views.views.size(), 1u);
-        const std::vector<LegendRow> legend = ui.state.section_views.views[0].drawing.legend;
+        ASSERT_EQ(ui.state.probe_panel.section_views.views.size(), 1u);
+        const std::vector<LegendRow> legend = ui.state.probe_panel.section_views.views[0].drawing.legend;
         ASSERT_GE(legend.size(), 5u);
-        const ScreenRect drawing = ui.state.drawing_rect;
+        const ScreenRect drawing = ui.state.shots.drawing_rect;
         for (const glm::vec2 part : {glm::vec2(0.1f, 0.1f), {0.3f, 0.6f}, {0.9f, 0.9f}}) {
             ui.move(drawing.lo + part * drawing.size);
             ui.frames(3);
@@ -101,9 +101,9 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
                 EXPECT_GT(at->y, drawing.lo.y) << row.text << ": over the tabs' titles and the words on the pixel";
             }
         }
-        const int drawn = ui.state.section_views.drawn;
+        const int drawn = ui.state.probe_panel.section_views.drawn;
         ui.frames(5);
-        EXPECT_EQ(ui.state.section_views.drawn, drawn) << "laid out once";
+        EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn) << "laid out once";
         ui.move({5, 5});
         ui.frames(3);
         EXPECT_FALSE(printed(ui, U"a texel a step"));
@@ -134,7 +134,7 @@ TEST(SectionView, LeavesTheVerdictItsRoomAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{3840, 2160, 2.0f}, {1280, 720, 1.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
-        ui.state.open_tab = BottomTab::Probe;
+        ui.state.window.open_tab = BottomTab::Probe;
         ui.state.settings.light_count = 3;
         ui.sections = std::make_shared<const std::vector<Section>>(3, step_of_shadow());
         ui.frames(4);
@@ -151,15 +151,15 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     options.headless = true;
     HeadlessEditor editor(options);
     EditorState& state = editor.model().state;
-    state.open_tab = BottomTab::Log;
+    state.window.open_tab = BottomTab::Log;
     editor.model().state.layout = kBeside;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
     editor.settle();
     ASSERT_TRUE(editor.model().facts().probe && editor.model().facts().probe->hit);
     EXPECT_FALSE(editor.model().facts().sections) << "nobody looks";
-    EXPECT_EQ(state.section_views.drawn, 0);
-    state.open_tab = BottomTab::Probe;
+    EXPECT_EQ(state.probe_panel.section_views.drawn, 0);
+    state.window.open_tab = BottomTab::Probe;
     editor.settle();
     const Sections shown = editor.model().facts().sections;
     ASSERT_TRUE(shown && shown->size() == 1);

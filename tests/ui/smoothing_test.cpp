@@ -74,11 +74,11 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     for (const Measurement& m : measurements) {
         SCOPED_TRACE(m.name);
         ASSERT_NO_FATAL_FAILURE(begin_again());
-        EditorRequests actions = editor.frame();
-        ASSERT_TRUE(actions.at_rest && is_smooth()) << "nothing is measured yet";
+        EditorRequests requests = editor.frame();
+        ASSERT_TRUE(requests.at_rest && is_smooth()) << "nothing is measured yet";
         const auto begun = picture();
-        m.begin(actions);
-        model.fulfil(actions);
+        m.begin(requests);
+        model.fulfil(requests);
         ASSERT_TRUE(model.measuring());
         EXPECT_TRUE(picture() == begun) << "in the frame in which it begins";
         for (int i = 0; i < 5; ++i) {
@@ -88,9 +88,9 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
         }
         if (m.cancel) {
-            actions = editor.frame();
-            m.cancel(actions);
-            model.fulfil(actions);
+            requests = editor.frame();
+            m.cancel(requests);
+            model.fulfil(requests);
         }
         do {
             model.finish_measuring();

@@ -69,7 +69,7 @@ protected:
     }
     /// The middle of the scene picture.
     glm::vec2 middle() const {
-        const PictureView& v = *editor_->model().state.scene_view;
+        const PictureView& v = *editor_->model().state.viewport.view;
         return glm::vec2(v.origin + 0.5 * v.size);
     }
 
@@ -92,18 +92,18 @@ TEST_P(Tour, MenusAndDialogs) {
     std::filesystem::create_directories(scenes);
     save_gltf(load_scene("boxes"), scenes / "boxes.gltf");
     save_gltf(load_scene("plane"), scenes / "plane.glb");
-    ask_for_file(state().file_dialog, FileDialog::Job::Open, scenes / "x");
+    ask_for_file(state().files.dialog, FileDialog::Job::Open, scenes / "x");
     frames(12);  // what stands behind has grown dark
     expect_window("Open a scene or a preset");
     keep("open_dialog");
     ImGui::ClosePopupToLevel(0, false);
-    ask_for_file(state().file_dialog, FileDialog::Job::SavePreset,
+    ask_for_file(state().files.dialog, FileDialog::Job::SavePreset,
                  std::filesystem::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     frames(12);
     expect_window("Save the preset as");
     keep("save_dialog");
     ImGui::ClosePopupToLevel(0, false);
-    state().show_shortcuts = true;
+    state().window.show_shortcuts = true;
     frames(4);
     keep("shortcuts");
 }
@@ -146,19 +146,19 @@ TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
 TEST_P(Tour, HandlesNumbersAndTooltips) {
     open("boxes");
     const auto handles =
-        place_handles(light_pose(state().settings.lights[0], facts().result->lights[0], 0), *state().scene_view);
+        place_handles(light_pose(state().settings.lights[0], facts().result->lights[0], 0), *state().viewport.view);
     const auto extent =
         std::find_if(handles.begin(), handles.end(), [](const PlacedHandle& h) { return is_extent(h.handle); });
     ASSERT_NE(extent, handles.end());
     editor_->mouse.at = glm::vec2(extent->on_screen);
     frames(3);
-    ASSERT_TRUE(state().hovered_light);
+    ASSERT_TRUE(state().viewport.hovered_light);
     keep("handle_tooltip");
     editor_->mouse.left = true;
     frames(2);
     *editor_->mouse.at += glm::vec2(2, 1) * em();
     frames(3);
-    ASSERT_TRUE(state().handle_drag);
+    ASSERT_TRUE(state().viewport.handle_drag);
     keep("handle_drag");
     editor_->mouse.left = false;
     frames(2);
@@ -172,17 +172,17 @@ TEST_P(Tour, SeveralLightsAndTheViewThroughOne) {
     state().settings.camera.source = CameraSource::Light;
     editor_->settle();
     keep("through_spot");
-    EXPECT_FALSE(state().scene_view->camera.orthographic);
+    EXPECT_FALSE(state().viewport.view->camera.orthographic);
 }
 
 TEST_P(Tour, SelectionHoverAndPanes) {
     open("stage", {"view.overlay=depth-difference"});
     ASSERT_FALSE(facts().scene->objects.empty());
-    state().selected_object = "Stage/Wall";
-    state().open_tab = BottomTab::Objects;
+    state().selection.first = "Stage/Wall";
+    state().window.open_tab = BottomTab::Objects;
     editor_->mouse.at = middle();
     editor_->settle();
-    ASSERT_TRUE(state().hovered_pixel);
+    ASSERT_TRUE(state().viewport.hovered_pixel);
     EXPECT_TRUE(facts().overlay_values);
     keep("selection_hover");
     for (const auto& [key, value] : {std::pair{"view.panes", "four"},
@@ -197,14 +197,14 @@ TEST_P(Tour, SelectionHoverAndPanes) {
 TEST_P(Tour, TheMapDownToItsTexels) {
     open("boxes", {"map.resolution=512"});
     state().probe_pixel = glm::ivec2(facts().result->colour.width / 2, facts().result->colour.height / 2);
-    state().open_tab = BottomTab::Probe;
+    state().window.open_tab = BottomTab::Probe;
     editor_->settle();
     ASSERT_TRUE(facts().probe && facts().probe->hit);
     const glm::ivec2 texel = facts().probe->lights[0].texel;
-    state().map_window = {512 / 3.0f, (glm::vec2(texel) + 0.5f) / 512.0f};
+    state().map.window = {512 / 3.0f, (glm::vec2(texel) + 0.5f) / 512.0f};
     editor_->mouse.at = glm::vec2(width() * 0.85f, height() * 0.25f);
     editor_->settle();
-    EXPECT_TRUE(state().hovered_texel);
+    EXPECT_TRUE(state().map.hovered_texel);
     EXPECT_TRUE(facts().map_values);
     keep("texels");
     state().settings.view.map = MapView::Bands;
@@ -214,7 +214,7 @@ TEST_P(Tour, TheMapDownToItsTexels) {
 
 TEST_P(Tour, Comparison) {
     open("boxes", {"bias.constant=3", "map.wrap=repeat", "filter.kernel=hard", "light.azimuth=20"});
-    state().open_tab = BottomTab::Compare;
+    state().window.open_tab = BottomTab::Compare;
     state().compare = {CompareKind::Preset, "acne"};
     editor_->settle();
     ASSERT_TRUE(facts().comparison);

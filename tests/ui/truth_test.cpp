@@ -42,7 +42,7 @@ TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().reference->wanted);
 
     EditorState& state = editor.model().state;
-    state.open_tab = BottomTab::Error;
+    state.window.open_tab = BottomTab::Error;
     editor.settle();
     const auto error = [&] { return editor.model().facts().error; };
     ASSERT_TRUE(error());
@@ -78,7 +78,7 @@ TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     EXPECT_FALSE(editor.model().facts().reference->current);
     editor.settle();
     EXPECT_TRUE(error());
-    state.open_tab = BottomTab::Effects;
+    state.window.open_tab = BottomTab::Effects;
     editor.settle();
     EXPECT_FALSE(error());
     expect_calm(editor);
@@ -90,7 +90,7 @@ TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
         sets.push_back(set);
     HeadlessEditor editor(options(sets));
-    editor.model().state.open_tab = BottomTab::Error;
+    editor.model().state.window.open_tab = BottomTab::Error;
     for (int i = 0; i < 20 && !editor.model().tracing(); ++i) {
         editor.model().finish_loading();
         editor.frame();
@@ -141,16 +141,16 @@ TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     const std::size_t others = receivers();
     HeadlessEditor editor(options(kNoBias));
     EditorState& state = editor.model().state;
-    state.open_tab = BottomTab::Error;
-    state.against = {.view = ComparisonView::SideBySide, .reference = false};
+    state.window.open_tab = BottomTab::Error;
+    state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
     // The other side is not shown any more when the truth about another view comes.
-    state.against.view = ComparisonView::Off;
+    state.comparison.view = ComparisonView::Off;
     state.settings.camera.azimuth += 5;
     editor.settle();
     EXPECT_EQ(receivers(), others + 1);
-    state.open_tab = BottomTab::Effects;
+    state.window.open_tab = BottomTab::Effects;
     state.settings.view.light = 1;
     state.settings.light_count = 2;
     editor.settle();
@@ -162,7 +162,7 @@ TEST(EditorReference, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(kNoBias));
-    editor.model().state.open_tab = BottomTab::Error;
+    editor.model().state.window.open_tab = BottomTab::Error;
     editor.settle();
     EditorRequests save = editor.frame();
     save.save_error = file.string();
@@ -194,18 +194,19 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
                                    "view.axes=false", "map.resolution=256"}));
     editor.settle();
     EditorState& state = editor.model().state;
-    state.against = {.view = ComparisonView::Swipe, .reference = true, .at = 1};
+    state.comparison = {.view = ComparisonView::Swipe, .reference = true, .at = 1};
     editor.settle();
-    ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
-    ASSERT_TRUE(state.scene_view);
-    const PictureView view = *state.scene_view;
+    ASSERT_TRUE(editor.model().facts().picture_comparison &&
+                editor.model().facts().picture_comparison->picture.texture);
+    ASSERT_TRUE(state.viewport.view);
+    const PictureView view = *state.viewport.view;
     const auto left_a = part(editor, view, 0.05, 0.4), right_a = part(editor, view, 0.6, 0.95);
-    state.against.at = 0;
+    state.comparison.at = 0;
     editor.settle();
     const auto left_b = part(editor, view, 0.05, 0.4), right_b = part(editor, view, 0.6, 0.95);
     EXPECT_NE(left_a, left_b);
     EXPECT_NE(right_a, right_b);
-    state.against.at = 0.3f;
+    state.comparison.at = 0.3f;
 
     // The line is dragged from 0.3 to the middle; the camera stays.
     const CameraSettings camera = state.settings.camera;
@@ -225,7 +226,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     editor.frame();
     editor.mouse.at.reset();
     editor.settle();
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     EXPECT_EQ(state.settings.camera, camera);
     EXPECT_FALSE(state.probe_pixel) << "a drag is no click";
     EXPECT_EQ(part(editor, view, 0.05, 0.4), left_a);
@@ -243,7 +244,7 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
     editor.frame();
     editor.mouse.left = false;
     editor.frame();
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     EXPECT_NE(state.settings.camera, camera);
 
     const auto press = [&](int key) {
@@ -253,37 +254,37 @@ TEST(EditorPictureComparison, SwipeShowsBothSidesAndIsDragged) {
         editor.frame();
     };
     press('.');
-    EXPECT_NEAR(state.against.at, 0.52, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.52, 0.01);
     press(',');
-    EXPECT_NEAR(state.against.at, 0.5, 0.01);
+    EXPECT_NEAR(state.comparison.at, 0.5, 0.01);
     press('B');
-    EXPECT_EQ(state.against.view, ComparisonView::SideBySide);
+    EXPECT_EQ(state.comparison.view, ComparisonView::SideBySide);
     press('B');
     press('B');
-    EXPECT_EQ(state.against.view, ComparisonView::Off);
+    EXPECT_EQ(state.comparison.view, ComparisonView::Off);
     expect_calm(editor);
 }
 
 TEST(EditorPictureComparison, HoldsAgainstPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
-    state.against = {.view = ComparisonView::SideBySide, .reference = false};
+    state.comparison = {.view = ComparisonView::SideBySide, .reference = false};
     state.compare = {CompareKind::Defaults, {}};
     editor.settle();
-    const auto facts = [&] { return editor.model().facts().against; };
+    const auto facts = [&] { return editor.model().facts().picture_comparison; };
     ASSERT_TRUE(facts() && facts()->picture.texture);
     EXPECT_EQ(facts()->picture.width, editor.model().facts().result->colour.width) << "both sides are of one size";
     write_png(kOut / "editor_beside.png", editor.picture());
-    state.against.view = ComparisonView::Difference;
+    state.comparison.view = ComparisonView::Difference;
     editor.settle();
     ASSERT_TRUE(facts()->difference.texture);
     const double different = facts()->mae;
     EXPECT_GT(different, 1e-4);
     write_png(kOut / "editor_difference.png", editor.picture());
-    state.against.view = ComparisonView::Off;
+    state.comparison.view = ComparisonView::Off;
     editor.settle();
     EXPECT_FALSE(facts());
-    state.against.view = ComparisonView::Difference;
+    state.comparison.view = ComparisonView::Difference;
     editor.settle();
     expect_calm(editor);
     // Light, maps and kernel as the defaults have them: nothing is left to differ but shading by rounding.
@@ -309,7 +310,7 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
         ImGui::GetIO().KeysDown[code] = down;
         for (int i = 0; i < 3; ++i) editor.frame();
     };
-    const auto seen = [&] { return part(editor, *state.scene_view, 0.05, 0.95); };
+    const auto seen = [&] { return part(editor, *state.viewport.view, 0.05, 0.95); };
     key('A', true);
     EXPECT_FALSE(state.flicker) << "nothing is pinned";
     key('A', false);
@@ -323,32 +324,32 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
     const auto changed = seen();
     ASSERT_NE(changed, pinned);
 
-    const PictureComparison before = state.against;
+    const PictureComparison before = state.comparison;
     for (int round = 0; round < 2; ++round) {
         key('A', true);
         EXPECT_EQ(seen(), pinned) << "while it is held";
         if (round == 0) write_png(kOut / "editor_flicker.png", editor.picture());
         key('A', false);
         EXPECT_EQ(seen(), changed);
-        EXPECT_EQ(state.against.view, before.view);
-        EXPECT_EQ(state.against.reference, before.reference);
+        EXPECT_EQ(state.comparison.view, before.view);
+        EXPECT_EQ(state.comparison.reference, before.reference);
     }
     EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
     EXPECT_EQ(state.history.at(), 1u);
 
     state.compare = {CompareKind::Pinned, {}};
-    state.against = {.view = ComparisonView::Swipe, .reference = false, .at = 0};
+    state.comparison = {.view = ComparisonView::Swipe, .reference = false, .at = 0};
     editor.settle();
-    EXPECT_EQ(part(editor, *state.scene_view, 0.05, 0.9), [&] {
+    EXPECT_EQ(part(editor, *state.viewport.view, 0.05, 0.9), [&] {
         key('A', true);
-        const auto alone = part(editor, *state.scene_view, 0.05, 0.9);
+        const auto alone = part(editor, *state.viewport.view, 0.05, 0.9);
         key('A', false);
         return alone;
     }());
-    state.against.at = 0.5f;
+    state.comparison.at = 0.5f;
     editor.settle();
     write_png(kOut / "editor_pin_swipe.png", editor.picture());
-    state.open_tab = BottomTab::Compare;
+    state.window.open_tab = BottomTab::Compare;
     editor.settle();
     ASSERT_TRUE(editor.model().facts().comparison);
     EXPECT_EQ(editor.model().facts().comparison->settings.map.resolution, 128);
@@ -358,7 +359,7 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
     key('P', true);
     key('P', false);
     EXPECT_FALSE(state.pinned);
-    EXPECT_EQ(state.against.view, ComparisonView::Off) << "with what it was compared is gone";
+    EXPECT_EQ(state.comparison.view, ComparisonView::Off) << "with what it was compared is gone";
     expect_calm(editor);
 }
 

@@ -121,7 +121,7 @@ EditorRequests UiHarness::frame() {
         facts.driver = &driver_;
         facts.reference = reference;
         facts.error = error ? &*error : nullptr;
-        facts.against = against;
+        facts.picture_comparison = picture_comparison;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;
@@ -142,15 +142,15 @@ EditorRequests UiHarness::frame() {
         facts.driver_reset = driver_reset;
     }
     ImGui::NewFrame();
-    EditorRequests actions = draw_editor(state, facts);
+    EditorRequests requests = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_fixes || actions.cancel_fixes || actions.forget_fixes ||
-        actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice ||
-        actions.compare_pipelines || actions.measure_shimmer)
-        last_requests = actions;
+    if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
+        requests.forget_fixes || requests.measure_saved || requests.cancel_saved || requests.find_advice ||
+        requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
+        last_requests = requests;
     io.MouseWheel = 0;
-    return actions;
+    return requests;
 }
 
 EditorRequests UiHarness::frames(int count) {
@@ -203,12 +203,12 @@ std::optional<glm::vec2> UiHarness::find(const std::string& window, const std::f
         if (!w->WasActive || std::string(w->Name).find(window) == std::string::npos) continue;
         wanted.emplace_back(id(w->ID), w->InnerClipRect);
     }
-    for (const auto& [wished, rect] : wanted)
+    for (const auto& [requested, rect] : wanted)
         for (float y = rect.Min.y + 3; y < rect.Max.y; y += 7)
             for (float x = rect.Min.x + 5; x < rect.Max.x; x += 16) {
                 move({x, y});
                 frame();
-                if (hovered() == wished) return glm::vec2(x, y);
+                if (hovered() == requested) return glm::vec2(x, y);
             }
     return {};
 }

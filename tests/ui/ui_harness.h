@@ -40,7 +40,7 @@ public:
     std::optional<LostFacts> lost;
     std::optional<ReferenceFacts> reference;
     std::optional<LiveError> error;
-    std::optional<PictureComparisonFacts> against;
+    std::optional<PictureComparisonFacts> picture_comparison;
     std::optional<MapPlots> map_facts;
     std::vector<LostCaster> lost_casters;
     std::vector<PixelDiagnosis> diagnoses;

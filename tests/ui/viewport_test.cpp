@@ -98,20 +98,20 @@ TEST(Viewport, TheEditorDrawsOnWhileAKeyIsHeldAndSleepsAfterwards) {
 TEST(Viewport, TheMouseIsHeldWhileItFliesAndLinksAreReadWhileItRests) {
     Viewport v;
     v.ui.move(kPicture);
-    EditorRequests actions = v.ui.frames(2);
-    EXPECT_FALSE(actions.hold_cursor);
-    EXPECT_TRUE(actions.want_links && actions.want_overlay_values);
+    EditorRequests requests = v.ui.frames(2);
+    EXPECT_FALSE(requests.hold_cursor);
+    EXPECT_TRUE(requests.want_links && requests.want_overlay_values);
     for (const int button : {0, 1}) {
         v.ui.press(true, button);
         EXPECT_FALSE(v.ui.frames(2).hold_cursor) << "a click lets it be";
         v.ui.move(kPicture + glm::vec2(25, 10));
-        actions = v.ui.frames(2);
-        EXPECT_EQ(actions.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";
-        EXPECT_FALSE(actions.want_links || actions.want_overlay_values) << "read back in every frame of a drag";
+        requests = v.ui.frames(2);
+        EXPECT_EQ(requests.hold_cursor, button == 1) << "orbiting ends at the screen's edges as any drag";
+        EXPECT_FALSE(requests.want_links || requests.want_overlay_values) << "read back in every frame of a drag";
         v.ui.press(false, button);
-        actions = v.ui.frames(2);
-        EXPECT_FALSE(actions.hold_cursor);
-        EXPECT_TRUE(actions.want_links);
+        requests = v.ui.frames(2);
+        EXPECT_FALSE(requests.hold_cursor);
+        EXPECT_TRUE(requests.want_links);
         v.ui.move(kPicture);
     }
 }
@@ -154,10 +154,10 @@ TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
     const double all = v.settings.camera.distance;
     v.ui.probed_object = v.ui.scene.nodes[std::size_t(v.ui.scene.objects.back().node)].path;
     v.ui.click(kPicture);
-    EXPECT_TRUE(v.ui.state.selected_object.empty()) << "one click only probes";
+    EXPECT_TRUE(v.ui.state.selection.first.empty()) << "one click only probes";
     v.ui.click(kPicture);
     v.ui.frames(2);
-    EXPECT_EQ(v.ui.state.selected_object, v.ui.probed_object);
+    EXPECT_EQ(v.ui.state.selection.first, v.ui.probed_object);
     v.press('F');
     const Bounds b = bounds_of(v.ui.scene, v.ui.probed_object);
     EXPECT_LT(v.settings.camera.distance, all);
@@ -169,7 +169,7 @@ TEST(Viewport, ADoubleClickChoosesWhatTheProbeFoundAndFFramesIt) {
         ImGui::GetIO().KeysDown[escape] = false;
         v.ui.frame();
         EXPECT_FALSE(v.ui.state.probe_pixel);
-        EXPECT_EQ(!v.ui.state.selected_object.empty(), chosen);
+        EXPECT_EQ(!v.ui.state.selection.first.empty(), chosen);
     }
 }
 
@@ -214,13 +214,13 @@ TEST(Viewport, AnEndOfTheAxesLooksAlongIt) {
     Viewport v;
     v.settings.camera.source = CameraSource::Manual;
     v.ui.frames(2);
-    const PictureView view = *v.ui.state.scene_view;
+    const PictureView view = *v.ui.state.viewport.view;
     int found = 0;
     for (float y = 0; y < 80; y += 4)
         for (float x = 0; x < 80; x += 4) {
             v.ui.move(glm::vec2(view.origin + view.size) - glm::vec2(x, y));
             v.ui.frame();
-            if (v.ui.state.hovered_axis != 'y') continue;
+            if (v.ui.state.viewport.hovered_axis != 'y') continue;
             v.ui.click(glm::vec2(view.origin + view.size) - glm::vec2(x, y));
             EXPECT_NEAR(std::abs(v.settings.camera.elevation), 90, 1e-9);
             EXPECT_FALSE(v.ui.state.probe_pixel);
@@ -239,7 +239,7 @@ TEST(Viewport, EveryMarkIsDrawnWithoutComplaint) {
     v.settings.lights[2].type = LightType::Point;
     v.settings.lights[3].type = LightType::Spot;
     v.settings.lights[3].projection = LightProjection::Orthographic;
-    v.ui.state.selected_object = v.ui.scene.nodes[std::size_t(v.ui.scene.objects[0].node)].path;
+    v.ui.state.selection.first = v.ui.scene.nodes[std::size_t(v.ui.scene.objects[0].node)].path;
     v.ui.state.frozen = FrozenCamera{v.camera(), camera_settings(v.camera()), {640, 360}};
     v.ui.state.probe_pixel = glm::ivec2(20, 30);
     for (const bool orthographic : {false, true})

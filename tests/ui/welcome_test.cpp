@@ -18,7 +18,7 @@ class Welcome : public testing::Test {
 protected:
     Welcome() {
         ui.presets = {{.key = "acne"}, {.key = "bias"}};
-        ui.state.show_welcome = true;
+        ui.state.window.show_welcome = true;
         ui.frames(4);
     }
     EditorRequests click(const char* label) {
@@ -44,19 +44,19 @@ TEST_F(Welcome, EscClosesIt) {
     ui.frame();
     ImGui::GetIO().KeysDown[escape] = false;
     ui.frames(3);
-    EXPECT_FALSE(ui.state.show_welcome || open());
+    EXPECT_FALSE(ui.state.window.show_welcome || open());
 }
 
 TEST_F(Welcome, AModelIsOpenedByTheFileDialog) {
     click("Open a model…");
     ui.frames(2);
     EXPECT_TRUE(open()) << "the file dialog";
-    EXPECT_FALSE(ui.state.show_welcome);
+    EXPECT_FALSE(ui.state.window.show_welcome);
 }
 
 TEST_F(Welcome, TheTourBeginsWithTheFirstPreset) {
     EXPECT_EQ(click("Guided tour").load_preset, "acne");
-    EXPECT_FALSE(ui.state.show_welcome);
+    EXPECT_FALSE(ui.state.window.show_welcome);
 }
 
 TEST_F(Welcome, TheStageIsLoadedWhereAnotherSceneIsOpen) {
@@ -75,7 +75,7 @@ TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
     options.state_folder = state;
     const auto shown = [](const EditorOptions& o) {
         HeadlessEditor editor(o);
-        const bool welcome = editor.model().state.show_welcome;
+        const bool welcome = editor.model().state.window.show_welcome;
         for (int i = 0; i < 3; ++i) editor.frame();
         if (welcome) write_png(fs::path(SI_TEST_OUTPUT_DIR) / "welcome.png", editor.picture());
         return welcome;
@@ -104,7 +104,7 @@ TEST(LightTheme, IsKeptAndReachesTheWindow) {
     double mean[2] = {};
     for (double& m : mean) {
         HeadlessEditor editor(options);
-        editor.model().state.search = "intensity";  // with the lights at its head
+        editor.model().state.settings_panel.search = "intensity";  // with the lights at its head
         editor.settle();
         for (int i = 0; i < 2; ++i) add_light(editor.model().state.settings);
         editor.settle();

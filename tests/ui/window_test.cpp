@@ -86,7 +86,7 @@ TEST_F(Window, AHandleOfTheLightIsDraggedAndUndone) {
     const auto editor = twin();
     const EditorState& state = editor->model().state;
     const FittedLight& fitted = editor->model().facts().result->lights[0];
-    const auto handles = place_handles(light_pose(state.settings.lights[0], fitted, 0), *state.scene_view);
+    const auto handles = place_handles(light_pose(state.settings.lights[0], fitted, 0), *state.viewport.view);
     const auto drag_handle = [&](const std::function<bool(LightHandle)>& wanted) {
         const auto found =
             std::find_if(handles.begin(), handles.end(), [&](const auto& h) { return wanted(h.handle); });

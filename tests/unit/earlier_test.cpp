@@ -70,7 +70,7 @@ TEST(EarlierVersions, AFileConcernsTheLightsThatItNames) {
     for (const int i : {0, 1, 2, 3, 4}) EXPECT_EQ(s.lights[std::size_t(i)].fit, old.lights[0].fit) << i;
     EXPECT_EQ(s.lights[5], now.lights[5]) << "a light that is added later has the present defaults";
     EXPECT_EQ(read_preset(kSettingsVersion, R"("light.count":2)").lights[0].fit, now.lights[0].fit);
-    EXPECT_EQ(read_preset(1, R"("light.1.fit":"manual")").lights[1].fit, int(LightFit::Manual))
+    EXPECT_EQ(read_preset(1, R"("light.1.fit":"manual")").lights[1].fit, LightFit::Manual)
         << "a value of the file holds";
 }
 

@@ -60,7 +60,7 @@ bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, doubl
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) ImGui::SetTooltip("%s: %.4g\nDrag to move", about, value);
     if (!ImGui::IsItemActive()) return false;
-    state.dragging = true;
+    state.viewport.dragging = true;
     if (ImGui::GetIO().MouseDelta.x == 0) return false;
     value = std::clamp(h.lo + span * double((ImGui::GetIO().MousePos.x - lo.x) / width), h.lo, h.hi);
     return true;

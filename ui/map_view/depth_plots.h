@@ -1,5 +1,4 @@
-// Two small plots under the map: how often each depth occurs, with the ends of the grey scale to drag, and how depth
-// grows with distance.
+// Two plots under the map: histogram of depths with the draggable ends of the grey scale, and depth over distance.
 #pragma once
 
 #include <imgui.h>
@@ -10,15 +9,15 @@
 
 namespace si {
 
-/// Histogram of the shown depths over view.map's values. Black and white (or the two thresholds of the band view) are
-/// dragged in it. Fills `size` pixels at the cursor.
+/// Draws the histogram of the shown depths. Black and white (or the thresholds of the band view) are dragged in it.
+/// @param size pixels, from the cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
-/// Stored depth over distance, with the band thresholds and the distances they lie at; `marked_m` is a distance to
-/// mark. Fills `size` pixels at the cursor.
+/// Draws stored depth over distance, with the band thresholds. @param marked_m distance to mark, metres
+/// @param size pixels, from the cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);
 
-/// Distance along the axis at which depth, counted from the near plane, reaches `share` of its range.
+/// Returns the distance along the view axis at which depth reaches `share` of its range from the near plane.
 double distance_at_share(const DepthCurve& curve, double share);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Marks over the map viewer's picture: texels, a kernel's footprint, numbers in texels, outlines of what a camera sees.
+// Marks over the map viewer's picture: texels, a kernel's footprint, numbers in texels, outlines of cameras.
 #pragma once
 
 #include <imgui.h>
@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Where the depth image lies on the screen. Map coordinates: u to the right, v up, 0..1 over the image.
+/// Placement of the depth image on the screen. Map coordinates: u to the right, v up, 0..1 over the image.
 struct MapRect {
     ImVec2 lo{0, 0}, size{1, 1};
     glm::ivec2 texels{1};
@@ -22,20 +22,20 @@ struct MapRect {
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }
-    /// The screen rectangle of `count` x `count` texels from `first` on.
+    /// Returns two corners of the screen rectangle of `count` x `count` texels from `first` on.
     std::pair<ImVec2, ImVec2> square(glm::ivec2 first, int count) const;
 };
 
-/// Outlines a square of texels; one that is too small to see gets a ring around it.
+/// Outlines a rectangle of texels. One that is too small to see gets a ring around it.
 void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour);
 
-/// Writes each visible texel's stored value into it, when texels are large enough to hold one.
+/// Writes each visible texel's stored value into it, if texels are large enough.
 /// @param values one channel, top row first, of the image shown
 void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi);
-/// Whether texels are drawn so large that texel_numbers() writes into them.
+/// Returns true if texels are large enough for texel_numbers().
 bool shows_texel_numbers(const MapRect& rect);
 
-/// Segments in map coordinates.
+/// Draws segments given in map coordinates.
 void map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
 
 }  // namespace si

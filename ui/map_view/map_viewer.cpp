@@ -19,6 +19,7 @@
 #include "ui/scene_view/picture_marks.h"
 #include "ui/scene_view/picture_painter.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/setting_widgets.h"
@@ -36,18 +37,18 @@ bool of_camera(const Settings& s) {
     return s.view.map_source == MapSource::Camera;
 }
 
-void save_menu(EditorState& state, EditorRequests& actions) {
+void save_menu(EditorState& state, EditorRequests& requests) {
     menu_button("Save", "save map",
                 "Write the depth image: .pfm holds the stored values as floats (metres when the view is\n"
                 "linear), .png the picture as shown",
                 ImGui::GetFontSize() * 24);
     if (!ImGui::BeginPopup("save map")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map_path,
+    const bool entered = ImGui::InputTextWithHint("##file", "file.pfm or file.png", &state.map.save_path,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.map_path.empty()) {
-        actions.save_map = state.map_path;
+    if ((ImGui::Button("Write") || entered) && !state.map.save_path.empty()) {
+        requests.save_map = state.map.save_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -56,7 +57,7 @@ void save_menu(EditorState& state, EditorRequests& actions) {
 /// Whether the texels that are read are found exactly.
 void exact_choice(EditorState& state) {
     ImGui::BeginDisabled(state.frozen.has_value());
-    ImGui::Checkbox("Texels read", &state.exact_texels);
+    ImGui::Checkbox("Texels read", &state.map.exact_texels);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", state.frozen
@@ -82,7 +83,8 @@ void place_combo(EditorState& state, float width) {
         }
         ImGui::EndCombo();
     }
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Where the shadow map is shown (N)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", with_key("Place of the shadow map in the window", Command::NextMapPlace).c_str());
 }
 
 /// The lights that there are; empty where there is nothing to choose from.
@@ -99,7 +101,7 @@ bool has_room_for_plots(const EditorLayout& layout, float height) {
     return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
 }
 
-void header(EditorState& state, const FrameResult* result, EditorRequests& actions) {
+void header(EditorState& state, const FrameResult* result, EditorRequests& requests) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
     const bool plots = has_room_for_plots(state.layout, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight());
@@ -107,7 +109,8 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& actio
     Toolbar bar("map tools");
     if (titled) bar.title("Map");
     if (titled && ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Double-click: alone in the window, and back (F11)");
+        ImGui::SetTooltip("%s",
+                          with_key("Double-click: alone in the window, and back", Command::MaximisePanel).c_str());
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Map);
     }
     const auto setting = [&](const char* label, const char* key, float width) {
@@ -139,11 +142,13 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& actio
     bar.item("", check_width("Plots"), [&state, plots](float) {
         ImGui::Checkbox("Plots", &state.layout.map_plots);
         wrapped_tooltip(std::string("Histogram of the depths, and depth over distance") +
-                        (state.layout.map_plots && !plots ? ". They show where the map has more height (F11)" : ""));
+                        (state.layout.map_plots && !plots
+                             ? with_key(". They show where the map has more height", Command::MaximisePanel)
+                             : ""));
     });
     if (!of_camera(s)) bar.item("", check_width("Texels read"), [&](float) { exact_choice(state); });
     bar.item("Place", em * 9, [&](float room) { place_combo(state, room); });
-    bar.item("", em * 3, [&](float) { save_menu(state, actions); });
+    bar.item("", em * 3, [&](float) { save_menu(state, requests); });
     bar.end();
 }
 
@@ -229,7 +234,7 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
 
 /// The texel of a finding that was clicked, in the map that it is of.
 void mark_finding(const EditorState& state, const FrameResult& result, const MapRect& shown) {
-    const auto& mark = state.marked_texel;
+    const auto& mark = state.map.marked_texel;
     if (!mark || mark->light != shown_light(state.settings) || mark->view != shown_face(state.settings, result)) return;
     if (mark->level == result.shown_map.mip && shown.holds(mark->texel))
         outline_texels(shown, mark->texel, {1, 1}, theme::error());
@@ -238,7 +243,7 @@ void mark_finding(const EditorState& state, const FrameResult& result, const Map
 /// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
 const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
     const Image& marks = frame.result->texels_read;
-    return state.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
+    return state.map.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
 }
 
 std::string usage_text(const EditorState& state, const EditorFrame& frame) {
@@ -278,10 +283,10 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    state.hovered_texel.reset();
-    header(state, frame.result, actions);
-    actions.want_map = true;
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    state.map.hovered_texel.reset();
+    header(state, frame.result, requests);
+    requests.want_map = true;
     if (!frame.result) return;
     const FrameResult& result = *frame.result;
     const float em = ImGui::GetFontSize();
@@ -294,7 +299,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const ImVec2 end(origin.x + size.x, origin.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, end, theme::well());
-    state.map_rect = {{origin.x, origin.y}, {size.x, size.y}};
+    state.shots.map_rect = {{origin.x, origin.y}, {size.x, size.y}};
     if (const std::string text = obstacle(state.settings, frame); !text.empty()) {
         ImGui::SetCursorScreenPos({origin.x + em, origin.y + em});
         ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + size.x - 2 * em);
@@ -305,15 +310,15 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     const bool camera = of_camera(state.settings);
     const FittedLight* fitted = camera ? nullptr : &result.lights[std::size_t(shown_light(state.settings))];
     const glm::ivec2 n = result.map_view_size;
-    actions.want_map_facts = plots;
-    actions.want_exact_texels = !camera && state.exact_texels && !state.frozen && !state.dragging;
-    actions.want_frozen_usage = !camera && state.frozen && !state.dragging;
+    requests.want_map_facts = plots;
+    requests.want_exact_texels = !camera && state.map.exact_texels && !state.frozen && !state.viewport.dragging;
+    requests.want_frozen_usage = !camera && state.frozen && !state.viewport.dragging;
 
     ImGui::InvisibleButton("map picture", size);
     const bool hovered = ImGui::IsItemHovered();
-    if (ImGui::IsItemActive()) state.dragging = true;
-    steer(state.map_window, origin, size, n);
-    const MapRect rect = place(state.map_window, origin, size, n);
+    if (ImGui::IsItemActive()) state.viewport.dragging = true;
+    steer(state.map.window, origin, size, n);
+    const MapRect rect = place(state.map.window, origin, size, n);
     const ImVec2 rect_end(rect.lo.x + rect.size.x, rect.lo.y + rect.size.y);
     list.PushClipRect(origin, end, true);
     list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(result.map_view.texture)), rect.lo, rect_end, {0, 1},
@@ -324,14 +329,15 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
     list.AddRect(rect.lo, rect_end, theme::line());
     const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
     if (shows_texel_numbers(shown)) {
-        actions.want_map_values = true;
+        requests.want_map_values = true;
         if (frame.map_values) texel_numbers(shown, *frame.map_values, origin, end);
     }
     if (camera) {
         if (state.probe_pixel)
             outline_texels(rect, {state.probe_pixel->x, n.y - 1 - state.probe_pixel->y}, {1, 1}, theme::kProbed);
-        if (state.hovered_pixel)
-            outline_texels(rect, {state.hovered_pixel->x, n.y - 1 - state.hovered_pixel->y}, {1, 1}, IM_COL32_WHITE);
+        if (state.viewport.hovered_pixel)
+            outline_texels(rect, {state.viewport.hovered_pixel->x, n.y - 1 - state.viewport.hovered_pixel->y}, {1, 1},
+                           IM_COL32_WHITE);
     } else {
         // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
@@ -347,18 +353,19 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                     p.place == MapPlace::Inside)
                     mark_taps(rect, p);
         mark_finding(state, result, shown);
-        if (state.hovered_pixel) mark_pixels_texels(state, frame, rect, *state.hovered_pixel, theme::kLinked);
+        if (state.viewport.hovered_pixel)
+            mark_pixels_texels(state, frame, rect, *state.viewport.hovered_pixel, theme::kLinked);
     }
     auto text = title(state.settings, result, fitted);
     std::optional<double> marked_m;
     if (const std::string usage = usage_text(state, frame); !usage.empty() && !camera) append(text, usage);
     if (hovered) {
-        actions.want_map_values = true;
-        actions.want_links |= !camera;
+        requests.want_map_values = true;
+        requests.want_links |= !camera;
         const glm::dvec2 uv = rect.uv(ImGui::GetIO().MousePos);
         const glm::ivec2 texel(glm::floor(uv * glm::dvec2(n)));
         if (rect.holds(texel)) {
-            state.hovered_texel = texel;
+            state.map.hovered_texel = texel;
             outline_texels(rect, texel, {1, 1}, IM_COL32_WHITE);
             text = texel_readout(texel, n, frame.map_values, result.map_view_curve, shown_usage(state, frame),
                                  state.frozen.has_value(), result.shown_map, state.settings.view.map != MapView::Raw);

@@ -1,4 +1,5 @@
-// What the scene advises, each change measured before it is shown, and the autopilot.
+#include "ui/panels/advice_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,8 +9,9 @@
 #include "renderer/advise/autopilot.h"
 #include "renderer/base/lengths_text.h"
 #include "renderer/settings/param.h"
-#include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/cost_combo.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -31,7 +33,8 @@ void apply_button(Settings& settings, Changes changes, bool current) {
     if (ImGui::SmallButton("Apply"))
         for (const auto& [key, value] : changes) set_setting(settings, key, value);
     ImGui::EndDisabled();
-    wrapped_tooltip(list_of(changes) + (current ? "Ctrl+Z takes it back." : "Of other settings: run again."));
+    wrapped_tooltip(list_of(changes) + (current ? fmt::format("{} takes it back.", key_text(Command::Undo))
+                                                : "Of other settings: run again."));
 }
 
 void bound(const char* label, const char* about, bool& on, double& value, double least, const char* format) {
@@ -46,18 +49,17 @@ void bound(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, least);
 }
 
-void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorRequests& actions) {
-    if (frame.advising) {
-        if (ImGui::Button("Cancel")) actions.cancel_advice = true;
-        progress_bar(frame.advising->progress, fmt::format("{:.0f} %", 100 * frame.advising->progress));
-        wrapped_tooltip(frame.advising->about);
-        ImGui::TextWrapped("%s", frame.advising->about.c_str());
+void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts& facts, AdviceRequests& requests) {
+    if (facts.advising) {
+        if (ImGui::Button("Cancel")) requests.cancel_advice = true;
+        progress_bar(facts.advising->progress, fmt::format("{:.0f} %", 100 * facts.advising->progress));
+        wrapped_tooltip(facts.advising->about);
+        ImGui::TextWrapped("%s", facts.advising->about.c_str());
         return;
     }
     choose_cost("Times", panel.cost);
-    const bool ready = frame.scene != nullptr;
     ImGui::BeginDisabled(!ready);
-    if (ImGui::Button("Run")) actions.find_advice = AdviceRequest{.cost = panel.cost};
+    if (ImGui::Button("Run")) requests.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
         "Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
         "Nothing is changed.");
@@ -69,9 +71,9 @@ void draw_advice_controls(AdvicePanel& panel, const EditorFrame& frame, EditorRe
           panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
     if (ImGui::Button("Autopilot")) {
-        actions.find_advice = AdviceRequest{.cost = panel.cost};
-        if (panel.bound_error) actions.find_advice->most_error = panel.most_error;
-        if (panel.bound_ms) actions.find_advice->most_ms = panel.most_ms;
+        requests.find_advice = AdviceRequest{.cost = panel.cost};
+        if (panel.bound_error) requests.find_advice->most_error = panel.most_error;
+        if (panel.bound_ms) requests.find_advice->most_ms = panel.most_ms;
     }
     ImGui::EndDisabled();
     wrapped_tooltip(
@@ -165,18 +167,19 @@ void show_flight(Settings& settings, const AutopilotResult& r, bool current, Cha
 
 }  // namespace
 
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
+                       AdviceRequests& requests) {
     const float em = ImGui::GetFontSize(), room = ImGui::GetContentRegionAvail().x;
     ImGui::BeginChild("controls", {std::clamp(room * 0.3f, em * 17, em * 22), 0}, false);
-    draw_advice_controls(state.advice, frame, actions);
+    draw_advice_controls(panel, ready, facts, requests);
     ImGui::EndChild();
     ImGui::SameLine(0, em);
     ImGui::BeginChild("found", {0, 0}, false);
-    if (frame.advice)
-        show_report(state.settings, *frame.advice, frame.advice_current);
-    else if (frame.autopilot)
-        show_flight(state.settings, *frame.autopilot, frame.advice_current, frame.autopilot_changes);
-    else if (!frame.advising)
+    if (facts.advice)
+        show_report(settings, *facts.advice, facts.advice_current);
+    else if (facts.autopilot)
+        show_flight(settings, *facts.autopilot, facts.advice_current, facts.autopilot_changes);
+    else if (!facts.advising)
         ImGui::TextDisabled("Run says which settings this scene could do without, and what each change is worth.");
     ImGui::EndChild();
 }

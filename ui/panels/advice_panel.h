@@ -11,6 +11,7 @@
 
 namespace si {
 
+struct Settings;
 struct AdviceReport;     // renderer/advise/advice.h
 struct AutopilotResult;  // renderer/advise/autopilot.h
 
@@ -38,5 +39,10 @@ struct AdviceRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;
 };
+
+/// Draws the panel Advice: measured changes that the scene can do with, and the autopilot.
+/// @param ready there is a scene to measure
+void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const AdvicePanelFacts& facts,
+                       AdviceRequests& requests);
 
 }  // namespace si

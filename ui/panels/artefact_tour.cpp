@@ -81,8 +81,8 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
     // The surface is probed wherever the new picture has it.
     state.probe_pixel = spot.pixel;
     state.probe_anchor = ProbeAnchor{spot.position_ws, spot.normal_ws, state.scene_name, spot.pixel};
-    state.probe_has_arrows = true;
-    if (state.tab != BottomTab::Error) state.open_tab = BottomTab::Probe;
+    state.keyboard.probe_has_arrows = true;
+    if (state.tab != BottomTab::Error) state.window.open_tab = BottomTab::Probe;
     tour.left = state.settings;
     tour.scene = state.scene_name;
 }

@@ -15,7 +15,14 @@ struct CompareWith {
     bool operator==(const CompareWith&) const = default;
 };
 
-/// What state.compare names.
+/// Settings that were kept as A, to compare later ones with.
+struct PinnedSettings {
+    Settings settings;
+    std::string scene;  ///< built-in key or path of the scene that they were shown with
+    bool operator==(const PinnedSettings&) const = default;
+};
+
+/// Settings that PictureState::compare names.
 struct ComparisonFacts {
     CompareWith with;
     Settings settings;

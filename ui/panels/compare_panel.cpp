@@ -9,6 +9,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -92,12 +93,14 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
     if (ImGui::Button("Use")) set_value(state.settings, ref, get_value(reference, ref));
     ImGui::PopID();
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s", idle ? "Without effect on both sides" : "Sets this value; Ctrl+Z takes it back");
+        ImGui::SetTooltip("%s",
+                          idle ? "Without effect on both sides"
+                               : fmt::format("Sets this value; {} takes it back", key_text(Command::Undo)).c_str());
 }
 
 }  // namespace
 
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Compared with");
@@ -146,7 +149,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& 
         cell(scene_label(state.scene_name), theme::accent());
         cell(scene_label(scene), theme::text());
         ImGui::TableNextColumn();
-        if (ImGui::Button("Use")) actions.load_scene = scene;
+        if (ImGui::Button("Use")) requests.load_scene = scene;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Opens this scene under the present settings");
     }
     ImGuiListClipper clipper;

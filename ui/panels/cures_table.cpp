@@ -9,6 +9,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/settings/param.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -23,7 +24,7 @@ std::string about(const MeasuredFix& fix, const FixTable& table) {
     if (fix.ms)
         text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(fix.ms->value),
                             digits_text(fix.ms->noise));
-    return text + "A click applies it; Ctrl+Z takes it back.";
+    return text + fmt::format("A click applies it; {} takes it back.", key_text(Command::Undo));
 }
 
 void coloured_cell(const std::string& text, ImU32 colour) {
@@ -55,17 +56,17 @@ void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& 
 
 }  // namespace
 
-void fixes_button(const FixSearch& search, CureRequests& actions, std::optional<glm::ivec2> pixel, bool ready,
+void fixes_button(const FixSearch& search, CureRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##cures")) actions.cancel_fixes = true;
+        if (ImGui::Button("Cancel##cures")) requests.cancel_fixes = true;
         return;
     }
     ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find cures")) actions.find_fixes = CureRequest{pixel};
+    if (ImGui::Button("Find cures")) requests.find_fixes = CureRequest{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
@@ -73,7 +74,7 @@ void fixes_button(const FixSearch& search, CureRequests& actions, std::optional<
                         : "Nothing is wrong here.");
 }
 
-void fix_rows_table(Settings& settings, const FixSearch& search, CureRequests& actions,
+void fix_rows_table(Settings& settings, const FixSearch& search, CureRequests& requests,
                     std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
@@ -81,7 +82,7 @@ void fix_rows_table(Settings& settings, const FixSearch& search, CureRequests& a
     else
         ImGui::TextDisabled("of other settings: search again");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Close##cures")) actions.forget_fixes = true;
+    if (ImGui::SmallButton("Close##cures")) requests.forget_fixes = true;
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;

@@ -1,4 +1,5 @@
-// What the frame did: each effect, whether it was simulated and why, what its pass cost, what its being spared saves.
+#include "ui/panels/effects_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,12 +8,15 @@
 
 #include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/frame/frame.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/measure/optimisation_times.h"
 #include "renderer/optimisations/optimisations.h"
-#include "ui/state/panels.h"
+#include "renderer/render/renderer.h"
+#include "ui/state/frame_times.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -86,24 +90,24 @@ void force_box(OptimisationSet& forced, Optimisation saving, const char* label) 
                                 row_of(saving).label, row_of(saving).help));
 }
 
-void measure_button(const EditorFrame& frame, EditorRequests& actions) {
-    if (frame.measuring_saved) {
+void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
+    if (facts.measuring_saved) {
         const std::string text =
-            fmt::format("{:.0f} %  {}", 100 * frame.measuring_saved->progress, frame.measuring_saved->about);
-        progress_bar(frame.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
+            fmt::format("{:.0f} %  {}", 100 * facts.measuring_saved->progress, facts.measuring_saved->about);
+        progress_bar(facts.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##saved")) actions.cancel_saved = true;
+        if (ImGui::Button("Cancel##saved")) requests.cancel_saved = true;
         return;
     }
-    if (ImGui::Button("Measure what is saved")) actions.measure_saved = true;
+    if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
     wrapped_tooltip(
         "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
         "difference in milliseconds with its interval.");
 }
 
-void tools(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    measure_button(frame, actions);
-    OptimisationSet& forced = state.effects.forced;
+void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requests) {
+    measure_button(facts, requests);
+    OptimisationSet& forced = panel.forced;
     int count = 0;
     for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
@@ -121,8 +125,8 @@ void tools(EditorState& state, const EditorFrame& frame, EditorRequests& actions
     ImGui::EndDisabled();
     wrapped_tooltip("Make all savings again.");
     flow(button_width("Hide what is not called for") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not called for", &state.effects.hide_uncalled);
-    if (!frame.saved || frame.saved_current) return;
+    ImGui::Checkbox("Hide what is not called for", &panel.hide_uncalled);
+    if (!facts.saved || facts.saved_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
     flow(ImGui::CalcTextSize(kOld).x);
     ImGui::TextDisabled("%s", kOld);
@@ -181,9 +185,9 @@ void cost_cells(const PassCost& cost) {
 }
 
 /// Behind a time: its share of the longest, as a bar.
-void time_bar(const EditorState& state, double ms) {
+void time_bar(const FrameTimes& times, double ms) {
     double longest = ms;
-    for (const auto& [name, last] : state.times.pass_ms) longest = std::max(longest, last);
+    for (const auto& [name, last] : times.pass_ms) longest = std::max(longest, last);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x * float(ms / std::max(longest, 1e-9));
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + ImGui::GetTextLineHeight()},
@@ -191,14 +195,15 @@ void time_bar(const EditorState& state, double ms) {
 }
 
 /// What a pass took when it was timed last, in grey.
-void last_time_cell(const EditorState& state, const PassInfo& pass) {
-    const auto last = state.times.pass_ms.find(pass.name);
-    if (last == state.times.pass_ms.end() || !ImGui::TableSetColumnIndex(index_of(Column::Ms))) return;
+void last_time_cell(const FrameTimes& times, const PassInfo& pass) {
+    const auto last = times.pass_ms.find(pass.name);
+    if (last == times.pass_ms.end() || !ImGui::TableSetColumnIndex(index_of(Column::Ms))) return;
     right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
     wrapped_tooltip("When it was drawn last; this frame spares it");
 }
 
-void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effect, Room room, PassCost& sum) {
+void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult& result, const EffectsFacts& facts,
+                const Effect& effect, Room room, PassCost& sum) {
     ImGui::TableNextRow();
     ImGui::TableSetColumnIndex(index_of(Column::State));
     state_cell(effect.state, room);
@@ -218,10 +223,10 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         ImGui::PopTextWrapPos();
         ImGui::PopStyleColor();
     }
-    const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
-    if (pass && pass->state != PassState::Drawn) last_time_cell(state, *pass);
+    const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : result.pass(effect.pass);
+    if (pass && pass->state != PassState::Drawn) last_time_cell(times, *pass);
     if (pass && pass->state == PassState::Drawn) {
-        if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(index_of(Column::Ms))) time_bar(state, pass->gpu_ms);
+        if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(index_of(Column::Ms))) time_bar(times, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
         sum.gpu_ms += pass->gpu_ms;
         sum.cpu_ms += pass->cpu_ms;
@@ -229,10 +234,10 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
-        saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, saved_together(frame.effects, effect),
-                   frame.saved_current);
+        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, saved_together(facts.effects, effect),
+                   facts.saved_current);
     if (effect.saving && ImGui::TableSetColumnIndex(index_of(Column::Force)))
-        force_box(state.effects.forced, *effect.saving, "##force");
+        force_box(panel.forced, *effect.saving, "##force");
 }
 
 /// What is forced stays on view, so that its box can be taken back.
@@ -275,13 +280,12 @@ void history(const FrameTimes& times) {
         ImGui::TextDisabled("%s", text.c_str());
 }
 
-void clock_line(const EditorFrame& frame) {
-    const FrameResult& result = *frame.result;
+void clock_line(const FrameResult& result, const DriverInfo* driver) {
     if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
     const std::string by = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
-    const bool software = frame.driver && frame.driver->software;
+    const bool software = driver && driver->software;
     std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;
-    if (frame.driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", frame.driver->renderer);
+    if (driver) clock += fmt::format("{}{}", clock.empty() ? "" : "   ", driver->renderer);
     const std::string shown = beginning_that_fits(clock, ImGui::GetContentRegionAvail().x, ImGui::GetFont());
     ImGui::TextDisabled("%s", shown.c_str());
     std::string tip = shown == clock ? std::string() : clock;
@@ -291,33 +295,33 @@ void clock_line(const EditorFrame& frame) {
 
 }  // namespace
 
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    actions.want_effects = true;
-    if (!frame.result) {
+void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,
+                  const EffectsFacts& facts, EffectsRequests& requests) {
+    requests.want_effects = true;
+    if (!result) {
         ImGui::TextDisabled("No frame yet.");
         return;
     }
-    tools(state, frame, actions);
+    tools(panel, facts, requests);
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
                                       ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_BordersInnerH |
                                       ImGuiTableFlags_NoSavedSettings;
-    const float footer =
-        ImGui::GetTextLineHeightWithSpacing() * (frame.result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
+    const float footer = ImGui::GetTextLineHeightWithSpacing() * (result->pages ? 2 : 1) + ImGui::GetFontSize() * 0.2f;
     const Room room = room_of(ImGui::GetContentRegionAvail().x / ImGui::GetFontSize());
     PassCost sum;
     if (ImGui::BeginTable("effects", kColumns, flags, {0, -footer})) {
         header(room);
         int id = 0;
-        for (const Effect& effect : frame.effects) {
+        for (const Effect& effect : facts.effects) {
             ImGui::PushID(id++);
-            if (!left_out(state.effects, effect)) effect_row(state, frame, effect, room, sum);
+            if (!left_out(panel, effect)) effect_row(panel, times, *result, facts, effect, room, sum);
             ImGui::PopID();
         }
         sum_row(sum);
         ImGui::EndTable();
     }
-    clock_line(frame);
-    history(state.times);
+    clock_line(*result, driver);
+    history(times);
 }
 
 }  // namespace si

@@ -9,6 +9,9 @@
 
 namespace si {
 
+struct DriverInfo;
+struct FrameResult;
+struct FrameTimes;
 struct Effect;      // renderer/inspect/effects.h
 struct SavedTimes;  // renderer/measure/optimisation_times.h
 
@@ -29,5 +32,10 @@ struct EffectsRequests {
     bool want_effects = false;  ///< the panel is shown
     bool measure_saved = false, cancel_saved = false;
 };
+
+/// Draws the panel Effects: a row an effect with its state, reason and cost, then the frame's sum.
+/// @param times of the last frames @param result of the last frame; null: none @param driver null: not known
+void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,
+                  const EffectsFacts& facts, EffectsRequests& requests);
 
 }  // namespace si

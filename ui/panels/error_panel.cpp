@@ -13,6 +13,7 @@
 #include "renderer/reference/live_error.h"
 #include "ui/panels/cures_table.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
@@ -112,9 +113,11 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
-            "Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and probes it "
-            "(X).\n"
-            "Clusters are those of the picture in which it was pressed first. Undo takes the camera back.");
+            "%s.\nClusters are those of the picture in which it was pressed first. Undo takes the camera back.",
+            with_key("Takes the camera to the next cluster of wrong pixels of the chosen cause, largest first, and "
+                     "probes it",
+                     Command::NextWrongPixels)
+                .c_str());
     if (tour.empty()) return;
     ImGui::SameLine();
     ImGui::TextDisabled("%s", tour.c_str());
@@ -140,7 +143,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
     ImGui::PopID();
 }
 
-void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const bool there = frame.error != nullptr;
     ImGui::BeginDisabled(!there);
     if (ImGui::Button("Save…")) ImGui::OpenPopup("save error");
@@ -149,11 +152,11 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& a
         ImGui::SetTooltip("Writes all numbers as JSON, distances between the edges included (as `measure --json`)");
     if (!ImGui::BeginPopup("save error")) return;
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered =
-        ImGui::InputTextWithHint("##file", "file.json", &state.error_path, ImGuiInputTextFlags_EnterReturnsTrue);
+    const bool entered = ImGui::InputTextWithHint("##file", "file.json", &state.error_panel.save_path,
+                                                  ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Write") || entered) && !state.error_path.empty()) {
-        actions.save_error = state.error_path;
+    if ((ImGui::Button("Write") || entered) && !state.error_panel.save_path.empty()) {
+        requests.save_error = state.error_panel.save_path;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();
@@ -161,7 +164,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorRequests& a
 
 }  // namespace
 
-void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     Settings& s = state.settings;
     if (!frame.reference) {
@@ -180,9 +183,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
     labelled("Every n-th pixel", "truth.step", em * 4);
     flow(em * 4);
-    save_button(state, frame, actions);
+    save_button(state, frame, requests);
     flow(em * 6);
-    fixes_button(frame.fixes, actions, {}, frame.result && frame.scene,
+    fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
@@ -194,9 +197,9 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     ImGui::TextDisabled("%s", status.c_str());
     if (busy && !frame.reference->current) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("Cancel")) actions.cancel_reference = true;
+        if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
-    fix_rows_table(s, frame.fixes, actions, {});
+    fix_rows_table(s, frame.fixes, requests, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

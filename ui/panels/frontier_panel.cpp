@@ -15,6 +15,7 @@
 #include "renderer/settings/param.h"
 #include "ui/panels/frontier_plot.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/cost_combo.h"
@@ -129,8 +130,8 @@ void draw_size(SweepPanel& panel) {
     choose_cost("Times", panel.timed);
 }
 
-void draw_running(const SweepFacts& facts, EditorRequests& actions) {
-    if (ImGui::Button("Cancel")) actions.cancel_sweep = true;
+void draw_running(const SweepFacts& facts, EditorRequests& requests) {
+    if (ImGui::Button("Cancel")) requests.cancel_sweep = true;
     wrapped_tooltip("What is measured stays; sweep again to go on");
     ImGui::SameLine();
     std::string text = facts.timing ? "times" : "errors";
@@ -139,17 +140,17 @@ void draw_running(const SweepFacts& facts, EditorRequests& actions) {
     if (!facts.current.empty()) wrapped_tooltip(facts.current);
 }
 
-void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& actions) {
+void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& requests) {
     SweepPanel& panel = state.sweep;
     std::vector<std::string> axes;
     const std::size_t product = draw_axes(state, axes);
     draw_size(panel);
     if (facts.running) {
-        draw_running(facts, actions);
+        draw_running(facts, requests);
     } else {
         ImGui::BeginDisabled(product == 0);
         if (ImGui::Button(fmt::format("Sweep {} combinations###sweep", product).c_str()))
-            actions.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
+            requests.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
         wrapped_tooltip(
             "Error against ray-traced truth and time of every combination, in the background. Settings without "
@@ -164,12 +165,12 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& 
     wrapped_tooltip("Folder with results.csv, results.json, report.html and pictures");
     ImGui::SameLine();
     ImGui::BeginDisabled(panel.folder.empty() || facts.cases.empty());
-    if (ImGui::Button("Save")) actions.save_sweep = panel.folder;
+    if (ImGui::Button("Save")) requests.save_sweep = panel.folder;
     ImGui::EndDisabled();
     wrapped_tooltip("Write the sweep that is shown into this folder");
     ImGui::SameLine();
     ImGui::BeginDisabled(panel.folder.empty());
-    if (ImGui::Button("Open")) actions.open_sweep = panel.folder;
+    if (ImGui::Button("Open")) requests.open_sweep = panel.folder;
     ImGui::EndDisabled();
     wrapped_tooltip("Show the sweep in this folder, such as one of `shadow-inspector sweep`");
 }
@@ -282,8 +283,8 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
-    wrapped_tooltip(
-        "Other settings of the same picture: those pinned as A (P), else those measured last. The hollow diamond.");
+    wrapped_tooltip(with_key("Other settings of the same picture: those pinned as A", Command::PinSettings) +
+                    ", else those measured last. The hollow diamond.");
 }
 
 void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
@@ -332,7 +333,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     draw_before(facts, cost, error);
 }
 
-void draw_state(const SweepFacts& facts, EditorRequests& actions) {
+void draw_state(const SweepFacts& facts, EditorRequests& requests) {
     if (!facts.problem.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
         ImGui::TextWrapped("The sweep ended: %s", facts.problem.c_str());
@@ -350,26 +351,26 @@ void draw_state(const SweepFacts& facts, EditorRequests& actions) {
             wrapped_tooltip(list);
         }
         flow(button_width("Set them back"));
-        if (ImGui::Button("Set them back")) actions.take_sweep_base = true;
+        if (ImGui::Button("Set them back")) requests.take_sweep_base = true;
         wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }
 }
 
 }  // namespace
 
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     static const SweepFacts kNothing;
     const SweepFacts& facts = frame.sweep ? *frame.sweep : kNothing;
     const float em = ImGui::GetFontSize();
-    actions.want_present = state.sweep.follow;
+    requests.want_present = state.sweep.follow;
     const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
     // Side by side both would be cut: the panel scrolls instead.
     const bool stacked = room < em * 40;
     if (stacked) {
-        draw_controls(state, facts, actions);
+        draw_controls(state, facts, requests);
     } else {
         ImGui::BeginChild("controls", {controls, 0}, false);
-        draw_controls(state, facts, actions);
+        draw_controls(state, facts, requests);
         ImGui::EndChild();
         ImGui::SameLine(0, em);
     }
@@ -416,7 +417,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
     }
     const MeasuredColumn *cost = column_of(facts, across), *error = column_of(facts, state.sweep.error);
     if (cost && error) {
-        draw_state(facts, actions);
+        draw_state(facts, requests);
         draw_advice(state, facts, *cost, *error);
         if (facts.view.marks.empty() && !facts.view.present) {
             ImGui::TextDisabled(facts.running ? "The first cases are being measured."

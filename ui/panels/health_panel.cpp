@@ -1,54 +1,57 @@
-// Which of the frame's numbers are none, or lie where none can. A click shows where.
+#include "ui/panels/health_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <algorithm>
 
+#include "renderer/base/lengths_text.h"
+#include "renderer/frame/frame.h"
 #include "renderer/settings/filters.h"
-#include "ui/state/panels.h"
+#include "renderer/settings/settings.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
 
-constexpr float kTexelsShown = 24;  ///< across the map viewer, about a texel that was clicked
-
 bool is_of_map(const NumberFinding& f) {
     return f.image && f.light >= 0 && f.view >= 0;
 }
 
-/// Has the map viewer show a texel, and outline it.
-void show_texel(EditorState& state, const FrameResult& result, const NumberFinding& f) {
-    ViewSettings& v = state.settings.view;
+MarkedTexel texel_of(const NumberFinding& f) {
+    return {f.light, f.view, f.worst, f.level};
+}
+
+/// Makes the map viewer show the map that the finding is about.
+void show_map(ViewSettings& v, bool moments, const NumberFinding& f) {
     v.map_source = MapSource::Light;
     v.light = f.light;
     v.face = f.view;
-    const bool moments = f.image == Result::Moments && filter_of(state.settings).samples == Samples::Moments;
     v.map_channel = moments ? std::max(v.map_channel, 1) : 0;
     if (moments) v.map_mip = f.level;
-    state.marked_texel = MarkedTexel{f.light, f.view, f.worst, f.level};
-    const float across = float(std::max(result.map_resolution >> f.level, 1));
-    state.map_window = {.zoom = std::max(1.0f, across / kTexelsShown), .centre = (glm::vec2(f.worst) + 0.5f) / across};
 }
 
-void show(EditorState& state, const FrameResult& result, const NumberFinding& f) {
-    if (is_of_map(f))
-        show_texel(state, result, f);
-    else if (f.image)
-        state.probe_pixel = f.worst;
+void show(Settings& settings, const NumberFinding& f, HealthRequests& requests) {
+    if (is_of_map(f)) {
+        const bool moments = f.image == Result::Moments && filter_of(settings).samples == Samples::Moments;
+        show_map(settings.view, moments, f);
+        requests.show_texel = texel_of(f);
+    } else if (f.image) {
+        requests.probe_pixel = f.worst;
+    }
 }
 
-void finding_row(EditorState& state, const FrameResult& result, const NumberFinding& f, int id) {
+void finding_row(Settings& settings, const std::optional<MarkedTexel>& marked_texel, const NumberFinding& f, int id,
+                 HealthRequests& requests) {
     const std::string at = fmt::format("{}, {}", f.first.x, f.first.y);
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
     const std::string label(fault_label(f.fault));
-    const bool marked =
-        state.marked_texel && is_of_map(f) && *state.marked_texel == MarkedTexel{f.light, f.view, f.worst, f.level};
+    const bool marked = marked_texel && is_of_map(f) && *marked_texel == texel_of(f);
     if (ImGui::Selectable(fmt::format("{}###finding {}", label, id).c_str(), marked,
                           ImGuiSelectableFlags_SpanAllColumns))
-        show(state, result, f);
+        show(settings, f, requests);
     ImGui::PopStyleColor();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s%s", finding_text(f).c_str(),
@@ -93,18 +96,20 @@ void draw_memory(const MemoryReport& memory) {
 
 }  // namespace
 
-void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    actions.want_health = actions.want_memory = true;
-    if (frame.memory) draw_memory(*frame.memory);
-    if (!frame.result) {
+void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
+                 const HealthFacts& facts, HealthRequests& requests) {
+    requests.want_health = true;
+    requests.want_memory = true;
+    if (facts.memory) draw_memory(*facts.memory);
+    if (!result) {
         ImGui::TextDisabled("No frame yet.");
         return;
     }
-    if (!frame.health) {
+    if (!facts.health) {
         ImGui::TextDisabled("Searching ...");
         return;
     }
-    const NumericHealth& health = *frame.health;
+    const NumericHealth& health = *facts.health;
     if (health.sound()) {
         ImGui::TextUnformatted("All numbers are sound.");
         const std::string searched = fmt::format(
@@ -129,7 +134,7 @@ void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& a
     ImGui::TableSetupColumn("Worst", ImGuiTableColumnFlags_WidthFixed, em * 11);
     ImGui::TableHeadersRow();
     for (std::size_t i = 0; i < health.findings.size(); ++i)
-        finding_row(state, *frame.result, health.findings[i], int(i));
+        finding_row(settings, marked, health.findings[i], int(i), requests);
     ImGui::EndTable();
 }
 

@@ -2,29 +2,42 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 #include "renderer/base/held_memory.h"
 #include "renderer/frame/numeric_health.h"
 
 namespace si {
 
+struct FrameResult;
+struct Settings;
+
 struct HealthFacts {
     const NumericHealth* health = nullptr;  ///< of the frame shown; null: not asked for, or not there yet
     const MemoryReport* memory = nullptr;   ///< of the process; null: not asked for, or not there yet
 };
 
-struct HealthRequests {
-    bool want_health = false;  ///< the panel is shown: the frame's numbers are searched
-    bool want_memory = false;  ///< the panel is shown: memory and its holders are asked for
-    bool search_all = false;   ///< no picture is left out, whatever is shown
-};
-
-/// A texel that the map viewer outlines, from the lower left.
+/// A texel that the map viewer outlines.
 struct MarkedTexel {
-    int light = 0, view = 0;
-    glm::ivec2 texel{0};
-    int level = 0;  ///< mip level that it is of
+    int light = 0;
+    int view = 0;         ///< index of the light's view (cube face, cascade)
+    glm::ivec2 texel{0};  ///< from the lower left
+    int level = 0;        ///< mip level
     bool operator==(const MarkedTexel&) const = default;
 };
+
+struct HealthRequests {
+    bool want_health = false;               ///< the panel is shown: the frame's numbers are searched
+    bool want_memory = false;               ///< the panel is shown: memory and its holders are asked for
+    std::optional<glm::ivec2> probe_pixel;  ///< probe this pixel of the scene picture
+    std::optional<MarkedTexel> show_texel;  ///< outline this texel and bring it to the middle of the map viewer
+    bool search_all = false;                ///< no picture is left out, whatever is shown
+};
+
+/// Draws the panel Numbers: faulty values of the frame, and the process's memory.
+/// @param settings of which a click changes the shown map @param marked texel that the map viewer outlines
+/// @param result of the last frame; null: none
+void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
+                 const HealthFacts& facts, HealthRequests& requests);
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// The lab: sliders that put the scene far away and make it large, small or deep; what single precision makes of that,
-// and how much edges crawl under small motions.
+#include "ui/panels/lab_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -7,12 +7,14 @@
 
 #include "renderer/base/index_of.h"
 #include "renderer/base/lengths_text.h"
+#include "renderer/frame/frame.h"
 #include "renderer/reference/precision.h"
 #include "renderer/scene/placement.h"
 #include "renderer/settings/overlays.h"
 #include "renderer/settings/param.h"
-#include "ui/state/panels.h"
+#include "ui/state/shown_light.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/progress_bar.h"
 #include "ui/widgets/right_aligned.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -41,24 +43,24 @@ void precision_overlays(Settings& settings) {
     }
 }
 
-void place_rows(EditorState& state) {
+void place_rows(Settings& settings) {
     heading("Where the scene is");
     if (!ImGui::BeginTable("place", 2, ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) return;
     ImGui::TableSetupColumn("label", ImGuiTableColumnFlags_WidthStretch, 0.44f);
     ImGui::TableSetupColumn("value", ImGuiTableColumnFlags_WidthStretch, 0.56f);
-    const SceneSettings placed = state.settings.scene;
+    const SceneSettings placed = settings.scene;
     for (const std::string_view key :
          {"scene.distance", "scene.direction", "scene.scale", "light.stretch", "map.origin", "map.transform"}) {
         SettingRef ref = *find_setting(key);
         if (ref.param->scope == Scope::Light) {
-            if (state.settings.light_count <= 0) continue;
-            ref.light = std::max(shown_light(state.settings), 0);
+            if (settings.light_count <= 0) continue;
+            ref.light = std::max(shown_light(settings), 0);
         }
-        setting_row(state.settings, ref);
+        setting_row(settings, ref);
     }
-    carry_settings(state.settings, placed, state.settings.scene);
+    carry_settings(settings, placed, settings.scene);
     ImGui::EndTable();
-    precision_overlays(state.settings);
+    precision_overlays(settings);
 }
 
 /// A button that starts a measurement, or how far it is and one that ends it.
@@ -100,20 +102,21 @@ std::string choice_label(std::string_view key, int value) {
     return std::string(find_setting(key)->param->choices()[std::size_t(value)].label);
 }
 
-void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void pipelines_part(const Settings& settings, bool ready, const FrameResult* result, const LabFacts& facts,
+                    LabRequests& requests) {
     heading("Single precision against double");
     if (measure_button("Compare ways",
                        "Draws the picture by each way of computing places in the map, in the background, and compares "
                        "each pixel's with double precision.",
-                       frame.comparing_pipelines, frame.scene != nullptr, actions.cancel_pipelines))
-        actions.compare_pipelines = true;
-    if (frame.result && frame.result->precision && !frame.comparing_pipelines) {
-        const Precision& p = *frame.result->precision;
+                       facts.comparing_pipelines, ready, requests.cancel_pipelines))
+        requests.compare_pipelines = true;
+    if (result && result->precision && !facts.comparing_pipelines) {
+        const Precision& p = *result->precision;
         ImGui::SameLine();
         ImGui::TextDisabled("shown: %s, %s ULP (median)", texels_text(p.texels.median).c_str(),
                             digits_text(p.ulps.median).c_str());
     }
-    if (frame.pipelines.empty()) return ImGui::TextDisabled("Not measured yet.");
+    if (facts.pipelines.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("pipelines",
                        {{"Positions from, matrix", "The settings map.origin and map.transform"},
                         {"Texels", "Median distance in the map from the place by double precision"},
@@ -122,9 +125,9 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests
                         {"99 %", "of pixels are nearer than this, steps"},
                         {"Flips", "Pixels on the other side of one half than by the first row"}}))
         return;
-    const ImU32 colour = frame.pipelines_current ? theme::text() : theme::muted();
-    for (const PipelineError& e : frame.pipelines) {
-        const bool used = e.origin == state.settings.map.origin && e.transform == state.settings.map.transform;
+    const ImU32 colour = facts.pipelines_current ? theme::text() : theme::muted();
+    for (const PipelineError& e : facts.pipelines) {
+        const bool used = e.origin == settings.map.origin && e.transform == settings.map.transform;
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -138,7 +141,7 @@ void pipelines_part(EditorState& state, const EditorFrame& frame, EditorRequests
         right_cell(fmt::format("{}", e.flips), colour);
     }
     ImGui::EndTable();
-    if (!frame.pipelines_current) ImGui::TextDisabled("Of other settings or another size: compare again.");
+    if (!facts.pipelines_current) ImGui::TextDisabled("Of other settings or another size: compare again.");
 }
 
 void motion_widgets(ShimmerOptions& options) {
@@ -165,23 +168,23 @@ void motion_widgets(ShimmerOptions& options) {
     options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
 }
 
-void shimmer_part(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequests& requests) {
     heading("Shimmer");
-    motion_widgets(state.lab.shimmer);
+    motion_widgets(panel.shimmer);
     if (measure_button("Measure shimmer",
                        "Moves the camera that maps are made for, or the light, by parts of a texel while the picture "
                        "stands still, and counts the pixels whose visibility crosses one half.",
-                       frame.measuring_shimmer, frame.scene != nullptr, actions.cancel_shimmer))
-        actions.measure_shimmer = state.lab.shimmer;
-    if (frame.shimmer.empty()) return ImGui::TextDisabled("Not measured yet.");
+                       facts.measuring_shimmer, ready, requests.cancel_shimmer))
+        requests.measure_shimmer = panel.shimmer;
+    if (facts.shimmer.empty()) return ImGui::TextDisabled("Not measured yet.");
     if (!begin_numbers("shimmer", {{"Map", "The present settings, and the fit stabilised with and without light.snap"},
                                    {"Flips a step", "Pixels whose visibility crosses one half, mean over steps"},
                                    {"At most", "of a step"},
                                    {"Restless", "Pixels that ever flip"},
                                    {"Change", "Mean of |visibility changed by| over pixels and steps"}}))
         return;
-    const ImU32 colour = frame.shimmer_current ? theme::text() : theme::muted();
-    for (const ShimmerShown& s : frame.shimmer) {
+    const ImU32 colour = facts.shimmer_current ? theme::text() : theme::muted();
+    for (const ShimmerShown& s : facts.shimmer) {
         ImGui::TableNextRow();
         ImGui::TableNextColumn();
         ImGui::PushStyleColor(ImGuiCol_Text, colour);
@@ -194,25 +197,26 @@ void shimmer_part(EditorState& state, const EditorFrame& frame, EditorRequests& 
     }
     ImGui::EndTable();
     ImGui::TextDisabled("%s: %d steps of %g texels, %zu pixels%s",
-                        std::string(shimmer_motions()[std::size_t(frame.shimmer_of.motion)].label).c_str(),
-                        frame.shimmer_of.steps, frame.shimmer_of.step_texels, frame.shimmer.front().shimmer.places,
-                        frame.shimmer_current ? "" : "; of other settings or another size");
+                        std::string(shimmer_motions()[std::size_t(facts.shimmer_of.motion)].label).c_str(),
+                        facts.shimmer_of.steps, facts.shimmer_of.step_texels, facts.shimmer.front().shimmer.places,
+                        facts.shimmer_current ? "" : "; of other settings or another size");
 }
 
 }  // namespace
 
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
+              LabRequests& requests) {
     const float gap = ImGui::GetFontSize(), width = ImGui::GetContentRegionAvail().x - 2 * gap;
     const auto part = [&](const char* id, float share, const auto& draw) {
         ImGui::BeginChild(id, {share * width, 0}, false);
         draw();
         ImGui::EndChild();
     };
-    part("place", 0.28f, [&] { place_rows(state); });
+    part("place", 0.28f, [&] { place_rows(settings); });
     ImGui::SameLine(0, gap);
-    part("ways", 0.40f, [&] { pipelines_part(state, frame, actions); });
+    part("ways", 0.40f, [&] { pipelines_part(settings, scene != nullptr, result, facts, requests); });
     ImGui::SameLine(0, gap);
-    part("crawling", 0.32f, [&] { shimmer_part(state, frame, actions); });
+    part("crawling", 0.32f, [&] { shimmer_part(panel, scene != nullptr, facts, requests); });
 }
 
 }  // namespace si

@@ -11,6 +11,9 @@
 
 namespace si {
 
+struct FrameResult;
+struct Scene;
+
 struct LabPanel {
     ShimmerOptions shimmer;
 };
@@ -29,9 +32,15 @@ struct LabFacts {
 };
 
 struct LabRequests {
-    bool compare_pipelines = false, cancel_pipelines = false;
+    bool compare_pipelines = false;
+    bool cancel_pipelines = false;
     std::optional<ShimmerOptions> measure_shimmer;
     bool cancel_shimmer = false;
 };
+
+/// Draws the panel Lab: placement of the scene, error of single precision, shimmer of shadow edges.
+/// @param scene null: none is loaded @param result of the last frame; null: none
+void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
+              LabRequests& requests);
 
 }  // namespace si

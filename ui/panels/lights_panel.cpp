@@ -14,6 +14,7 @@
 #include "renderer/settings/param.h"
 #include "ui/state/light_list.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -21,8 +22,6 @@
 
 namespace si {
 namespace {
-
-constexpr int kF2 = 291;  ///< as the window feeds it (GLFW)
 
 // IEC 61966-2-1: settings are linear, what a person chooses is what the screen shows.
 float shown(double linear) {
@@ -43,7 +42,8 @@ bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
     return pressed;
 }
 
-void swatch(LightSettings& light) {
+/// @param number of the light, for its keys
+void swatch(LightSettings& light, int number) {
     float rgb[] = {shown(light.red), shown(light.green), shown(light.blue)};
     if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip)) {
         // A part that was not moved keeps all of its digits.
@@ -51,17 +51,14 @@ void swatch(LightSettings& light) {
         for (int i = 0; i < 3; ++i)
             if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
     }
-    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}", light.red, light.green,
-                                light.blue));
-}
-
-void begin_rename(EditorState& state, int light) {
-    state.light_rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+    wrapped_tooltip(fmt::format("Colour, as the screen shows it; linear {:.3g}, {:.3g}, {:.3g}\n{}, .green, .blue",
+                                light.red, light.green, light.blue,
+                                setting_key(*find_setting(fmt::format("light.{}.red", number)))));
 }
 
 /// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
 void rename_field(EditorState& state) {
-    LightRename& rename = *state.light_rename;
+    LightRename& rename = *state.lights.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-FLT_MIN);
     ImGui::InputTextWithHint("##name", "name", &rename.name, ImGuiInputTextFlags_AutoSelectAll);
@@ -74,7 +71,7 @@ void rename_field(EditorState& state) {
             state.log.add(LogKind::Error, e.what());
         }
     }
-    state.light_rename.reset();
+    state.lights.rename.reset();
 }
 
 void light_name(EditorState& state, int i) {
@@ -88,13 +85,13 @@ void light_name(EditorState& state, int i) {
     ImGui::PushStyleColor(ImGuiCol_Text, light.on ? theme::text() : theme::muted());
     if (ImGui::Selectable(text.c_str(), i == shown_light(s), ImGuiSelectableFlags_AllowDoubleClick)) {
         s.view.light = i;
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_rename(state, i);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) begin_light_rename(state, i);
     }
     ImGui::PopStyleColor();
     wrapped_tooltip(
-        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. T changes "
-                    "its type; double-click or F2 renames it",
-                    type));
+        fmt::format("{}. Its settings below, its map in the map viewer, its handles in the scene. {} changes "
+                    "its type; double-click or {} renames it",
+                    type, key_text(Command::NextLightType), key_text(Command::RenameLight)));
 }
 
 void light_row(EditorState& state, int i, bool intensities) {
@@ -103,20 +100,21 @@ void light_row(EditorState& state, int i, bool intensities) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(i);
-    if (state.light_rename && state.light_rename->light == i)
+    if (state.lights.rename && state.lights.rename->light == i)
         rename_field(state);
     else
         light_name(state, i);
     ImGui::TableNextColumn();
     ImGui::Checkbox("##on", &light.on);
-    wrapped_tooltip("On: it shines. Off it keeps its settings, and no map is drawn for it");
+    wrapped_tooltip(fmt::format("On: it shines. Off it keeps its settings, and no map is drawn for it\n{}",
+                                setting_key(*find_setting(fmt::format("light.{}.on", i)))));
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(s.light_count < 2);
     if (toggle("Solo", s.light_count > 1 && is_solo(s, i))) solo_light(s, i);
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all others off; again: all on");
     ImGui::TableNextColumn();
-    swatch(light);
+    swatch(light, i);
     if (intensities) {
         ImGui::TableNextColumn();
         setting_widget(s, fmt::format("light.{}.intensity", i));
@@ -141,7 +139,9 @@ void list_buttons(Settings& s) {
     if (button(can_add_light(s), "Add light", fmt::format("One more, apart from the others; at most {}", kMaxLights)))
         add_light(s);
     if (button(shown >= 0 && can_add_light(s), "Copy", "One more like the light shown")) copy_light(s, shown);
-    if (button(shown >= 0, "Delete", "Takes the light shown away (Ctrl+Z brings it back)")) delete_light(s, shown);
+    if (button(shown >= 0, "Delete",
+               fmt::format("Takes the light shown away ({} brings it back)", key_text(Command::Undo))))
+        delete_light(s, shown);
     if (button(shown > 0, "<", "Moves the light shown one place ahead in the list")) move_light(s, shown, -1);
     if (button(shown >= 0 && shown + 1 < s.light_count, ">", "Moves the light shown one place back in the list"))
         move_light(s, shown, 1);
@@ -175,6 +175,10 @@ void cube_cross(Settings& s, const FrameResult& result) {
 
 }  // namespace
 
+void begin_light_rename(EditorState& state, int light) {
+    state.lights.rename = LightRename{light, state.settings.lights[std::size_t(light)].name};
+}
+
 void draw_lights(EditorState& state, const FrameResult* result) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
@@ -189,8 +193,7 @@ void draw_lights(EditorState& state, const FrameResult* result) {
         if (intensities) ImGui::TableSetupColumn("intensity", ImGuiTableColumnFlags_WidthFixed, em * 5.4f);
         for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i) light_row(state, i, intensities);
         ImGui::EndTable();
-        const bool elsewhere = keys_are_taken(state) || ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
-        if (!elsewhere && ImGui::IsKeyPressed(kF2, false)) begin_rename(state, shown_light(s));
+        state.lights.listed = true;
     }
     list_buttons(s);
     if (result && shown_light(s) >= 0 && std::size_t(shown_light(s)) < result->lights.size()) cube_cross(s, *result);

@@ -1,10 +1,11 @@
-// What happened so far, newest last, and the shader compiler's complaint while there is one.
+#include "ui/panels/log_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
 #include <string>
 
-#include "ui/state/panels.h"
+#include "ui/state/log.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -16,29 +17,29 @@ ImU32 colour_of(LogKind kind) {
 
 }  // namespace
 
-void draw_log(EditorState& state, const EditorFrame& frame) {
-    state.log.seen();
+void draw_log(Log& log, std::string_view shader_log) {
+    log.seen();
     if (ImGui::SmallButton("Copy")) {
         std::string all;
-        for (const LogLine& line : state.log.lines()) all += line.text + "\n";
+        for (const LogLine& line : log.lines()) all += line.text + "\n";
         ImGui::SetClipboardText(all.c_str());
     }
     ImGui::SameLine();
-    if (ImGui::SmallButton("Clear")) state.log.clear();
+    if (ImGui::SmallButton("Clear")) log.clear();
     ImGui::BeginChild("lines", {0, 0}, false);
     ImGui::PushTextWrapPos(0);
-    for (const LogLine& line : state.log.lines()) {
+    for (const LogLine& line : log.lines()) {
         ImGui::PushStyleColor(ImGuiCol_Text, colour_of(line.kind));
         const std::string text = line.count > 1 ? fmt::format("{}  (×{})", line.text, line.count) : line.text;
         ImGui::TextUnformatted(text.c_str());
         ImGui::PopStyleColor();
     }
-    if (!frame.shader_log.empty()) {
+    if (!shader_log.empty()) {
         ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextUnformatted(frame.shader_log.data(), frame.shader_log.data() + frame.shader_log.size());
+        ImGui::TextUnformatted(shader_log.data(), shader_log.data() + shader_log.size());
         ImGui::PopStyleColor();
     }
-    if (state.log.lines().empty() && frame.shader_log.empty()) ImGui::TextDisabled("Nothing to report.");
+    if (log.lines().empty() && shader_log.empty()) ImGui::TextDisabled("Nothing to report.");
     ImGui::PopTextWrapPos();
     if (ImGui::GetScrollY() >= ImGui::GetScrollMaxY()) ImGui::SetScrollHereY(1);
     ImGui::EndChild();

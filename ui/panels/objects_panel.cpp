@@ -15,6 +15,7 @@
 
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/search_field.h"
 #include "ui/widgets/setting_widgets.h"
@@ -66,7 +67,7 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
         Row& row = tree.rows[i];
         row.node = int(i);
         row.path = &scene.nodes[i].path;
-        row.placed &= (!state.only_lost || row.lost) && matches_all_words(state.object_search, {*row.path});
+        row.placed &= (!state.objects.only_lost || row.lost) && matches_all_words(state.objects.search, {*row.path});
         if (!row.placed && !row.above) continue;
         in[i] = 1;
         tree.placed += row.placed;
@@ -107,11 +108,11 @@ void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Pa
         for (const Row& row : tree.rows) name.push_back(last_part(*row.path));
     else if (order.column == 1)
         for (const Row& row : tree.rows) rank.push_back(double(row.triangles));
-    else if (order.fresh || state.object_ranks_of != scene.id || state.object_ranks.size() != tree.rows.size()) {
-        state.object_ranks = ranks(tree, scene, state.settings, *params[std::size_t(order.column - 2)]);
-        state.object_ranks_of = scene.id;
+    else if (order.fresh || state.objects.ranks_scene != scene.id || state.objects.ranks.size() != tree.rows.size()) {
+        state.objects.ranks = ranks(tree, scene, state.settings, *params[std::size_t(order.column - 2)]);
+        state.objects.ranks_scene = scene.id;
     }
-    const std::vector<double>& by = order.column == 1 ? rank : state.object_ranks;
+    const std::vector<double>& by = order.column == 1 ? rank : state.objects.ranks;
     const auto before = [&](int a, int b) {
         if (order.down) std::swap(a, b);
         return name.empty() ? by[std::size_t(a)] < by[std::size_t(b)] : name[std::size_t(a)] < name[std::size_t(b)];
@@ -122,7 +123,7 @@ void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Pa
 
 /// The rows that are on view, from top to bottom. What is searched for shows, whatever is closed.
 std::vector<const Row*> open_rows(Tree& tree, const EditorState& state) {
-    const bool all = !state.object_search.empty() || state.only_lost;
+    const bool all = !state.objects.search.empty() || state.objects.only_lost;
     std::vector<const Row*> list;
     std::vector<std::pair<int, int>> todo;  // node, depth
     const auto push = [&](const std::vector<int>& nodes, int depth) {
@@ -135,7 +136,7 @@ std::vector<const Row*> open_rows(Tree& tree, const EditorState& state) {
         Row& row = tree.rows[std::size_t(node)];
         row.depth = depth;
         list.push_back(&row);
-        if (all || !state.closed_nodes.count(*row.path)) push(tree.children[std::size_t(node)], depth + 1);
+        if (all || !state.objects.closed_nodes.count(*row.path)) push(tree.children[std::size_t(node)], depth + 1);
     }
     return list;
 }
@@ -161,7 +162,7 @@ void keep(Settings& s, const Tree& tree) {
 
 void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     if (frame.lost_casters.empty()) {
-        state.only_lost = false;
+        state.objects.only_lost = false;
         return;
     }
     ImGui::AlignTextToFramePadding();
@@ -174,7 +175,7 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
             "triangles faces the way that is culled. Floors and open meshes have no back.",
             shown_light(state.settings));
     flow(button_width("Show only lost") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Show only lost", &state.only_lost);
+    ImGui::Checkbox("Show only lost", &state.objects.only_lost);
     flow(button_width("Cast from both sides"));
     if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
@@ -186,8 +187,9 @@ void arrow(EditorState& state, const Row& row, float width) {
     const float size = ImGui::GetFrameHeight();
     if (!row.above) return ImGui::Dummy({width, size});
     if (ImGui::InvisibleButton(("open " + *row.path).c_str(), {width, size}))
-        if (!state.closed_nodes.erase(*row.path)) state.closed_nodes.insert(*row.path);
-    const bool open = !state.closed_nodes.count(*row.path) || !state.object_search.empty() || state.only_lost;
+        if (!state.objects.closed_nodes.erase(*row.path)) state.objects.closed_nodes.insert(*row.path);
+    const bool open =
+        !state.objects.closed_nodes.count(*row.path) || !state.objects.search.empty() || state.objects.only_lost;
     ImGui::RenderArrow(ImGui::GetWindowDrawList(), {at.x, at.y + ImGui::GetStyle().FramePadding.y},
                        ImGui::IsItemHovered() ? theme::text() : theme::muted(), open ? ImGuiDir_Down : ImGuiDir_Right,
                        0.8f);
@@ -198,10 +200,10 @@ void arrow(EditorState& state, const Row& row, float width) {
 void choose(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
     const ImGuiIO& io = ImGui::GetIO();
     const Row& row = *list[at];
-    const auto first = std::ranges::find_if(list, [&](const Row* r) { return *r->path == state.selected_object; });
+    const auto first = std::ranges::find_if(list, [&](const Row* r) { return *r->path == state.selection.first; });
     if (io.KeyShift && first != list.end()) {
         const std::size_t from = std::size_t(first - list.begin());
-        std::vector<std::string> range{state.selected_object};
+        std::vector<std::string> range{state.selection.first};
         for (std::size_t i = std::min(from, at); i <= std::max(from, at); ++i)
             if (list[i]->placed && i != from) range.push_back(*list[i]->path);
         return select_objects(state, range);
@@ -217,8 +219,8 @@ void choose(EditorState& state, const Scene& scene, const std::vector<const Row*
 }
 
 void end_seeking(EditorState& state) {
-    state.sought_object.clear();
-    state.list_seeks = 0;
+    state.objects.sought.clear();
+    state.objects.scroll_frames = 0;
 }
 
 /// The object's name, which selects it.
@@ -244,12 +246,13 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
     if (!ImGui::IsItemHovered()) return;
-    state.hovered_object = *row.path;
+    state.objects.hovered = *row.path;
     if (row.lost)
         ImGui::SetTooltip("%s-face culling removes all %zu triangles.\nSet Cull to none to keep it.",
                           row.lost->cull == Cull::Front ? "Front" : "Back", row.lost->triangles);
     else
-        ImGui::SetTooltip("%s\nClick to select, Ctrl one more, Shift all between; F frames them", row.path->c_str());
+        ImGui::SetTooltip("%s\nClick to select, Ctrl one more, Shift all between; %s frames them", row.path->c_str(),
+                          key_text(Command::FrameSelection));
 }
 
 /// Of several chosen objects a change of one is a change of all.
@@ -273,11 +276,11 @@ constexpr int kSeekFrames = 4;
 
 /// Opens what lies above an object that was chosen elsewhere.
 void begin_seeking(EditorState& state) {
-    const std::string& path = state.sought_object;
-    if (path.empty() || state.list_seeks > 0) return;
-    state.list_seeks = kSeekFrames;
+    const std::string& path = state.objects.sought;
+    if (path.empty() || state.objects.scroll_frames > 0) return;
+    state.objects.scroll_frames = kSeekFrames;
     for (std::size_t at = path.find('/'); at != path.npos; at = path.find('/', at + 1))
-        state.closed_nodes.erase(path.substr(0, at));
+        state.objects.closed_nodes.erase(path.substr(0, at));
 }
 
 /// Scrolls to the row that was drawn last until all of it is seen.
@@ -286,7 +289,7 @@ void bring_into_view(EditorState& state) {
     const bool seen =
         ImGui::GetItemRectMin().y >= list.GetClipRectMin().y && ImGui::GetItemRectMax().y <= list.GetClipRectMax().y;
     if (!seen) ImGui::SetScrollHereY();
-    if (seen || --state.list_seeks == 0) end_seeking(state);
+    if (seen || --state.objects.scroll_frames == 0) end_seeking(state);
 }
 
 /// A column beside the names.
@@ -329,7 +332,7 @@ Order order_of() {
 }  // namespace
 
 void draw_objects(EditorState& state, const EditorFrame& frame) {
-    state.hovered_object.clear();
+    state.objects.hovered.clear();
     if (!frame.scene) {
         ImGui::TextDisabled("No scene.");
         return;
@@ -344,19 +347,19 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     const bool all = all_shown(state.settings);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     const float beside = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
-    search_field("objects", "Search objects", state.object_search,
+    search_field("objects", "Search objects", state.objects.search,
                  std::clamp(ImGui::GetContentRegionAvail().x - beside, em * 6, em * 24));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
     if (!all) {
         flow(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
-        wrapped_tooltip("Brings back what is hidden (Alt+H)");
+        wrapped_tooltip(with_key("Brings back what is hidden", Command::ShowAllObjects));
     }
     lost_line(state, frame, tree);
     if (tree.placed == 0) {
-        ImGui::TextDisabled(state.object_search.empty() ? "No object casts or receives."
-                                                        : "No object's path holds these words. × clears the search.");
+        ImGui::TextDisabled(state.objects.search.empty() ? "No object casts or receives."
+                                                         : "No object's path holds these words. × clears the search.");
         return;
     }
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
@@ -377,7 +380,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     begin_seeking(state);
     const std::vector<const Row*> list = open_rows(tree, state);
     const auto sought =
-        std::ranges::find(list, state.sought_object, [](const Row* r) -> const std::string& { return *r->path; });
+        std::ranges::find(list, state.objects.sought, [](const Row* r) -> const std::string& { return *r->path; });
     const int seek = sought == list.end() ? -1 : int(sought - list.begin());
     if (seek < 0) end_seeking(state);
     // The settings with one object's at a time: a widget may leave an override equal to the defaults, which set_value()

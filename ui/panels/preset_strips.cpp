@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -138,9 +139,9 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
     return runs;
 }
 
-void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
-    const GuideNote& guide = state.guide;
-    if (guide.about.empty() || state.hidden_guide == guide.key) return;
+void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
+    const GuideNote& guide = state.files.guide;
+    if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
     const std::span<const PresetEntry> walk = open_walk(state, frame);
     const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
     const bool built_in = at != walk.end();
@@ -155,49 +156,53 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     }
     strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
         if (built_in) {
-            if (hint_button("Previous", "The preset before this (Page up)", at != walk.begin()))
-                actions.load_preset = neighbour_preset(state, frame, -1);
+            if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
+                            at != walk.begin()))
+                requests.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
-            if (hint_button("Next", "The preset after this (Page down)", std::next(at) != walk.end()))
-                actions.load_preset = neighbour_preset(state, frame, +1);
+            if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
+                            std::next(at) != walk.end()))
+                requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
-        if (hint_button("Hide", "Until another preset is opened")) state.hidden_guide = guide.key;
+        if (hint_button("Hide", "Until another preset is opened")) state.files.hidden_guide = guide.key;
     });
 }
 
-void draw_lost(const EditorFrame& frame, EditorRequests& actions, float width) {
+void draw_lost(const EditorFrame& frame, EditorRequests& requests, float width) {
     if (!frame.lost) return;
     const std::string text =
         fmt::format("The last session has unsaved changes: {}, {}.", scene_label(frame.lost->scene), frame.lost->when);
     strip("lost session", width, buttons_width({"Restore", "Discard"}), {{text, ImGui::GetFont(), theme::text()}}, 0,
           [&] {
               if (hint_button("Restore", "Opens its scene with its settings; undo brings back what is shown now"))
-                  actions.restore_lost = true;
+                  requests.restore_lost = true;
               ImGui::SameLine();
-              if (hint_button("Discard", "Forgets it for good")) actions.discard_lost = true;
+              if (hint_button("Discard", "Forgets it for good")) requests.discard_lost = true;
           });
 }
 
-void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
+void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     if (!frame.driver_reset) return;
     constexpr const char* kText =
         "The graphics driver reset: no picture can be drawn until the program is started again. The settings are still "
         "here.";
     strip("driver reset", width, buttons_width({"Save now", "Save as…"}), {{kText, ImGui::GetFont(), theme::error()}},
           0, [&] {
-              if (hint_button("Save now", fmt::format("Writes {}", state.preset_path).c_str()))
-                  actions.save_preset = state.preset_path;
+              if (hint_button("Save now", fmt::format("Writes {}", state.files.preset_path).c_str()))
+                  requests.save_preset = state.files.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))
-                  ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
+                  ask_for_file(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
+                               state.files.guide.about);
           });
 }
 
 }  // namespace
 
 std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
-    const bool hard = std::ranges::find(frame.hard_cases, state.guide.key, &PresetEntry::key) != frame.hard_cases.end();
+    const bool hard =
+        std::ranges::find(frame.hard_cases, state.files.guide.key, &PresetEntry::key) != frame.hard_cases.end();
     return hard ? frame.hard_cases : frame.presets;
 }
 
@@ -207,17 +212,17 @@ std::optional<std::string> neighbour_preset(const EditorState& state, const Edit
     if (count == 0) return {};
     int at = -1;
     for (int i = 0; i < count; ++i)
-        if (walk[std::size_t(i)].key == state.guide.key) at = i;
+        if (walk[std::size_t(i)].key == state.files.guide.key) at = i;
     const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
     if (to < 0 || to >= count) return {};
     return walk[std::size_t(to)].key;
 }
 
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width) {
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     ImGui::BeginGroup();
-    draw_reset(state, frame, actions, width);
-    draw_lost(frame, actions, width);
-    draw_guide(state, frame, actions, width);
+    draw_reset(state, frame, requests, width);
+    draw_lost(frame, requests, width);
+    draw_guide(state, frame, requests, width);
     ImGui::EndGroup();
 }
 

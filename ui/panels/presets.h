@@ -26,7 +26,7 @@ struct Replacement {
 struct PresetsFacts {
     std::span<const PresetEntry> presets, hard_cases;            ///< two walks, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
-    bool unsaved = false;  ///< state.preset_path does not hold the present settings
+    bool unsaved = false;  ///< state.files.preset_path does not hold the present settings
     std::optional<LostFacts> lost;
 };
 

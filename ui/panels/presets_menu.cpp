@@ -36,7 +36,7 @@ float presets_menu_width() {
 }
 
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorRequests& actions) {
+                       EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
     const float height = std::min(em * 44, ImGui::GetIO().DisplaySize.y - ImGui::GetFrameHeight() * 2.5f);
     ImGui::SetNextWindowSize({presets_menu_width(), height});
@@ -50,8 +50,8 @@ void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, con
             ImGui::TextDisabled("%s", topic.c_str());
             ImGui::Separator();
         }
-        if (entry(preset, preset.key == state.guide.key, ImGui::GetContentRegionAvail().x)) {
-            actions.load_preset = preset.key;
+        if (entry(preset, preset.key == state.files.guide.key, ImGui::GetContentRegionAvail().x)) {
+            requests.load_preset = preset.key;
             ImGui::CloseCurrentPopup();
         }
     }

@@ -13,6 +13,7 @@
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
 #include "ui/state/quick_changes.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/right_aligned.h"
@@ -220,8 +221,8 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
     if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
         for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey C; Ctrl+Z takes it back",
-                          fix_text(*d->fix, settings).c_str(), fix_worth_text(*d->fix).c_str());
+        ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey %s; %s takes it back", fix_text(*d->fix, settings).c_str(),
+                          fix_worth_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
 /// Blocks beside each other as far as they fit.
@@ -282,7 +283,7 @@ float section_width(const Sections& sections, std::size_t light, float room) {
 
 }  // namespace
 
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     if (!state.probe_pixel) {
         ImGui::TextDisabled("Click a surface in the scene to see its shadow test written out.");
         return;
@@ -320,11 +321,11 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& ac
             light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
             [&] {
                 if (classified)
-                    fixes_button(frame.fixes, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+                    fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
                 return classified;
             },
             [&] {
-                if (classified) fix_rows_table(state.settings, frame.fixes, actions, state.probe_pixel);
+                if (classified) fix_rows_table(state.settings, frame.fixes, requests, state.probe_pixel);
             });
     };
     if (probe->lights.empty()) return;
@@ -335,13 +336,13 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     const float drawn = section_width(frame.sections, first, room.x);
     if (drawn > 0) {
         const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
-        draw_section_view(state.section_views, frame.sections, first, size);
-        state.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
+        draw_section_view(state.probe_panel.section_views, frame.sections, first, size);
+        state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
         if (ImGui::IsItemClicked()) maximise(state, Panel::Tabs);
         if (ImGui::BeginPopupContextItem("drawing")) {
-            if (ImGui::MenuItem(state.maximised ? "Small again (click)" : "As large as the window (click)"))
+            if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
                 maximise(state, Panel::Tabs);
-            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shot_next = Shot::Drawing;
+            if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
             ImGui::EndPopup();
         }
         ImGui::SameLine(0, ImGui::GetFontSize());
@@ -359,7 +360,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& ac
             ImGui::Separator();
             const float width = section_width(frame.sections, i, 1e6f);
             if (width > 0 && drawn > 0)
-                draw_section_view(state.section_views, frame.sections, i,
+                draw_section_view(state.probe_panel.section_views, frame.sections, i,
                                   {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
             heading(light, diagnosis_of(light), frame.tracing_probe, state.settings);
         }

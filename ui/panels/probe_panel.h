@@ -37,4 +37,10 @@ struct SectionViews {
     int drawn = 0;  ///< how often one was made
 };
 
+/// State of the panel Probe.
+struct ProbePanel {
+    SectionViews section_views;
+    bool fix_waits = false;  ///< the fix was requested before its verdict was known
+};
+
 }  // namespace si

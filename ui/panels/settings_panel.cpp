@@ -76,15 +76,17 @@ struct Rows {
 
 Rows rows_of(const EditorState& state, std::string_view prefix) {
     Rows rows;
-    const bool all = !state.search.empty() || state.only_changed || state.unfolded.contains(prefix);
+    const bool all = !state.settings_panel.search.empty() || state.settings_panel.only_changed ||
+                     state.settings_panel.unfolded.contains(prefix);
     const int light = std::max(0, shown_light(state.settings));
     for (const Param& p : params()) {
         if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
         if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
-        if (state.search.empty() && !not_owned(state.settings, ref).empty()) continue;  // found by its name alone
-        if (!setting_matches(ref, state.search)) continue;
-        if (state.only_changed && !setting_changed(state.settings, ref)) continue;
+        if (state.settings_panel.search.empty() && !not_owned(state.settings, ref).empty())
+            continue;  // found by its name alone
+        if (!setting_matches(ref, state.settings_panel.search)) continue;
+        if (state.settings_panel.only_changed && !setting_changed(state.settings, ref)) continue;
         const bool folds =
             !all && std::ranges::find(kRare, p.key) != std::end(kRare) && !setting_changed(state.settings, ref);
         (folds ? rows.folded : rows.shown).push_back(std::move(ref));
@@ -95,12 +97,12 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
 /// What is searched for may be mentioned in many a sentence: groups that are called by it come first, then those with a
 /// setting that is.
 void nearest_first(std::vector<Group>& list, const EditorState& state) {
-    if (state.search.empty()) return;
+    if (state.settings_panel.search.empty()) return;
     const auto rank = [&](const Group& group) {
-        if (matches_all_words(state.search, {group.label, group.prefix})) return 0;
+        if (matches_all_words(state.settings_panel.search, {group.label, group.prefix})) return 0;
         const std::vector<SettingRef> rows = rows_of(state, group.prefix).shown;
         const bool called = std::ranges::any_of(rows, [&](const SettingRef& ref) {
-            return matches_all_words(state.search, {ref.param->label, ref.param->key});
+            return matches_all_words(state.settings_panel.search, {ref.param->label, ref.param->key});
         });
         return called ? 1 : 2;
     };
@@ -127,7 +129,8 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
                  float label) {
     const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.y;
     float right = corner.x + width - em * 0.4f;
-    const bool unfolded = state.unfolded.contains(group.prefix) && state.search.empty() && !state.only_changed;
+    const bool unfolded = state.settings_panel.unfolded.contains(group.prefix) && state.settings_panel.search.empty() &&
+                          !state.settings_panel.only_changed;
     if (open && (unfolded || !rows.folded.empty())) {
         const std::string more = unfolded ? "less" : fmt::format("{} more", rows.folded.size());
         const ImVec2 after = ImGui::GetCursorPos();
@@ -136,9 +139,9 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
         ImGui::PushID(std::string(group.prefix).c_str());
         if (ImGui::SmallButton((more + "###more").c_str())) {
             if (unfolded)
-                state.unfolded.erase(std::string(group.prefix));
+                state.settings_panel.unfolded.erase(std::string(group.prefix));
             else
-                state.unfolded.emplace(group.prefix);
+                state.settings_panel.unfolded.emplace(group.prefix);
         }
         ImGui::PopID();
         std::string names = unfolded ? "Only what is turned often, or is changed" : "Turned seldom:";
@@ -157,10 +160,10 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
     ImGui::GetWindowDrawList()->AddText({from, corner.y + padding}, theme::muted(), text.c_str());
 }
 
-void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& actions, const Group& group) {
+void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Group& group) {
     const Rows rows = rows_of(state, group.prefix);
     if (rows.shown.empty() && rows.folded.empty()) return;
-    const bool filtered = !state.search.empty() || state.only_changed;
+    const bool filtered = !state.settings_panel.search.empty() || state.settings_panel.only_changed;
     if (filtered)
         ImGui::SetNextItemOpen(true);
     else
@@ -188,7 +191,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& ac
         const std::string why_not = frame.result && frame.scene
                                         ? why_nothing_to_tune(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
-        draw_tune_controls(state.tune, state.settings, frame, why_not, actions);
+        draw_tune_controls(state.tune, state.settings, frame, why_not, requests);
     }
     ImGui::PopID();
 }
@@ -201,11 +204,12 @@ std::string_view setting_group_label(std::string_view prefix) {
     return prefix;
 }
 
-void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize();
-    search_field("search", "Search settings", state.search, em * 7.2f, "; other engines' names count too");
+    search_field("search", "Search settings", state.settings_panel.search, em * 7.2f,
+                 "; other engines' names count too");
     ImGui::SameLine();
-    ImGui::Checkbox("Changed", &state.only_changed);
+    ImGui::Checkbox("Changed", &state.settings_panel.only_changed);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Only settings that differ from their defaults");
     ImGui::Dummy({0, em * 0.1f});
     ImGui::BeginChild("rows", {0, 0}, false);
@@ -215,11 +219,12 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
     nearest_first(shown, state);
     for (const Group& group : shown) {
         any |= !rows_of(state, group.prefix).shown.empty();
-        draw_group(state, frame, actions, group);
+        draw_group(state, frame, requests, group);
     }
     carry_settings(state.settings, placed, state.settings.scene);
     if (!any)
-        ImGui::TextDisabled(state.only_changed ? "Nothing is changed." : "No setting matches. × clears the search.");
+        ImGui::TextDisabled(state.settings_panel.only_changed ? "Nothing is changed."
+                                                              : "No setting matches. × clears the search.");
     if (frame.result && !frame.result->notes.empty()) {
         ImGui::Dummy({0, em * 0.3f});
         ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());

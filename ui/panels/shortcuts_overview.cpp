@@ -2,101 +2,70 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
 namespace {
 
 /// A line of the overview; without a meaning the heading of those that follow.
-struct Shortcut {
-    const char *keys, *meaning;
+struct OverviewLine {
+    std::string keys;
+    std::string meaning;
 };
 
-constexpr Shortcut kShortcuts[] = {
-    {"Look", nullptr},
-    {"Drag, Ctrl+drag", "turn the camera about its target, turn the light"},
-    {"Middle drag, Shift+drag", "move the camera sideways"},
-    {"Wheel", "closer, farther, towards the cursor"},
-    {"Right button held", "fly: W A S D move, Q E sink and rise; Shift faster, wheel: speed"},
-    {"F, Home", "frame what is selected or the scene; the scene's own camera"},
-    {"L, K", "through the light and back; freeze this view and fly with another"},
-    {"Click an end of the axes", "look along that axis"},
-    {"F11 or double-click a title", "that panel alone, and back"},
-    {"N", "where the map stands"},
-    {"M, wheel, drag, double-click", "map: raw, linear, bands; zoom, move, fit"},
+/// Adds a text to a list, unless it is empty.
+void append(std::string& list, std::string_view separator, std::string_view text) {
+    if (text.empty()) return;
+    if (!list.empty()) list += separator;
+    list += text;
+}
 
-    {"Why", nullptr},
-    {"Click", "probe a pixel; Esc forgets it"},
-    {"Arrows after a click", "the probe by a pixel, with Shift by 10; Tab: widgets have them"},
-    {"G", "loupe: on the probed pixel, under the mouse, off"},
-    {"X", "to the next cluster of wrong pixels (cause: tab Error), and probe it"},
-    {"C, U", "apply the verdict's fix; all bias away"},
-    {"Q", "stored-depth quads at the mouse or the probe; again: none"},
-    {"1 to 9, 0", "overlays, more with Shift, Alt or Ctrl (their list has the keys); again, or 0: none"},
+std::vector<OverviewLine> make_overview() {
+    std::vector<OverviewLine> lines;
+    for (const Shortcut& row : shortcuts()) {
+        if (row.section) lines.push_back({row.section, {}});
+        if (!row.joined) lines.emplace_back();
+        append(lines.back().keys, ", ", chord_text(row.chord));
+        append(lines.back().meaning, "; ", row.label);
+    }
+    return lines;
+}
 
-    {"Compare", nullptr},
-    {"B", "with the truth or a preset: swipe, side by side, difference"},
-    {", and .", "move the swipe's line; Shift: farther"},
-    {"P, A held", "pin the present settings as A, or take the pin off; A alone"},
+const std::vector<OverviewLine>& overview_lines() {
+    static const std::vector<OverviewLine> kLines = make_overview();
+    return kLines;
+}
 
-    {"Lights", nullptr},
-    {"Drag a handle", "change the light; Ctrl in round steps, Esc as it was"},
-    {"Click another light's mark", "show its map and handles"},
-    {"T, F2", "the shown light: directional, spot, point; rename it"},
-    {"[ and ]", "half, twice the resolution of the map"},
-
-    {"Objects", nullptr},
-    {"Double-click", "select an object; Esc twice: none"},
-    {"Right click", "its menu: frame, hide, isolate, cast, receive, culling"},
-    {"H, Shift+H, Alt+H", "hide the selected ones, hide all others, show all"},
-    {"Ctrl+click, Shift+click", "in Objects: one more or less, all between"},
-    {"Space", "play or pause the animation"},
-
-    {"Files and steps", nullptr},
-    {"Ctrl+O, or drop a file", "open a .gltf or .glb scene, or a preset"},
-    {"Ctrl+S, Ctrl+Shift+S", "save the preset, save it as"},
-    {"Ctrl+R", "back to the preset as it was saved"},
-    {"Page down, Page up", "the next, the previous guided preset"},
-    {"Ctrl+Z, Ctrl+Y", "undo, redo"},
-    {"Ctrl+Shift+C", "copy the command line"},
-    {"F12, Shift+F12, Ctrl+F12", "screenshot of scene, map, window: PNG and clipboard"},
-    {"Ctrl+Q", "quit"},
-
-    {"Settings", nullptr},
-    {"Ctrl+click on a slider", "type a value"},
-    {"Right-click", "reset a setting, or copy it as --set"},
-    {"Arrows, Space, Enter", "from widget to widget, press, edit"},
-    {"Double-click a splitter", "as wide as at first"},
-};
-
-constexpr std::size_t kAll = std::size(kShortcuts);
-
-/// Where the second of two columns begins: at the heading nearest to the middle.
+/// Index of the heading nearest to the middle, at which the second of two columns begins.
 std::size_t second_column() {
-    std::size_t best = kAll;
-    const auto off = [](std::size_t at) { return at > kAll / 2 ? at - kAll / 2 : kAll / 2 - at; };
-    for (std::size_t i = 1; i < kAll; ++i)
-        if (!kShortcuts[i].meaning && off(i) < off(best)) best = i;
+    const auto& lines = overview_lines();
+    const std::size_t middle = lines.size() / 2;
+    const auto distance = [middle](std::size_t i) { return i > middle ? i - middle : middle - i; };
+    std::size_t best = lines.size();
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        if (lines[i].meaning.empty() && distance(i) < distance(best)) best = i;
     return best;
 }
 
 float width_of_keys() {
     float width = 0;
     ImGui::PushFont(theme::strong());
-    for (const Shortcut& s : kShortcuts)
-        if (s.meaning) width = std::max(width, ImGui::CalcTextSize(s.keys).x);
+    for (const OverviewLine& s : overview_lines())
+        if (!s.meaning.empty()) width = std::max(width, ImGui::CalcTextSize(s.keys.c_str()).x);
     ImGui::PopFont();
     return width;
 }
 
 float width_of_meanings() {
     float width = 0;
-    for (const Shortcut& s : kShortcuts)
-        if (s.meaning) width = std::max(width, ImGui::CalcTextSize(s.meaning).x);
+    for (const OverviewLine& s : overview_lines())
+        if (!s.meaning.empty()) width = std::max(width, ImGui::CalcTextSize(s.meaning.c_str()).x);
     return width;
 }
 
@@ -107,18 +76,18 @@ void column(std::size_t first, std::size_t end, float keys, float meanings) {
         ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, keys);
         ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthFixed, meanings);
         for (std::size_t i = first; i < end; ++i) {
-            const Shortcut& s = kShortcuts[i];
+            const OverviewLine& s = overview_lines()[i];
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
             ImGui::PushFont(theme::strong());
-            if (!s.meaning) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
-            ImGui::TextUnformatted(s.keys);
-            if (!s.meaning) ImGui::PopStyleColor();
+            if (s.meaning.empty()) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
+            ImGui::TextUnformatted(s.keys.c_str());
+            if (s.meaning.empty()) ImGui::PopStyleColor();
             ImGui::PopFont();
             ImGui::TableNextColumn();
-            if (!s.meaning) continue;
+            if (s.meaning.empty()) continue;
             ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + meanings);
-            ImGui::TextUnformatted(s.meaning);
+            ImGui::TextUnformatted(s.meaning.c_str());
             ImGui::PopTextWrapPos();
         }
         ImGui::EndTable();
@@ -130,11 +99,11 @@ void column(std::size_t first, std::size_t end, float keys, float meanings) {
 
 void draw_shortcuts(EditorState& state) {
     constexpr const char* kTitle = "Mouse and keyboard";
-    if (state.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (state.window.show_shortcuts && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     ImGui::SetNextWindowSizeConstraints({0, 0}, screen);
-    if (!ImGui::BeginPopupModal(kTitle, &state.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    if (!ImGui::BeginPopupModal(kTitle, &state.window.show_shortcuts, ImGuiWindowFlags_AlwaysAutoResize)) return;
     const ImGuiStyle& style = ImGui::GetStyle();
     const ImVec2 padding = style.CellPadding;
     const float em = ImGui::GetFontSize();
@@ -145,18 +114,19 @@ void draw_shortcuts(EditorState& state) {
     const float half = (room - column_gap) / 2 - keys - 4 * padding.x;
     const bool two = half > em * 14;
     const float meanings = std::min(wide, two ? half : std::max(room - keys - 4 * padding.x, em * 10));
-    const std::size_t split = two ? second_column() : kAll;
+    const std::size_t all = overview_lines().size();
+    const std::size_t split = two ? second_column() : all;
     ImGui::BeginGroup();
     column(0, split, keys, meanings);
     ImGui::EndGroup();
     if (two) {
         ImGui::SameLine(0, column_gap);
         ImGui::BeginGroup();
-        column(split, kAll, keys, meanings);
+        column(split, all, keys, meanings);
         ImGui::EndGroup();
     }
     ImGui::PopStyleVar();
-    if (!state.show_shortcuts) ImGui::CloseCurrentPopup();
+    if (!state.window.show_shortcuts) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

@@ -7,6 +7,7 @@
 #include "renderer/base/held_memory.h"
 #include "renderer/measure/time_sampler.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/ellipsis.h"
 #include "ui/widgets/theme.h"
 #include "ui/widgets/tooltip.h"
@@ -37,8 +38,8 @@ std::string facts_text(const EditorState& state, const EditorFrame& frame) {
     }
     if (!result.panes.empty())
         text += fmt::format("picture {} × {}   ", result.panes[0].picture.width, result.panes[0].picture.height);
-    if (state.maximised) text += "all panels: Esc   ";
-    if (state.frozen) text += "view frozen (K)   ";
+    if (state.window.maximised) text += fmt::format("all panels: {}   ", key_text(Command::RestorePanels));
+    if (state.frozen) text += with_key("view frozen", Command::ToggleFrozenCamera) + "   ";
     if (frame.driver) text += frame.driver->renderer.substr(0, frame.driver->renderer.find(" ("));
     return text;
 }
@@ -73,7 +74,7 @@ void draw_status_bar(EditorState& state, const EditorFrame& frame) {
     ImGui::InvisibleButton("last message",
                            {std::max(std::min(text_width(text, font) + em, free), 1.0f), status_bar_height()});
     wrapped_tooltip(last.text + "\nA click opens the log.");
-    if (ImGui::IsItemClicked()) state.open_tab = BottomTab::Log;
+    if (ImGui::IsItemClicked()) state.window.open_tab = BottomTab::Log;
 }
 
 }  // namespace si

@@ -12,6 +12,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/ellipsis.h"
@@ -30,40 +31,43 @@ bool button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
-void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& wish) {
+void recent_menu(const char* label, std::span<const std::string> paths, std::optional<std::string>& request) {
     if (!ImGui::BeginMenu(label, !paths.empty())) return;
     for (const std::string& path : paths) {
-        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) wish = path;
+        if (ImGui::MenuItem((scene_label(path) + "##" + path).c_str())) request = path;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", path.c_str());
     }
     ImGui::EndMenu();
 }
 
-void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
     if (!ImGui::BeginPopup("file")) return;
-    if (ImGui::MenuItem("Open…", "Ctrl+O")) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
-    recent_menu("Recent scenes", frame.recent_scenes, actions.load_scene);
-    recent_menu("Recent presets", frame.recent_presets, actions.load_preset);
+    const auto item = [&](const char* label, Command command) {
+        if (ImGui::MenuItem(label, key_text(command))) run(command, state, frame, requests);
+    };
+    item("Open…", Command::OpenFile);
+    recent_menu("Recent scenes", frame.recent_scenes, requests.load_scene);
+    recent_menu("Recent presets", frame.recent_presets, requests.load_preset);
     ImGui::Separator();
-    if (ImGui::MenuItem("Save the preset", "Ctrl+S")) actions.save_preset = state.preset_path;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.preset_path.c_str());
-    if (ImGui::MenuItem("Save the preset as…", "Ctrl+Shift+S"))
-        ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
-    if (ImGui::MenuItem("Back to the saved preset", "Ctrl+R")) actions.load_preset = state.preset_path;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Reads %s again; undo gives all back", state.preset_path.c_str());
+    item("Save the preset", Command::SavePreset);
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", state.files.preset_path.c_str());
+    item("Save the preset as…", Command::SavePresetAs);
+    item("Back to the saved preset", Command::RevertPreset);
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("Reads %s again; undo gives all back", state.files.preset_path.c_str());
     ImGui::Separator();
-    if (ImGui::MenuItem("Compare with a preset…")) state.open_tab = BottomTab::Compare;
-    if (ImGui::MenuItem("Reset all to the scene's own settings")) actions.reset_all = true;
+    if (ImGui::MenuItem("Compare with a preset…")) state.window.open_tab = BottomTab::Compare;
+    if (ImGui::MenuItem("Reset all to the scene's own settings")) requests.reset_all = true;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("The program's defaults with what the scene suggests over them; undo gives all back");
-    if (ImGui::MenuItem("Copy command line", "Ctrl+Shift+C")) actions.copy_command_line = true;
+    item("Copy command line", Command::CopyCommandLine);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("The command that renders this picture without a window");
     if (ImGui::BeginMenu("Screenshot")) {
-        if (ImGui::MenuItem("of the scene", "F12")) state.shot_next = Shot::Scene;
-        if (ImGui::MenuItem("of the map", "Shift+F12")) state.shot_next = Shot::Map;
-        if (ImGui::MenuItem("of the window", "Ctrl+F12")) state.shot_next = Shot::Window;
-        if (ImGui::MenuItem("of the probe's drawing")) state.shot_next = Shot::Drawing;
+        item("of the scene", Command::SceneScreenshot);
+        item("of the map", Command::MapScreenshot);
+        item("of the window", Command::WindowScreenshot);
+        if (ImGui::MenuItem("of the probe's drawing")) state.shots.next = Shot::Drawing;
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("As a PNG, and as an SVG of any size");
         ImGui::EndMenu();
     }
@@ -72,45 +76,47 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& act
             "A PNG beside the preset, under a name that no file has (the log tells which), and in the clipboard to "
             "paste");
     ImGui::Separator();
-    if (ImGui::MenuItem("Quit", "Ctrl+Q")) actions.quit = true;
+    item("Quit", Command::Quit);
     ImGui::EndPopup();
 }
 
-void scene_combo(EditorState& state, EditorRequests& actions, float width) {
+void scene_combo(EditorState& state, EditorRequests& requests, float width) {
     ImGui::SetNextItemWidth(width);
     if (!begin_combo("##scene", scene_label(state.scene_name), ImGuiComboFlags_HeightLarge)) return;
     for (const BuiltinScene& scene : builtin_scenes()) {
         const std::string key(scene.key), label(scene.label);
-        if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) actions.load_scene = key;
+        if (ImGui::Selectable((label + "##" + key).c_str(), key == state.scene_name)) requests.load_scene = key;
         if (ImGui::IsItemHovered() && !scene.help.empty()) ImGui::SetTooltip("%s", std::string(scene.help).c_str());
     }
     ImGui::Separator();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 18);
-    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.scene_input,
+    const bool entered = ImGui::InputTextWithHint("##path", "path of a .gltf or .glb file", &state.files.scene_input,
                                                   ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::SameLine();
-    if ((ImGui::Button("Open") || entered) && !state.scene_input.empty()) {
-        actions.load_scene = state.scene_input;
+    if ((ImGui::Button("Open") || entered) && !state.files.scene_input.empty()) {
+        requests.load_scene = state.files.scene_input;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndCombo();
 }
 
-void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const auto before = neighbour_preset(state, frame, -1), after = neighbour_preset(state, frame, +1);
-    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) actions.load_preset = before;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset before (Page up)");
+    if (ImGui::ArrowButton("previous preset", ImGuiDir_Left) && before) requests.load_preset = before;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", with_key("The guided preset before", Command::PreviousPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
                 presets_menu_width());
-    draw_presets_menu("guided presets", frame.presets, state, actions);
+    draw_presets_menu("guided presets", frame.presets, state, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) actions.load_preset = after;
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("The guided preset after (Page down)");
+    if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s", with_key("The guided preset after", Command::NextPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     menu_button("Hard cases", "hard cases", "Corners in which shadow maps break, with and without what mends them",
                 presets_menu_width());
-    draw_presets_menu("hard cases", frame.hard_cases, state, actions);
+    draw_presets_menu("hard cases", frame.hard_cases, state, requests);
 }
 
 /// How the window looks.
@@ -126,13 +132,14 @@ void view_menu(EditorState& state, const char* label) {
                                                           {"Map in the scene's corner", MapSpot::Inset},
                                                           {"No map", MapSpot::Hidden}};
     for (const auto& [name, spot] : kSpots)
-        if (ImGui::MenuItem(name, layout.map_place == spot ? "N" : nullptr, layout.map_place == spot))
+        if (ImGui::MenuItem(name, layout.map_place == spot ? key_text(Command::NextMapPlace) : nullptr,
+                            layout.map_place == spot))
             layout.map_place = spot;
     ImGui::Separator();
     constexpr std::pair<const char*, Panel> kPanels[] = {
         {"Scene alone", Panel::Scene}, {"Map alone", Panel::Map}, {"Tabs alone", Panel::Tabs}};
     for (const auto& [name, which] : kPanels)
-        if (ImGui::MenuItem(name, "F11")) maximise(state, which);
+        if (ImGui::MenuItem(name, key_text(Command::MaximisePanel))) maximise(state, which);
     ImGui::Separator();
     ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
     if (ImGui::IsItemHovered())
@@ -142,7 +149,7 @@ void view_menu(EditorState& state, const char* label) {
                   .map_plots = layout.map_plots,
                   .light_theme = layout.light_theme,
                   .desktop_dialogs = layout.desktop_dialogs};
-    if (ImGui::MenuItem("Welcome")) state.show_welcome = true;
+    if (ImGui::MenuItem("Welcome")) state.window.show_welcome = true;
     ImGui::EndPopup();
 }
 
@@ -163,13 +170,15 @@ void steps_menu(EditorState& state) {
     ImGui::EndPopup();
 }
 
-/// The file that Ctrl+S writes, and whether it holds what is shown.
+/// Draws the name of the file that SavePreset writes, with a dot while the settings differ from it.
 void preset_name(const EditorState& state, const EditorFrame& frame, float width) {
     ImGui::AlignTextToFramePadding();
-    ImGui::TextDisabled("%s", end_that_fits(scene_label(state.preset_path), width, ImGui::GetFont()).c_str());
+    ImGui::TextDisabled("%s", end_that_fits(scene_label(state.files.preset_path), width, ImGui::GetFont()).c_str());
     if (ImGui::IsItemHovered())
-        ImGui::SetTooltip("%s\n%s", state.preset_path.c_str(),
-                          frame.unsaved ? "Ctrl+S saves the present settings there" : "It holds the present settings");
+        ImGui::SetTooltip(
+            "%s\n%s", state.files.preset_path.c_str(),
+            frame.unsaved ? fmt::format("{} saves the present settings there", key_text(Command::SavePreset)).c_str()
+                          : "It holds the present settings");
     if (!frame.unsaved) return;
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -189,36 +198,36 @@ std::string scene_label(const std::string& name) {
     return last_part(name);
 }
 
-void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;
     const char *help = "Help", *view = "View";
     const float right = button_width(view) + close + button_width(help);
     const float edge = ImGui::GetWindowWidth() - right - ImGui::GetStyle().WindowPadding.x;
     Toolbar bar("top bar", right + em * 0.5f);
-    bar.item("", button_width("File"), [&](float) { file_menu(state, frame, actions); });
+    bar.item("", button_width("File"), [&](float) { file_menu(state, frame, requests); });
     bar.space(em);
-    bar.item("", em * 11, [&](float room) { scene_combo(state, actions, room); });
+    bar.item("", em * 11, [&](float room) { scene_combo(state, requests, room); });
     bar.space(em);
     const float arrows = 2 * (ImGui::GetFrameHeight() + close) + button_width("Guided presets") + close;
-    bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, actions); });
+    bar.item("", arrows + button_width("Hard cases"), [&](float) { guided_presets(state, frame, requests); });
     bar.space(em);
     bar.item("", button_width("Undo"), [&](float) {
-        if (button("Undo", "Ctrl+Z", state.history.can_undo() || state.playback.playing)) undo(state);
+        if (button("Undo", key_text(Command::Undo), state.history.can_undo() || state.playback.playing)) undo(state);
     });
     bar.item("", button_width("Redo"), [&](float) {
-        if (button("Redo", "Ctrl+Y", state.history.can_redo())) redo(state);
+        if (button("Redo", key_text(Command::Redo), state.history.can_redo())) redo(state);
     });
     bar.space(close);
     bar.item("", button_width("Steps"), [&](float) { steps_menu(state); });
     bar.space(em);
     bar.item("", button_width("Compare"), [&](float) {
         if (button("Compare", "What differs from the scene's own settings, the defaults or a preset"))
-            state.open_tab = BottomTab::Compare;
+            state.window.open_tab = BottomTab::Compare;
     });
     bar.space(em);
     bar.item("", button_width("Save"), [&](float) {
-        if (button("Save", fmt::format("Writes {} (Ctrl+S)", state.preset_path).c_str()))
-            actions.save_preset = state.preset_path;
+        if (button("Save", with_key("Writes " + state.files.preset_path, Command::SavePreset).c_str()))
+            requests.save_preset = state.files.preset_path;
     });
     bar.end();
     ImGui::SameLine();
@@ -226,7 +235,8 @@ void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::SameLine(std::max(edge, 0.0f));
     view_menu(state, view);
     ImGui::SameLine(0, close);
-    if (button(help, "Mouse and keyboard (F1)")) state.show_shortcuts = true;
+    if (button(help, with_key("Mouse and keyboard", Command::ToggleOverview).c_str()))
+        state.window.show_shortcuts = true;
 }
 
 }  // namespace si

@@ -8,6 +8,7 @@
 #include "renderer/advise/tuner.h"
 #include "renderer/base/lengths_text.h"
 #include "ui/state/quick_changes.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/cost_combo.h"
 
@@ -25,7 +26,7 @@ void limit(const char* label, const char* about, bool& on, double& value, double
     value = std::max(value, step);
 }
 
-void limits_popup(TunePanel& panel, TuneRequests& actions) {
+void limits_popup(TunePanel& panel, TuneRequests& requests) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
@@ -43,9 +44,9 @@ void limits_popup(TunePanel& panel, TuneRequests& actions) {
     const bool any = panel.bound_error || panel.bound_ms;
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
-        actions.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
-        if (panel.bound_error) actions.tune->most_error = panel.most_error;
-        if (panel.bound_ms) actions.tune->most_ms = panel.most_ms;
+        requests.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
+        if (panel.bound_error) requests.tune->most_error = panel.most_error;
+        if (panel.bound_ms) requests.tune->most_ms = panel.most_ms;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndDisabled();
@@ -78,9 +79,9 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
         if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
             ImGui::SetTooltip(
                 "%s%s\n%zu pixels wrong, %zu of them by the price of bias; %zu px of acne\nlit strip at contacts %s, "
-                "edges moved by %s (95 %% of the lit surface)\nA click takes it; Ctrl+Z takes it back.",
+                "edges moved by %s (95 %% of the lit surface)\nA click takes it; %s takes it back.",
                 f.bias_text.c_str(), f.chosen ? ": chosen, as it loses the fewest pixels" : "", f.wrong, f.lost, f.acne,
-                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str());
+                shown_length(f.gap_p95_m).c_str(), shown_length(f.shift_p95_m).c_str(), key_text(Command::Undo));
         ImGui::TableNextColumn();
         if (f.acne > 0)
             ImGui::TextDisabled("acne");
@@ -97,7 +98,7 @@ void families_table(std::span<const TunedFamily> families, bool current, Setting
 }  // namespace
 
 void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
-                        TuneRequests& actions) {
+                        TuneRequests& requests) {
     const float room = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
     if (shown.tuning) {
         const std::string text = fmt::format("{:.0f} %", 100 * shown.tuning->progress);
@@ -105,14 +106,14 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
                            text.c_str());
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("Trying %s", shown.tuning->about.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) actions.cancel_tune = true;
+        if (ImGui::Button("Cancel")) requests.cancel_tune = true;
         return;
     }
     ImGui::BeginDisabled(!why_not.empty());
     ImGui::BeginGroup();
     const float others = button_width("No bias") + button_width("Tune...") + 2 * gap;
     const bool narrow = room - others < button_width("Auto bias");
-    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) actions.tune = TuneRequest{};
+    if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
@@ -120,7 +121,9 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
             "One step of undo; the log says what it costs.");
     if (!narrow) ImGui::SameLine();
     if (ImGui::Button("No bias")) remove_bias(settings);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Sets all bias to 0, to see what needs how much (U)");
+    if (ImGui::IsItemHovered())
+        ImGui::SetTooltip("%s",
+                          with_key("Sets all bias to 0, to see what needs how much", Command::RemoveBias).c_str());
     ImGui::SameLine();
     if (ImGui::Button("Tune...")) ImGui::OpenPopup("tune limits");
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Search kernel and resolution, too, within limits of error and time");
@@ -128,7 +131,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     ImGui::EndDisabled();
     if (!why_not.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", why_not.c_str());
-    limits_popup(panel, actions);
+    limits_popup(panel, requests);
     families_table(shown.tuned, shown.tuned_current, settings);
 }
 

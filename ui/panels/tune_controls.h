@@ -9,6 +9,6 @@ namespace si {
 
 /// @param settings that a click on a row changes @param why_not nothing can be searched, in words; empty: it can
 void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
-                        TuneRequests& actions);
+                        TuneRequests& requests);
 
 }  // namespace si

@@ -1,24 +1,26 @@
 // What a person sees first, once.
+#include <fmt/format.h>
 #include <imgui.h>
 
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
 
-void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     constexpr const char* kTitle = "Welcome";
     constexpr const char* kSentences[] = {
         "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",
         "Click a pixel: it says why it is lit or in shadow, and whether that is right.",
         "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage, a scene "
         "that has something of everything."};
-    if (state.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (state.window.show_welcome && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const float em = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
-    if (!ImGui::BeginPopupModal(kTitle, &state.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
-    actions.welcomed = true;
+    if (!ImGui::BeginPopupModal(kTitle, &state.window.show_welcome, ImGuiWindowFlags_AlwaysAutoResize)) return;
+    requests.welcomed = true;
     ImGui::PushTextWrapPos(em * 32);
     for (const char* sentence : kSentences) ImGui::TextUnformatted(sentence);
     ImGui::PopTextWrapPos();
@@ -27,19 +29,23 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const bool pressed = ImGui::Button(label);
         if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
         ImGui::SameLine();
-        if (pressed) state.show_welcome = false;
+        if (pressed) state.window.show_welcome = false;
         return pressed;
     };
     if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
-        ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
-    if (button("Guided tour", "The first guided preset; Page down goes on") && !frame.presets.empty())
-        actions.load_preset = frame.presets.front().key;
+        ask_for_file(state.files.dialog, FileDialog::Job::Open, state.files.preset_path);
+    if (button("Guided tour",
+               fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&
+        !frame.presets.empty())
+        requests.load_preset = frame.presets.front().key;
     constexpr const char* kStage = "stage";
     const bool open = state.scene_name == kStage;
-    if (button("Look at the stage", open ? "It is open: closes this (Esc)" : "Opens it in place of this scene") &&
+    if (button("Look at the stage",
+               (open ? with_key("It is open: closes this", Command::CloseOverview) : "Opens it in place of this scene")
+                   .c_str()) &&
         !open)
-        actions.load_scene = kStage;
-    if (!state.show_welcome) ImGui::CloseCurrentPopup();
+        requests.load_scene = kStage;
+    if (!state.window.show_welcome) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
 }
 

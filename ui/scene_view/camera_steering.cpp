@@ -11,6 +11,7 @@
 #include "ui/scene_view/camera_gesture.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -23,19 +24,21 @@ constexpr double kLongestStep = 0.5;     ///< s; a frame that took longer does n
 
 /// How far the held keys want to go: right, up, forward.
 glm::dvec3 wanted_way() {
-    const auto held = [](char key) { return ImGui::IsKeyDown(int(key)) ? 1.0 : 0.0; };
-    return {held('D') - held('A'), held('E') - held('Q'), held('W') - held('S')};
+    const auto held = [](Command command) { return is_held(command) ? 1.0 : 0.0; };
+    return {held(Command::FlyRight) - held(Command::FlyLeft), held(Command::FlyUp) - held(Command::FlyDown),
+            held(Command::FlyForwards) - held(Command::FlyBackwards)};
 }
 
 void fly_on(EditorState& state, const EditorFrame& frame) {
-    Flight& flight = state.flight;
+    Flight& flight = state.viewport.flight;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
         flight.speed = std::clamp(flight.speed * std::pow(kSpeedPerStep, double(io.MouseWheel)), 1e-3, 1e3);
     const glm::dvec3 way = wanted_way();
     const bool moving = way != glm::dvec3(0);
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || moving) take_camera(state, frame);
-    state.flew |= moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
+    state.viewport.flew |=
+        moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
     look_around(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
     // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
     if (moving && flight.moving) {
@@ -65,15 +68,15 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
     const bool moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left, kClickPixels) ||
                        ImGui::IsMouseDragging(ImGuiMouseButton_Middle, kClickPixels);
-    state.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
-    if (ImGui::IsItemActivated()) state.flew = false;
-    if (state.flight.on) {
-        state.dragging = state.press_moved = true;
+    state.viewport.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
+    if (ImGui::IsItemActivated()) state.viewport.flew = false;
+    if (state.viewport.flight.on) {
+        state.viewport.dragging = state.viewport.press_moved = true;
         return fly_on(state, frame);
     }
-    state.flight.moving = false;
+    state.viewport.flight.moving = false;
     if (ImGui::IsItemActive() && moved) {
-        state.dragging = state.press_moved = true;
+        state.viewport.dragging = state.viewport.press_moved = true;
         const int light = shown_light(state.settings);
         if (left && io.KeyCtrl && light >= 0) {
             turn_light(state.settings.lights[std::size_t(light)], view.camera, d.x, d.y);
@@ -88,7 +91,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     if (ImGui::IsItemHovered() && io.MouseWheel != 0 && !io.KeyCtrl) {
         take_camera(state, frame);
         zoom(state.settings.camera, view.camera, view.ray({io.MousePos.x, io.MousePos.y}), io.MouseWheel);
-        state.wheel_until = ImGui::GetTime() + kWheelSeconds;
+        state.viewport.wheel_until = ImGui::GetTime() + kWheelSeconds;
     }
 }
 
@@ -116,13 +119,13 @@ void toggle_light_camera(EditorState& state) {
     CameraSettings& camera = state.settings.camera;
     if (camera.source != CameraSource::Light) {
         if (shown_light(state.settings) < 0) return;
-        state.camera_before_light = camera;
+        state.viewport.camera_before_light = camera;
         camera.source = CameraSource::Light;
         return;
     }
-    camera = state.camera_before_light.value_or(CameraSettings{});
+    camera = state.viewport.camera_before_light.value_or(CameraSettings{});
     if (camera.source == CameraSource::Light) camera.source = CameraSource::Automatic;
-    state.camera_before_light.reset();
+    state.viewport.camera_before_light.reset();
 }
 
 FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {

@@ -8,8 +8,8 @@ namespace si {
 
 inline constexpr float kClickPixels = 3;  ///< a press that moves further is a drag
 
-/// Call right after the picture's item, when nothing in the picture took the press. Sets state.press_moved and
-/// state.dragging.
+/// Call right after the picture's item, when nothing in the picture took the press. Sets state.viewport.press_moved and
+/// state.viewport.dragging.
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);
 
 /// The camera by hand, so that it can be moved.

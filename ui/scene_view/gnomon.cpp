@@ -55,15 +55,16 @@ std::optional<AxisEnd> end_under(const PictureView& view, const glm::dvec2& mous
 
 void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureView& view) {
     const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-    state.hovered_axis = {};
+    state.viewport.hovered_axis = {};
     if (!is_shown(state, view)) return;
-    if (state.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !ImGui::IsItemActivated())) return;
+    if (state.viewport.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !ImGui::IsItemActivated()))
+        return;
     const auto end = end_under(view, mouse);
     if (!end) return;
-    state.hovered_axis = "xyz"[end->axis];
+    state.viewport.hovered_axis = "xyz"[end->axis];
     ImGui::SetTooltip("Look along %c from its %s side", "xyz"[end->axis], end -> positive ? "positive" : "negative");
     if (!ImGui::IsItemActivated() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
-    state.press_taken = true;
+    state.viewport.press_taken = true;
     take_camera(state, frame);
     look_along(state.settings.camera, end->axis, end->positive);
 }
@@ -73,7 +74,7 @@ void draw_gnomon(const EditorState& state, const PicturePainter& p) {
     if (!is_shown(state, view)) return;
     ImDrawList& list = p.list();
     const ImVec2 centre = to_imgui(middle(view));
-    if (state.hovered_axis) list.AddCircleFilled(centre, p.px(kReach + 12), IM_COL32(255, 255, 255, 16), 48);
+    if (state.viewport.hovered_axis) list.AddCircleFilled(centre, p.px(kReach + 12), IM_COL32(255, 255, 255, 16), 48);
     ImFont* font = theme::small();
     for (const AxisEnd& e : axis_ends(view)) {
         const double shade = 0.55 + 0.45 * 0.5 * (e.towards + 1);

@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Call right after the picture's item; takes a press (state.press_taken) on the end of an axis.
+/// Call right after the picture's item; takes a press (state.viewport.press_taken) on the end of an axis.
 void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureView& view);
 void draw_gnomon(const EditorState& state, const PicturePainter& painter);
 

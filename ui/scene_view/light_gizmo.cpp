@@ -66,16 +66,12 @@ void begin_drag(EditorState& state, const FrameResult& result, const PictureView
     drag.before = pose.settings;
     drag.pressed_at = mouse;
     drag.handle_at = view.point(handle_place(drag.start, drag.handle, view)).value_or(mouse);
-    state.handle_drag = drag;
+    state.viewport.handle_drag = drag;
 }
 
 void follow(EditorState& state, const EditorFrame& frame, const PictureView& view, const glm::dvec2& mouse) {
-    HandleDrag& drag = *state.handle_drag;
+    HandleDrag& drag = *state.viewport.handle_drag;
     LightSettings& light = state.settings.lights[std::size_t(drag.light)];
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false) && !drag.over) {
-        light = drag.before;
-        drag.over = true;
-    }
     drag.moved = drag.moved || glm::distance(mouse, drag.pressed_at) > kHandleClickPixels * view.ui_scale;
     if (drag.over || !drag.moved) return;
     const double radius = frame.scene ? frame.scene->bounds.radius() : drag.start.distance;
@@ -86,23 +82,29 @@ void follow(EditorState& state, const EditorFrame& frame, const PictureView& vie
 
 }  // namespace
 
+void cancel_handle_drag(EditorState& state) {
+    HandleDrag& drag = *state.viewport.handle_drag;
+    if (!drag.over) state.settings.lights[std::size_t(drag.light)] = drag.before;
+    drag.over = true;
+}
+
 void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view) {
     const glm::dvec2 mouse(ImGui::GetIO().MousePos.x, ImGui::GetIO().MousePos.y);
-    if (!ImGui::IsItemActive()) state.handle_drag.reset();
-    state.hovered_light.reset();
+    if (!ImGui::IsItemActive()) state.viewport.handle_drag.reset();
+    state.viewport.hovered_light.reset();
     if (!shows_lights(state, frame)) return;
-    if (state.handle_drag) {
+    if (state.viewport.handle_drag) {
         follow(state, frame, view, mouse);
-        state.dragging = true;
-        state.hovered_light = LightHit{state.handle_drag->light, state.handle_drag->handle};
+        state.viewport.dragging = true;
+        state.viewport.hovered_light = LightHit{state.viewport.handle_drag->light, state.viewport.handle_drag->handle};
         return;
     }
     const bool pressed = ImGui::IsItemActivated() && ImGui::IsMouseDown(ImGuiMouseButton_Left);
-    if (state.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !pressed)) return;
+    if (state.viewport.press_taken || !ImGui::IsItemHovered() || (ImGui::IsItemActive() && !pressed)) return;
     const auto on = hit(state, *frame.result, view, mouse);
-    state.hovered_light = on;
+    state.viewport.hovered_light = on;
     if (!on || !pressed) return;
-    state.press_taken = true;
+    state.viewport.press_taken = true;
     if (on->handle)
         begin_drag(state, *frame.result, view, *on, mouse);
     else if (on->light != shown_light(state.settings))
@@ -115,7 +117,7 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
     if (!shows_lights(state, frame)) return;
     const FrameResult& result = *frame.result;
     const int shown = shown_light(state.settings), count = light_count(state, result);
-    const auto& hovered = state.hovered_light;
+    const auto& hovered = state.viewport.hovered_light;
     for (int i = 0; i < count; ++i)
         if (i != shown)
             draw_other_light(painter, pose_of(state, result, i), result.lights[std::size_t(i)],
@@ -125,8 +127,8 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
     const bool busy = hovered && hovered->light == shown;
     draw_shown_light(painter, pose, busy, busy && !hovered->handle);
     if (shows_handles(state)) draw_handles(painter, pose, hovered ? hovered->handle : std::nullopt);
-    if (state.handle_drag && state.handle_drag->moved)
-        draw_numbers(painter, pose, state.handle_drag->handle, result.map_resolution);
+    if (state.viewport.handle_drag && state.viewport.handle_drag->moved)
+        draw_numbers(painter, pose, state.viewport.handle_drag->handle, result.map_resolution);
     else if (hovered && hovered->handle)
         handle_tooltip(pose, *hovered->handle);
     else if (hovered && hovered->light == shown)

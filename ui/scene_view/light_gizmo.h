@@ -7,8 +7,10 @@
 namespace si {
 
 /// Lets the mouse drag a handle of the shown light, or choose another light by its mark. Call right after the picture's
-/// item; takes a press (state.press_taken) that is on either.
+/// item; takes a press (state.viewport.press_taken) that is on either.
 void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view);
+/// Gives the light back as it was before the drag, which is under way. The button may stay down.
+void cancel_handle_drag(EditorState& state);
 
 void draw_lights(const EditorState& state, const EditorFrame& frame, const PicturePainter& painter);
 

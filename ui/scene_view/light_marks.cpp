@@ -12,6 +12,7 @@
 #include "shaders/shared/colours.h"
 #include "ui/scene_view/light_lines.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/theme.h"
 
 namespace si {
@@ -192,7 +193,7 @@ void handle_tooltip(const LightPose& pose, LightHandle handle) {
     ImGui::Text("%s   %s", std::string(handle_name(handle)).c_str(), handle_numbers(pose, handle).c_str());
     ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
     ImGui::TextUnformatted(std::string(help(handle, pose.type)).c_str());
-    ImGui::TextUnformatted("Drag; Ctrl in steps, Esc as it was");
+    ImGui::Text("Drag, with Ctrl in steps; %s: as before the drag", key_text(Command::CancelHandleDrag));
     ImGui::PopStyleColor();
     ImGui::EndTooltip();
 }

@@ -22,27 +22,7 @@ std::string loading_text(const LoadingFacts& loading) {
 
 }  // namespace
 
-std::string seconds_text(double seconds) {
-    const bool short_time = seconds < 60;
-    return fmt::format("{:.0f} {}", std::ceil(short_time ? seconds : seconds / 60), short_time ? "s" : "min");
-}
-
-void progress_bar(double share, const std::string& text, float width) {
-    const ImVec2 at = ImGui::GetCursorScreenPos(), padding = ImGui::GetStyle().FramePadding;
-    const ImVec2 size(width > 0 ? width : ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
-    const ImVec2 end(at.x + size.x, at.y + size.y);
-    ImGui::Dummy(size);
-    ImDrawList& list = *ImGui::GetWindowDrawList();
-    list.AddRectFilled(at, end, theme::well(), ImGui::GetStyle().FrameRounding);
-    list.AddRectFilled(at, {at.x + size.x * float(std::clamp(share, 0.0, 1.0)), end.y}, theme::colours().done,
-                       ImGui::GetStyle().FrameRounding);
-    list.AddRect(at, end, theme::line(), ImGui::GetStyle().FrameRounding);
-    ImGui::PushClipRect(at, end, true);
-    list.AddText({at.x + padding.x, at.y + padding.y}, theme::text(), text.c_str());
-    ImGui::PopClipRect();
-}
-
-void draw_loading(const EditorFrame& frame, EditorRequests& actions, float left, float top, float width) {
+void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width) {
     if (!frame.loading) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 28);
@@ -56,7 +36,7 @@ void draw_loading(const EditorFrame& frame, EditorRequests& actions, float left,
     const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
     progress_bar(frame.loading->progress, loading_text(*frame.loading), std::max(bar, em));
     ImGui::SameLine();
-    if (ImGui::Button("Cancel")) actions.cancel_load = true;
+    if (ImGui::Button("Cancel")) requests.cancel_load = true;
     ImGui::EndChild();
     ImGui::PopStyleVar();
     ImGui::PopStyleColor();

@@ -8,6 +8,7 @@
 
 #include "ui/scene_view/picture_marks.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -22,7 +23,7 @@ ImTextureID texture_id(unsigned texture) {
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 bool is_pinned(const EditorState& state) {
-    return !state.against.reference && state.compare.kind == CompareKind::Pinned;
+    return !state.comparison.reference && state.compare.kind == CompareKind::Pinned;
 }
 
 /// What stands at each side: what was pinned was there first.
@@ -31,7 +32,7 @@ std::string visible_side(const EditorState& state) {
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.against.reference) return "ray-traced truth";
+    if (state.comparison.reference) return "ray-traced truth";
     if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
@@ -53,11 +54,11 @@ void label(ImVec2 corner, float room, const std::string& text, bool right) {
 }  // namespace
 
 ComparisonView chosen_comparison(const EditorState& state) {
-    return (state.flicker ? state.flicker->against : state.against).view;
+    return (state.flicker ? state.flicker->picture_comparison : state.comparison).view;
 }
 
 void comparison_view_widget(EditorState& state, float width) {
-    PictureComparison& a = state.against;
+    PictureComparison& a = state.comparison;
     ImGui::SetNextItemWidth(width);
     if (state.flicker) {
         ImGui::BeginDisabled();
@@ -75,12 +76,13 @@ void comparison_view_widget(EditorState& state, float width) {
     }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "Compare the picture with another one of the same frame (B). P pins the present settings as A;\n"
-            "while A is held the picture shows them alone");
+            "%s. %s pins the present settings as A;\nwhile %s is held the picture shows them alone",
+            with_key("Compare the picture with another one of the same frame", Command::NextComparison).c_str(),
+            key_text(Command::PinSettings), key_text(Command::ShowPinned));
 }
 
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width) {
-    PictureComparison& a = state.against;
+    PictureComparison& a = state.comparison;
     ImGui::SetNextItemWidth(width);
     ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
@@ -110,7 +112,7 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
 }
 
 bool steer_swipe(EditorState& state, const PictureView& view) {
-    PictureComparison& a = state.against;
+    PictureComparison& a = state.comparison;
     if (a.view != ComparisonView::Swipe) return a.held = false;
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     const float line = float(view.origin.x) + a.at * float(view.size.x), near = ImGui::GetFontSize() * 0.5f;
@@ -125,22 +127,23 @@ bool steer_swipe(EditorState& state, const PictureView& view) {
 
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size,
                      bool right_half) {
-    const PictureComparison& a = state.against;
+    const PictureComparison& a = state.comparison;
     if (a.view == ComparisonView::Off) return;
     const float em = ImGui::GetFontSize(), top = lo.y + em * 0.6f;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 p(lo.x, lo.y), q(lo.x + size.x, lo.y + size.y);
-    const bool there = frame.against && frame.against->picture.texture != 0;
+    const bool there = frame.picture_comparison && frame.picture_comparison->picture.texture != 0;
     const std::string other = other_side(state, frame), shown = visible_side(state);
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
-        std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
-                           : a.reference && frame.reference                 ? reference_status(frame)
-                                                                            : "Drawing the other side …";
+        std::string text = frame.picture_comparison && !frame.picture_comparison->problem.empty()
+                               ? frame.picture_comparison->problem
+                           : a.reference && frame.reference ? reference_status(frame)
+                                                            : "Drawing the other side …";
         if (a.view != ComparisonView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
         return;
     }
-    const PictureComparisonFacts& facts = *frame.against;
+    const PictureComparisonFacts& facts = *frame.picture_comparison;
     switch (a.view) {
         case ComparisonView::Swipe: {
             const float line = std::round(lo.x + a.at * size.x);
@@ -182,35 +185,42 @@ void pin_settings(EditorState& state) {
         state.pinned.reset();
         if (state.compare.kind == CompareKind::Pinned) {
             state.compare = {};
-            state.against.view = ComparisonView::Off;
+            state.comparison.view = ComparisonView::Off;
         }
         state.log.add(LogKind::Info, "Pin A is taken off");
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    if (state.against.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
+    if (state.comparison.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
         state.compare = {CompareKind::Pinned, {}};
-        state.against.reference = false;
+        state.comparison.reference = false;
     }
-    state.log.add(LogKind::Info,
-                  "Pinned the present settings as A: hold A to see them, B compares with them, P takes the pin off");
+    state.log.add(
+        LogKind::Info,
+        fmt::format("Pinned the present settings as A: hold {} to see them, {} compares with them, {} takes "
+                    "the pin off",
+                    key_text(Command::ShowPinned), key_text(Command::NextComparison), key_text(Command::PinSettings)));
 }
 
-void steer_flicker(EditorState& state, bool may_start) {
-    if (!state.flicker && may_start && ImGui::IsKeyPressed('A', false)) {
-        if (!state.pinned) {
-            state.log.add(LogKind::Info, "Nothing is pinned: P pins the present settings as A");
-            return;
-        }
-        state.flicker = Flicker{state.against, state.compare};
-        state.against.view = ComparisonView::Alone;
-        state.against.reference = state.against.held = false;
-        state.compare = {CompareKind::Pinned, {}};
-    } else if (state.flicker && !ImGui::IsKeyDown('A')) {
-        state.against = state.flicker->against;
-        state.compare = state.flicker->compare;
-        state.flicker.reset();
+void begin_flicker(EditorState& state) {
+    if (state.flicker) return;
+    if (!state.pinned) {
+        state.log.add(LogKind::Info, fmt::format("Nothing is pinned: {} pins the present settings as A",
+                                                 key_text(Command::PinSettings)));
+        return;
     }
+    state.flicker = Flicker{state.comparison, state.compare};
+    state.comparison.view = ComparisonView::Alone;
+    state.comparison.reference = false;
+    state.comparison.held = false;
+    state.compare = {CompareKind::Pinned, {}};
+}
+
+void end_flicker(EditorState& state) {
+    if (!state.flicker) return;
+    state.comparison = state.flicker->picture_comparison;
+    state.compare = state.flicker->compare;
+    state.flicker.reset();
 }
 
 }  // namespace si

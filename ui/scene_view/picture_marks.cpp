@@ -36,13 +36,13 @@ void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2
 }
 
 void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
-    if (!state.hovered_texel || !frame.texel_usage) return;
+    if (!state.map.hovered_texel || !frame.texel_usage) return;
     const FloatImage* c = frame.map_coordinates;
     const int n = frame.texel_usage->resolution();
-    if (!c || state.hovered_texel->x >= n || state.hovered_texel->y >= n) return;
+    if (!c || state.map.hovered_texel->x >= n || state.map.hovered_texel->y >= n) return;
     const ImVec2 step(size.x / float(c->width), size.y / float(c->height));
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const glm::ivec2 p : frame.texel_usage->readers(*state.hovered_texel)) {
+    for (const glm::ivec2 p : frame.texel_usage->readers(*state.map.hovered_texel)) {
         const ImVec2 lo(origin.x + float(p.x) * step.x, origin.y + float(p.y) * step.y);
         list.AddRectFilled(lo, {lo.x + step.x, lo.y + step.y}, faded(theme::kLinked, 200));
     }

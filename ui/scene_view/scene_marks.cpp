@@ -74,24 +74,24 @@ void draw_scene_marks(const PicturePainter& p, const EditorState& state, const E
 }
 
 void draw_selection(const PicturePainter& p, const EditorState& state, const Scene& scene) {
-    if (!state.hovered_object.empty())
-        if (const Bounds around = bounds_below(scene, state.hovered_object); !around.empty())
+    if (!state.objects.hovered.empty())
+        if (const Bounds around = bounds_below(scene, state.objects.hovered); !around.empty())
             box(p, around.corners(), theme::kSelected, true);
     int drawn = 0;
-    for (const std::string& path : state.also_selected)
+    for (const std::string& path : state.selection.others)
         if (drawn < kMostSelected)
             if (const auto corners = box_of(scene, path)) {
                 ++drawn;
                 box(p, *corners, theme::kSelected, false);
             }
-    const auto corners = box_of(scene, state.selected_object);
+    const auto corners = box_of(scene, state.selection.first);
     if (!corners) return;
     box(p, *corners, theme::kSelected, false);
     std::optional<glm::dvec2> top;
     for (const glm::dvec3& c : *corners)
         if (const auto at = p.view().point(c); at && (!top || at->y < top->y)) top = at;
-    std::string name = last_part(state.selected_object);
-    if (!state.also_selected.empty()) name += fmt::format(" and {} more", state.also_selected.size());
+    std::string name = last_part(state.selection.first);
+    if (!state.selection.others.empty()) name += fmt::format(" and {} more", state.selection.others.size());
     if (top) p.caption(*top - glm::dvec2(0, p.px(26)), name, theme::kOnPicture);
 }
 
@@ -139,7 +139,8 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
         say(fmt::format("Through {}; L goes back", light_title(state.settings, shown_light(state.settings))),
             theme::kLight);
     if (state.frozen) say("Shadow camera frozen", theme::kFrozen);
-    if (state.flight.on) say(fmt::format("Flying, speed {}×", digits_text(state.flight.speed)), theme::kOnPicture);
+    if (state.viewport.flight.on)
+        say(fmt::format("Flying, speed {}×", digits_text(state.viewport.flight.speed)), theme::kOnPicture);
     if (state.probe_pixel && frame.anchor_place == AnchorPlace::Outside)
         say("Probed point: outside of the picture", theme::kWarningOnPicture);
     if (state.probe_pixel && frame.anchor_place == AnchorPlace::Hidden)

@@ -7,6 +7,7 @@
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/scene_choices.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/slider.h"
@@ -41,8 +42,8 @@ bool play_button(bool playing, bool enabled) {
     }
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip("%s", !enabled  ? "Choose an animation that lasts some time"
-                                : playing ? "Pause (Space)"
-                                          : "Play (Space)");
+                                : playing ? with_key("Pause", Command::TogglePlay).c_str()
+                                          : with_key("Play", Command::TogglePlay).c_str());
     return pressed;
 }
 

@@ -65,7 +65,7 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
     }
 }
 
-void draw_tracing(const EditorFrame& frame, EditorRequests& actions, float left, float bottom, float width) {
+void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width) {
     if (!frame.reference || frame.reference->current) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 24);
@@ -83,7 +83,7 @@ void draw_tracing(const EditorFrame& frame, EditorRequests& actions, float left,
         const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
         progress_bar(frame.reference->progress, text, std::max(bar, em));
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) actions.cancel_reference = true;
+        if (ImGui::Button("Cancel")) requests.cancel_reference = true;
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();

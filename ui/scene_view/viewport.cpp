@@ -18,6 +18,7 @@
 #include "ui/scene_view/scene_menu.h"
 #include "ui/state/panels.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
@@ -66,14 +67,17 @@ void header(EditorState& state, const EditorFrame& frame) {
         if (comparing) wrapped_tooltip("Comparing shows one picture and the other side of it.");
     });
     bar.item("", button_width("Through light"), [&](float) {
-        if (toggle("Through light", s.camera.source == CameraSource::Light, "Look through the shown light (L)"))
+        if (toggle("Through light", s.camera.source == CameraSource::Light,
+                   (with_key("Look through the shown light", Command::ToggleLightCamera) + "\ncamera.source").c_str()))
             toggle_light_camera(state);
     });
     bar.item("", button_width("Freeze view"), [&](float) {
         if (toggle("Freeze view", state.frozen.has_value(),
-                   "Keep this camera and fly about with another (K): maps that follow a camera, cascades too, stay\n"
-                   "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
-                   "those that it reads."))
+                   (with_key("Keep this camera and fly about with another", Command::ToggleFrozenCamera) +
+                    ": maps that follow a camera, cascades too, stay\n"
+                    "made for it, its frustum stays drawn in the scene and in the map, and the texels counted are\n"
+                    "those that it reads.")
+                       .c_str()))
             toggle_frozen_camera(state, frame);
     });
     bar.item("Lights", ImGui::GetFrameHeight(), [&s](float room) { setting_widget(s, "view.frustum", room); });
@@ -82,13 +86,13 @@ void header(EditorState& state, const EditorFrame& frame) {
 
 /// A double click chooses the object that its probe finds; the background chooses none.
 void select_probed(EditorState& state, const EditorFrame& frame) {
-    if (!state.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
+    if (!state.viewport.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
     if (frame.probe->hit)
         select_objects(state, std::array{frame.probe->object});
     else
         select_objects(state, {});
-    state.select_probed = false;
+    state.viewport.select_probed = false;
 }
 
 /// What stands where there is no picture.
@@ -130,7 +134,7 @@ struct Panorama {
 };
 
 /// Mouse and keys over the panes. The pane in which a press began keeps it to the end.
-void steer(EditorState& state, const EditorFrame& frame, EditorRequests& actions, const Panorama& panes) {
+void steer(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Panorama& panes) {
     const bool hovered = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (!ImGui::IsItemActive() || ImGui::IsItemActivated())
@@ -140,33 +144,33 @@ void steer(EditorState& state, const EditorFrame& frame, EditorRequests& actions
     const bool released = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left);
     const ImVec2 lo = panes.lo(state.active_pane), size = panes.size();
     const PictureView view{frame.result->camera, {lo.x, lo.y}, {size.x, size.y}, ImGui::GetFontSize() / 15.0};
-    state.scene_view = view;
-    if (ImGui::IsItemActivated()) state.press_moved = state.press_taken = false;
+    state.viewport.view = view;
+    if (ImGui::IsItemActivated()) state.viewport.press_moved = state.viewport.press_taken = false;
     if (steer_swipe(state, view)) {
-        state.press_taken = state.press_moved = true;
+        state.viewport.press_taken = state.viewport.press_moved = true;
         return;
     }
     steer_gnomon(state, frame, view);
     steer_lights(state, frame, view);
-    const bool taken = state.press_taken;
+    const bool taken = state.viewport.press_taken;
     if (!taken) steer_camera(state, frame, view);
-    if (!ImGui::IsItemActive()) state.press_taken = false;
+    if (!ImGui::IsItemActive()) state.viewport.press_taken = false;
     const glm::ivec2 pixel = panes.pixel(state.active_pane, mouse);
     if (!hovered || !panes.holds(pixel)) return;
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.select_probed = true;
-    if (released && !state.press_moved && !taken) {
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !taken) state.viewport.select_probed = true;
+    if (released && !state.viewport.press_moved && !taken) {
         state.probe_pixel = pixel;
-        state.probe_has_arrows = true;
-        state.open_tab = BottomTab::Probe;
+        state.keyboard.probe_has_arrows = true;
+        state.window.open_tab = BottomTab::Probe;
     }
-    state.hovered_pixel = pixel;
-    actions.want_links = actions.want_overlay_values = !state.dragging;
+    state.viewport.hovered_pixel = pixel;
+    requests.want_links = requests.want_overlay_values = !state.viewport.dragging;
 }
 
 /// The probe sticks to its surface: where that lies now is the probed pixel. @param wanted size of the picture
 void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wanted) {
-    const bool settled = state.wanted_picture == wanted;
-    state.wanted_picture = wanted;
+    const bool settled = state.viewport.wanted_size == wanted;
+    state.viewport.wanted_size = wanted;
     if (state.probe_anchor &&
         (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
         state.probe_anchor.reset();
@@ -187,7 +191,7 @@ void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wante
 /// Whose pixels the loupe shows.
 std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFrame& frame) {
     if (state.loupe == LoupeMode::Off) return {};
-    if (state.loupe == LoupeMode::Mouse && state.hovered_pixel) return state.hovered_pixel;
+    if (state.loupe == LoupeMode::Mouse && state.viewport.hovered_pixel) return state.viewport.hovered_pixel;
     return frame.anchor_place == AnchorPlace::Outside ? std::nullopt : state.probe_pixel;
 }
 
@@ -222,11 +226,11 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         draw_artefact_legend(frame.error, lo.x, bottom, size.x);
     else
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
-    if (state.hovered_pixel && index == state.active_pane) {
+    if (state.viewport.hovered_pixel && index == state.active_pane) {
         // Above it stands which overlay the pane has, or which side of a comparison it is.
-        const bool named = panes.grid.count() > 1 || state.against.view != ComparisonView::Off;
+        const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
-        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.hovered_pixel);
+        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
@@ -234,41 +238,30 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
 
 }  // namespace
 
-int shown_light(const Settings& settings) {
-    const int count = std::clamp(settings.light_count, 0, kMaxLights);
-    return count == 0 ? -1 : std::clamp(settings.view.light, 0, count - 1);
-}
-
-int shown_face(const Settings& settings, const FrameResult& result) {
-    const int light = shown_light(settings);
-    if (light < 0 || std::size_t(light) >= result.lights.size()) return 0;
-    return std::clamp(settings.view.face, 0, std::max(0, int(result.lights[std::size_t(light)].views.size()) - 1));
-}
-
-void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    state.hovered_pixel.reset();
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    state.viewport.hovered_pixel.reset();
     state.loupe_pixel.reset();
     header(state, frame);
     const float em = ImGui::GetFontSize();
     const ImVec2 origin = ImGui::GetCursorScreenPos(), available = ImGui::GetContentRegionAvail();
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
-    const ComparisonView against = state.against.view;
-    const int shown_panes = against == ComparisonView::Off          ? state.settings.view.panes
-                            : against == ComparisonView::SideBySide ? Panes::Two
-                                                                    : Panes::One;
+    const ComparisonView picture_comparison = state.comparison.view;
+    const int shown_panes = picture_comparison == ComparisonView::Off          ? state.settings.view.panes
+                            : picture_comparison == ComparisonView::SideBySide ? Panes::Two
+                                                                               : Panes::One;
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
-    actions.scene_width = panes.grid.width;
-    actions.scene_height = panes.grid.height;
+    requests.scene_width = panes.grid.width;
+    requests.scene_height = panes.grid.height;
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
-    state.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
+    state.shots.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
     // After a change of view.panes the pictures are there with the next frame.
-    const int pictures = against == ComparisonView::Off ? panes.grid.count() : 1;
+    const int pictures = picture_comparison == ComparisonView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
-        draw_loading(frame, actions, origin.x, origin.y, size.x);
+        draw_loading(frame, requests, origin.x, origin.y, size.x);
         return;
     }
     ImGui::InvisibleButton(
@@ -276,10 +269,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
     // What was clicked last has the arrow keys.
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.probe_has_arrows = ImGui::IsItemHovered();
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.keyboard.probe_has_arrows = ImGui::IsItemHovered();
     follow_probe(state, frame, {panes.grid.width, panes.grid.height});
-    steer(state, frame, actions, panes);
-    if (state.scene_view) open_scene_menu(state, frame, *state.scene_view);
+    steer(state, frame, requests, panes);
+    if (state.viewport.view) open_scene_menu(state, frame, *state.viewport.view);
     draw_scene_menu(state, frame);
     state.loupe_pixel = loupe_pixel(state, frame);
     select_probed(state, frame);
@@ -301,10 +294,10 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     for (int i = 0; i < pictures; ++i)
         if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
-            draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
+            draw_tracing(frame, requests, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
             ImGui::PopID();
         }
-    draw_loading(frame, actions, origin.x, origin.y, size.x);
+    draw_loading(frame, requests, origin.x, origin.y, size.x);
 }
 
 }  // namespace si

@@ -10,12 +10,14 @@
 
 #include "renderer/base/index_of.h"
 #include "renderer/settings/overlays.h"
+#include "ui/panels/log_panel.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/state/frame_times.h"
 #include "ui/state/panels.h"
 #include "ui/state/playback.h"
 #include "ui/state/quick_changes.h"
 #include "ui/state/selection.h"
+#include "ui/state/shortcuts.h"
 #include "ui/widgets/overlay_widget.h"
 #include "ui/widgets/setting_widgets.h"
 #include "ui/widgets/theme.h"
@@ -31,166 +33,28 @@ constexpr float kEveryday = 24.6f;     ///< height in which the settings of ever
 constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
 constexpr float kMapPlots = 6.5f;      ///< of its plots
 constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
+constexpr float kFindingTexels = 24;   ///< width of the map viewer about a texel of a finding, texels
 constexpr float kSplitter = 5;         ///< at scale 1, pixels
-constexpr int kArrowsFast = 10;        ///< pixels, with Shift
-constexpr int kF12 = 301;
-constexpr int kF11 = 300;  ///< as the window feeds it (GLFW)
-
-bool pressed(char key) {
-    return ImGui::IsKeyPressed(int(key), false);
-}
-bool pressed(ImGuiKey key) {
-    return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
-}
 
 bool popup_is_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/// The arrow keys move the probe by a pixel; what it sticks to is found anew.
-void step_probe(EditorState& state, const EditorFrame& frame) {
-    if (pressed(ImGuiKey_Tab)) state.probe_has_arrows = false;
-    if (!state.probe_has_arrows || !state.probe_pixel || !frame.result) return;
-    const int far = ImGui::GetIO().KeyShift ? kArrowsFast : 1;
-    glm::ivec2 by(0);
-    for (const auto& [key, way] : {std::pair{ImGuiKey_LeftArrow, glm::ivec2(-1, 0)},
-                                   {ImGuiKey_RightArrow, glm::ivec2(1, 0)},
-                                   {ImGuiKey_UpArrow, glm::ivec2(0, -1)},
-                                   {ImGuiKey_DownArrow, glm::ivec2(0, 1)}})
-        if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(key))) by += far * way;
-    if (by == glm::ivec2(0)) return;
-    const glm::ivec2 size(frame.result->colour.width, frame.result->colour.height);
-    state.probe_pixel = glm::clamp(*state.probe_pixel + by, glm::ivec2(0), glm::max(size, 1) - 1);
-}
-
-/// Where the arrow keys move the probe they do not go from widget to widget.
-void share_arrows(EditorState& state) {
-    ImGuiIO& io = ImGui::GetIO();
-    const bool mine = state.probe_has_arrows && state.probe_pixel && !popup_is_open();
-    if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
-        io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = true;
-    } else if (!mine && state.took_navigation) {
-        io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-        state.took_navigation = false;
-    }
-}
-
-/// PageUp and PageDown go to other presets, and scroll nothing and focus nothing, but in a menu.
-void share_page_keys(EditorState& state) {
-    int* const keys = ImGui::GetIO().KeyMap;
-    if (keys[ImGuiKey_PageUp] >= 0) state.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
-    const bool theirs = popup_is_open();
-    keys[ImGuiKey_PageUp] = theirs ? state.page_keys[0] : -1;
-    keys[ImGuiKey_PageDown] = theirs ? state.page_keys[1] : -1;
-}
-
-/// H hides what is chosen, with Shift all else; with Alt everything is there again.
-void steer_hiding(EditorState& state, const EditorFrame& frame) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const std::set<std::string> chosen = selected_objects(state);
-    if (io.KeyAlt)
-        show_all(state.settings);
-    else if (chosen.empty() || !frame.scene)
-        state.log.add(LogKind::Info, "Nothing is selected to hide: double-click an object");
-    else if (io.KeyShift)
-        isolate(state.settings, *frame.scene, chosen);
-    else
-        hide(state.settings, chosen);
-}
-
-/// Digits, alone or with one of the keys that are held, choose the overlay of the pane that the mouse was over last.
-void choose_overlay(EditorState& state) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const HeldKeys held{io.KeyShift, io.KeyAlt, io.KeyCtrl};
-    // Held against another, the picture is one pane.
-    const int pane = state.against.view == ComparisonView::Off ? state.active_pane : 0;
-    const SettingRef of = *find_setting(overlay_setting(pane));
-    const int shown = std::get<int>(get_value(state.settings, of));
-    for (int digit = 0; digit <= 9; ++digit) {
-        if (!pressed(char('0' + digit))) continue;
-        const int wanted = overlay_of_digit(digit, held);
-        if (wanted > 0 || digit == 0) set_value(state.settings, of, wanted == shown ? 0 : wanted);
-    }
-}
-
 /// A picture of this frame, which shows what is to be seen in it.
-void take_shot(EditorState& state, EditorRequests& actions, Shot of) {
+void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
-    const ScreenRect rect = of == Shot::Scene     ? state.scene_rect
-                            : of == Shot::Map     ? state.map_rect
-                            : of == Shot::Drawing ? state.drawing_rect
+    const ScreenRect rect = of == Shot::Scene     ? state.shots.scene_rect
+                            : of == Shot::Map     ? state.shots.map_rect
+                            : of == Shot::Drawing ? state.shots.drawing_rect
                                                   : ScreenRect{{0, 0}, {all.x, all.y}};
     if (rect.size.x >= 1 && rect.size.y >= 1)
-        actions.shot = ShotRequest{of, rect};
+        requests.shot = ShotRequest{of, rect};
     else
-        state.log.add(LogKind::Info, of == Shot::Map ? "The map is hidden (N): no screenshot of it"
-                                     : of == Shot::Drawing
-                                         ? "No drawing is shown: click a pixel, and open Probe in a wide window"
-                                         : "The scene is hidden: no screenshot of it");
-}
-
-// Letters and digits are looked up by their ASCII code: the window feeds codes that equal it (GLFW's do).
-void shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    const ImGuiIO& io = ImGui::GetIO();
-    const bool elsewhere = keys_are_taken(state);
-    // Escape has closed a menu before anybody asks for it here.
-    const bool popup = popup_is_open() || state.had_popup;
-    steer_flicker(state, !elsewhere && !popup && !io.KeyCtrl);
-    if (elsewhere) return;
-    if (popup) {  // keys are for it
-        if (pressed(ImGuiKey_Escape)) state.show_shortcuts = state.show_welcome = false;
-        return;
-    }
-    Settings& s = state.settings;
-    if (ImGui::IsKeyPressed(kF12, false))
-        state.shot_next = io.KeyCtrl ? Shot::Window : io.KeyShift ? Shot::Map : Shot::Scene;
-    if (io.KeyCtrl) {
-        if (pressed('Z') && !io.KeyShift) undo(state);
-        if (pressed('Y') || (pressed('Z') && io.KeyShift)) redo(state);
-        if (pressed('S') && !io.KeyShift) actions.save_preset = state.preset_path;
-        if (pressed('S') && io.KeyShift)
-            ask_for_file(state.file_dialog, FileDialog::Job::SavePreset, state.preset_path, state.guide.about);
-        if (pressed('R')) actions.load_preset = state.preset_path;
-        if (pressed('O')) ask_for_file(state.file_dialog, FileDialog::Job::Open, state.preset_path);
-        if (pressed('C') && io.KeyShift) actions.copy_command_line = true;
-        if (pressed('Q')) actions.quit = true;
-        choose_overlay(state);
-        return;
-    }
-    choose_overlay(state);
-    for (const int step : {-1, +1})
-        if (const int key = state.page_keys[step > 0]; key >= 0 && ImGui::IsKeyPressed(key, false))
-            actions.load_preset = neighbour_preset(state, frame, step);
-    if (pressed('F')) frame_selection(state, frame);
-    if (pressed('L')) toggle_light_camera(state);
-    if (pressed(' ') && !io.NavVisible) toggle_play(state, frame);
-    if (pressed('K')) toggle_frozen_camera(state, frame);
-    if (pressed('B') && !state.flicker) state.against.view = ComparisonView((int(state.against.view) + 1) % 4);
-    if (pressed('P')) pin_settings(state);
-    if (pressed('H')) steer_hiding(state, frame);
-    if (pressed('G')) state.loupe = LoupeMode((int(state.loupe) + 1) % 3);
-    step_probe(state, frame);
-    if (pressed('X')) next_artefact(state, frame);
-    if (pressed('C')) apply_fix(state, frame);
-    if (pressed('U')) remove_bias(s);
-    if (pressed('T')) next_light_type(s);
-    if (pressed('[') || pressed(']')) scale_resolution(s, pressed(']'));
-    if (pressed('Q')) point_quads(state, frame);
-    for (const auto& [key, step] : {std::pair{',', -0.02f}, std::pair{'.', 0.02f}})
-        if (state.against.view == ComparisonView::Swipe && ImGui::IsKeyPressed(int(key)))
-            state.against.at = std::clamp(state.against.at + step * (io.KeyShift ? 5 : 1), 0.0f, 1.0f);
-    if (pressed('N')) state.layout.map_place = next_of(state.layout.map_place, 4);
-    if (pressed('M')) s.view.map = next_of(s.view.map, 3);
-    if (pressed(ImGuiKey_Home)) reset_camera(state, frame);
-    if (ImGui::IsKeyPressed(kF11, false)) maximise(state, state.maximised ? *state.maximised : state.hovered_panel);
-    if (pressed(ImGuiKey_Escape) && state.maximised) {
-        state.maximised.reset();
-    } else if (pressed(ImGuiKey_Escape)) {
-        if (!state.probe_pixel) select_objects(state, {});
-        state.probe_pixel.reset();
-        state.show_shortcuts = false;
-    }
+        state.log.add(LogKind::Info,
+                      of == Shot::Map ? with_key("The map is hidden", Command::NextMapPlace) + ": no screenshot of it"
+                      : of == Shot::Drawing
+                          ? std::string("No drawing is shown: click a pixel, and open Probe in a wide window")
+                          : std::string("The scene is hidden: no screenshot of it"));
 }
 
 struct Dragged {
@@ -218,10 +82,10 @@ Dragged splitter(const char* id, bool vertical, ImVec2 size) {
 }
 
 void tab(EditorState& state, BottomTab which, const char* label, const auto& draw) {
-    const bool asked = state.open_tab == which;
+    const bool asked = state.window.open_tab == which;
     if (!ImGui::BeginTabItem(label, nullptr, asked ? ImGuiTabItemFlags_SetSelected : ImGuiTabItemFlags_None)) return;
-    if (!state.open_tab && state.tab != which) state.fitted_tab = which;
-    if (!state.open_tab || asked) state.tab = which;
+    if (!state.window.open_tab && state.tab != which) state.window.fitted_tab = which;
+    if (!state.window.open_tab || asked) state.tab = which;
     ImGui::BeginChild(label, {0, 0}, false);
     draw();
     ImGui::EndChild();
@@ -241,31 +105,45 @@ bool double_click_on_tabs() {
            bar->BarRect.Contains(ImGui::GetIO().MousePos);
 }
 
-void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    draw_health(state.settings, state.map.marked_texel, frame.result, frame, requests);
+    if (requests.probe_pixel) state.probe_pixel = requests.probe_pixel;
+    if (const auto& marked = requests.show_texel) {
+        state.map.marked_texel = marked;
+        const float across = float(std::max(frame.result->map_resolution >> marked->level, 1));
+        state.map.window = {.zoom = std::max(1.0f, across / kFindingTexels),
+                            .centre = (glm::vec2(marked->texel) + 0.5f) / across};
+    }
+}
+
+void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
         flags |= ImGuiTabBarFlags_TabListPopupButton;
     if (!ImGui::BeginTabBar("bottom", flags)) return;
-    const auto asked = state.open_tab;
-    tab(state, BottomTab::Effects, "Effects", [&] { draw_effects(state, frame, actions); });
-    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, actions); });
-    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, actions); });
+    const auto asked = state.window.open_tab;
+    tab(state, BottomTab::Effects, "Effects",
+        [&] { draw_effects(state.effects, state.times, frame.result, frame.driver, frame, requests); });
+    tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
+    tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, actions); });
-    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, actions); });
-    tab(state, BottomTab::Advice, "Advice", [&] { draw_advice_panel(state, frame, actions); });
-    tab(state, BottomTab::Lab, "Lab", [&] { draw_lab(state, frame, actions); });
-    tab(state, BottomTab::Numbers, "Numbers", [&] { draw_health(state, frame, actions); });
+    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, requests); });
+    tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
+    tab(state, BottomTab::Advice, "Advice",
+        [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
+    tab(state, BottomTab::Lab, "Lab",
+        [&] { draw_lab(state.lab, state.settings, frame.scene, frame.result, frame, requests); });
+    tab(state, BottomTab::Numbers, "Numbers", [&] { numbers_tab(state, frame, requests); });
     const int errors = state.log.unseen_errors();
     const std::string log = errors > 0 ? fmt::format("Log ({})###Log", errors) : std::string("Log###Log");
     if (errors > 0) ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state, frame); });
+    tab(state, BottomTab::Log, log.c_str(), [&] { draw_log(state.log, frame.shader_log); });
     if (errors > 0) ImGui::PopStyleColor();
-    if (asked == state.tab) state.open_tab.reset();
-    actions.redraw |= state.open_tab.has_value();
-    actions.want_timing = state.tab == BottomTab::Effects;
-    actions.want_error = state.tab == BottomTab::Error;
+    if (asked == state.tab) state.window.open_tab.reset();
+    requests.redraw |= state.window.open_tab.has_value();
+    requests.want_timing = state.tab == BottomTab::Effects;
+    requests.want_error = state.tab == BottomTab::Error;
     if (double_click_on_tabs()) maximise(state, Panel::Tabs);
     ImGui::EndTabBar();
 }
@@ -290,69 +168,69 @@ auto spaced(const auto& draw) {
 
 void panel(EditorState& state, Panel which, const char* id, ImVec2 size, const auto& draw) {
     child(id, size, spaced(draw));
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.hovered_panel = which;
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_RectOnly)) state.window.hovered_panel = which;
 }
 
-void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
-    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, actions); });
+void scene_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Scene, "scene", size, [&] { draw_viewport(state, frame, requests); });
 }
 
-void map_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
-    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, actions); });
+void map_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Map, "map", size, [&] { draw_map_viewer(state, frame, requests); });
 }
 
-void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size) {
-    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, actions); });
+void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size) {
+    panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, requests); });
 }
 
 /// The panel that fills the window.
-void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
-    switch (*state.maximised) {
+    switch (*state.window.maximised) {
         case Panel::Scene:
-            scene_panel(state, frame, actions, rest);
+            scene_panel(state, frame, requests, rest);
             break;
         case Panel::Map:
-            map_panel(state, frame, actions, rest);
+            map_panel(state, frame, requests, rest);
             break;
         case Panel::Tabs:
-            tabs_panel(state, frame, actions, rest);
+            tabs_panel(state, frame, requests, rest);
             break;
     }
     child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 /// The scene and, where it stands there, the map beside or in it.
-void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size, float bar) {
+void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     if (layout.map_place == MapSpot::BesideScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
-        scene_panel(state, frame, actions, {size.x - map - bar, size.y});
+        scene_panel(state, frame, requests, {size.x - map - bar, size.y});
         ImGui::SameLine();
         if (const Dragged d = splitter("map splitter", true, {bar, size.y}); d.reset)
             layout.map_share = EditorLayout{}.map_share;
         else if (d.by != 0)
             layout.map_share = std::clamp((map - d.by) / size.x, 0.1f, 0.85f);
         ImGui::SameLine();
-        map_panel(state, frame, actions, {map, size.y});
+        map_panel(state, frame, requests, {map, size.y});
         return;
     }
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    scene_panel(state, frame, actions, size);
+    scene_panel(state, frame, requests, size);
     if (layout.map_place != MapSpot::Inset) return;
     const float side = std::min(layout.map_inset * em, 0.6f * std::min(size.x, size.y));
     const ImVec2 after = ImGui::GetCursorScreenPos();
     ImGui::SetCursorScreenPos({corner.x + size.x - side - em, corner.y + size.y - side - em});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::panel());
-    map_panel(state, frame, actions, {side, side});
+    map_panel(state, frame, requests, {side, side});
     ImGui::PopStyleColor();
     ImGui::SetCursorScreenPos(after);
 }
 
 /// The settings and, where it stands there, the map above them.
-void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& actions, ImVec2 size, float bar) {
+void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
@@ -362,14 +240,14 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const float square = size.x + em * (layout.map_plots ? kMapTexts + kMapPlots : kMapTexts);
         const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
         const float map = std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kEveryday : 10)));
-        map_panel(state, frame, actions, {size.x, map});
+        map_panel(state, frame, requests, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
         else if (d.by != 0)
             layout.map_height = std::clamp((map + d.by) / size.y, 0.1f, 0.9f);
         size.y -= map + bar;
     }
-    child("settings", size, spaced([&] { draw_settings(state, frame, actions); }));
+    child("settings", size, spaced([&] { draw_settings(state, frame, requests); }));
     ImGui::EndGroup();
 }
 
@@ -384,10 +262,10 @@ float needed_height(BottomTab tab) {
     return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
 }
 
-void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
+void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), bar = kSplitter * em / 15;
     const float top = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().WindowPadding.y;
-    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, actions); }));
+    child("top", {0, top}, spaced([&] { draw_top_bar(state, frame, requests); }));
 
     EditorLayout& layout = state.layout;
     const float status = status_bar_height();
@@ -398,20 +276,20 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     const float left = std::max(rest.x - settings - bar, em * 10);
 
     ImGui::BeginGroup();
-    draw_strips(state, frame, actions, left);
+    draw_strips(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
     // Where there is little room the tabs below give way to the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
-    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.fitted_tab);
+    const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.window.fitted_tab);
     const float bottom = std::clamp(wanted * em, em * 4, most);
     const float pictures = std::max(rest.y - strips - bottom - bar - time, em * 6);
-    pictures_row(state, frame, actions, {left, pictures}, bar);
+    pictures_row(state, frame, requests, {left, pictures}, bar);
     if (time > 0) child("time", {left, time}, spaced([&] { draw_time_bar(state, frame); }));
     if (const Dragged d = splitter("bottom splitter", false, {left, bar}); d.reset)
         layout.bottom_height = EditorLayout{}.bottom_height;
     else if (d.by != 0)
         layout.bottom_height = std::max((bottom - d.by) / em, 2.0f);
-    tabs_panel(state, frame, actions, {left, bottom});
+    tabs_panel(state, frame, requests, {left, bottom});
     ImGui::EndGroup();
     ImGui::SameLine();
     if (const Dragged d = splitter("settings splitter", true, {bar, rest.y}); d.reset)
@@ -419,29 +297,28 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& ac
     else if (d.by != 0)
         layout.settings_width = (settings - d.by) / em;
     ImGui::SameLine();
-    right_column(state, frame, actions, {settings, rest.y}, bar);
+    right_column(state, frame, requests, {settings, rest.y}, bar);
     child("status", {0, status}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
 }  // namespace
 
-bool keys_are_taken(const EditorState& state) {
-    const bool typing = ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
-    return typing || state.flight.on || state.handle_drag;
+bool text_is_typed() {
+    return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
 void maximise(EditorState& state, Panel panel) {
-    if (state.maximised == panel)
-        state.maximised.reset();
+    if (state.window.maximised == panel)
+        state.window.maximised.reset();
     else
-        state.maximised = panel;
+        state.window.maximised = panel;
 }
 
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
-    EditorRequests actions;
-    const std::optional<Shot> shot = std::exchange(state.shot_next, {});
-    state.scene_rect = state.map_rect = state.drawing_rect = {};
-    state.dragging = false;
+    EditorRequests requests;
+    const std::optional<Shot> shot = std::exchange(state.shots.next, {});
+    state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
+    state.viewport.dragging = false;
     theme::use(state.layout.light_theme);
     use_driver(frame.driver);
     use_scene(frame.scene);
@@ -450,7 +327,8 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
     // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
-    if (!keys_wait) shortcuts(state, frame, actions);
+    if (!keys_wait) dispatch_shortcuts(state, frame, requests);
+    state.lights.listed = false;
     follow_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
@@ -470,43 +348,43 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
                      (cramped ? ImGuiWindowFlags_HorizontalScrollbar : ImGuiWindowFlags_NoScrollbar));
     ImGui::PopStyleVar();
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(0, 0));
-    if (state.maximised)
-        one_panel(state, frame, actions);
+    if (state.window.maximised)
+        one_panel(state, frame, requests);
     else
-        all_panels(state, frame, actions);
+        all_panels(state, frame, requests);
     ImGui::PopStyleVar();
-    draw_welcome(state, frame, actions);
+    draw_welcome(state, frame, requests);
     draw_shortcuts(state);
-    draw_file_dialog(state, frame, actions);
-    draw_replace_dialog(state, actions);
+    draw_file_dialog(state, frame, requests);
+    draw_replace_dialog(state, requests);
     ImGui::End();
 
     if (keys_wait) {
-        shortcuts(state, frame, actions);
-        actions.redraw = true;
+        dispatch_shortcuts(state, frame, requests);
+        requests.redraw = true;
     }
-    if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
-        state.hovered_object.clear();  // no list that says it
-    actions.want_error |= shows_artefacts(state.settings) || waits;
-    share_arrows(state);
+    if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
+        state.objects.hovered.clear();  // no list that says it
+    requests.want_error |= shows_artefacts(state.settings) || waits;
+    share_arrow_keys(state);
     share_page_keys(state);
-    state.had_popup = popup_is_open();
-    if (shot) take_shot(state, actions, *shot);
-    actions.redraw |= state.shot_next.has_value();
-    const bool turning_wheel = ImGui::GetTime() < state.wheel_until;
-    const bool gesture = ImGui::IsAnyItemActive() || state.dragging || turning_wheel;
-    state.history.set_place({state.scene_name, state.guide});
+    state.window.had_popup = popup_is_open();
+    if (shot) take_shot(state, requests, *shot);
+    requests.redraw |= state.shots.next.has_value();
+    const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
+    const bool gesture = ImGui::IsAnyItemActive() || state.viewport.dragging || turning_wheel;
+    state.history.set_place({state.scene_name, state.files.guide});
     state.history.observe(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
-    actions.hold_cursor =
-        state.flight.on && (state.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
-    actions.redraw |= state.playback.playing || turning_wheel || state.flight.moving;
-    actions.at_rest = !gesture && !actions.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
-                      io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
+    requests.hold_cursor = state.viewport.flight.on &&
+                           (state.viewport.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
+    requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
+    requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
+                       io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
     use_driver(nullptr);  // facts of this frame
     use_scene(nullptr);
     use_result(nullptr);
-    return actions;
+    return requests;
 }
 
 }  // namespace si

@@ -1,176 +1,103 @@
-// The whole editor as one function: state and the frame's facts go in, wishes come out. Knows ImGui and the renderer's
-// data types; no window, no GL. The caller fulfils the wishes before the next frame.
+// The editor as one function: state and the frame's facts go in, requests come out. Uses ImGui and the renderer's data
+// types, no window and no OpenGL. The caller fulfils the requests before the next frame.
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
 #include <optional>
-#include <set>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "renderer/frame/frame.h"
 #include "renderer/inspect/lost_casters.h"
 #include "renderer/render/renderer.h"
-#include "ui/map_view/map_shown.h"
+#include "ui/map_view/map_panel.h"
 #include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects_panel.h"
+#include "ui/panels/error_panel.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/lab_panel.h"
+#include "ui/panels/lights_panel.h"
+#include "ui/panels/objects_panel.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/panels/settings_panel.h"
 #include "ui/panels/truth.h"
 #include "ui/panels/tune.h"
 #include "ui/scene_view/cameras.h"
-#include "ui/scene_view/light_drag.h"
 #include "ui/scene_view/picture_comparison.h"
 #include "ui/scene_view/probe_anchor.h"
+#include "ui/scene_view/scene_panel.h"
+#include "ui/state/files.h"
 #include "ui/state/frame_times.h"
 #include "ui/state/history.h"
+#include "ui/state/keyboard.h"
 #include "ui/state/log.h"
+#include "ui/state/object_selection.h"
 #include "ui/state/shots.h"
+#include "ui/state/window_layout.h"
 #include "ui/widgets/file_dialog.h"
 
 namespace si {
 
-/// Where the map viewer stands.
-enum class MapSpot { AboveSettings, BesideScene, Inset, Hidden };
-
-/// A part of the window that can fill it.
-enum class Panel { Scene, Map, Tabs };
-
-/// Where the splitters stand, and the colours. Sizes are in units of text height, so that they survive a change of
-/// scale.
-struct EditorLayout {
-    float settings_width = 24;
-    float bottom_height = 0;  ///< of the tabs below; 0: as high as the tab needs that was chosen by hand
-    MapSpot map_place = MapSpot::AboveSettings;
-    float map_height = 0.5f;  ///< of the settings' column, where it stands above them
-    float map_share = 0.40f;  ///< of the width left of the settings, where it stands beside the scene
-    float map_inset = 20;     ///< width and height, where it stands in a corner of the scene
-    bool map_plots = true;    ///< histogram and depth curve under the map
-    bool light_theme = false;
-    bool desktop_dialogs = true;  ///< for files, where the desktop has one
-    bool operator==(const EditorLayout&) const = default;
-};
-
-enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
-
-/// Settings that were kept to compare later ones with.
-struct PinnedSettings {
-    Settings settings;
-    std::string scene;  ///< that they were shown with
-    bool operator==(const PinnedSettings&) const = default;
-};
-
-/// What was compared before a key showed the other side alone.
+/// Comparison to go back to when the key is released that shows A alone.
 struct Flicker {
-    PictureComparison against;
+    PictureComparison picture_comparison;
     CompareWith compare;
 };
 
-/// What a loupe shows: the probed pixel, or what is under the mouse.
+/// Centre of the loupe: the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
-/// What of the editor's state its frames, and the numbers read from them, depend on.
+/// The part of the editor's state that frames, and the numbers read from them, depend on.
 struct PictureState {
     Settings settings;
     CompareWith compare;
-    PictureComparison against;
+    PictureComparison comparison;
     std::optional<PinnedSettings> pinned;
     EffectsPanel effects;
-    std::optional<glm::ivec2> probe_pixel;    ///< of the scene picture, row 0 at the top
-    std::optional<ProbeAnchor> probe_anchor;  ///< the surface that it sticks to, once it is known
-    std::optional<glm::ivec2> loupe_pixel;    ///< that the loupe stands at; none: it is hidden
+    std::optional<glm::ivec2> probe_pixel;    ///< probed pixel of the scene picture, row 0 at the top
+    std::optional<ProbeAnchor> probe_anchor;  ///< surface point that the probe follows, once it is known
+    std::optional<glm::ivec2> loupe_pixel;    ///< centre of the loupe; none: it is hidden
     LoupeMode loupe = LoupeMode::Probed;
     ArtefactRequest artefacts;
-    int active_pane = 0;  ///< under the mouse, or where a press began
+    int active_pane = 0;  ///< pane under the mouse, or where a press began
     BottomTab tab = BottomTab::Effects;
-    std::optional<FrozenCamera> frozen;
+    std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
 };
 
-/// A name being typed in the list of lights.
-struct LightRename {
-    int light = 0;
-    std::string name;
-    bool begun = false;  ///< its field has the keyboard
-};
-
+/// State of the editor: the state of each panel, and what they share.
 struct EditorState : PictureState {
     History history;
     Log log;
-    std::string scene_name;                   ///< built-in key or path, as loaded
-    std::string scene_input;                  ///< path being typed
-    std::string preset_path = "preset.json";  ///< the file that is saved to
-    GuideNote guide;                          ///< of the preset that was opened last
-    std::string hidden_guide;                 ///< key of the note that is not to be shown
-    std::string error_path = "error.json";    ///< that the error panel's Save writes
-    FileDialog file_dialog;
-    std::optional<Replacement> replace;
+    std::string scene_name;  ///< built-in key or path of the scene that is shown
+    FilesState files;
     bool between_steps = false;  ///< undo or redo waits for the scene of its step
-    std::string search;
-    bool only_changed = false;
-    std::set<std::string, std::less<>> unfolded;  ///< groups of settings that show what is turned seldom, too
-    std::optional<LightRename> light_rename;
+    ObjectSelection selection;
+    Playback playback;
+    FrameTimes times;
+    std::optional<Flicker> flicker;  ///< set while the key is held that shows A alone
+    ArtefactTour artefact_tour;
+
+    EditorLayout layout;
+    WindowState window;
+    KeyboardState keyboard;
+    ShotState shots;
+
+    ScenePanel viewport;
+    MapPanel map;
+    SettingsPanel settings_panel;
+    LightsPanel lights;
+    ObjectsPanel objects;
+    ProbePanel probe_panel;
+    ErrorPanel error_panel;
+    SweepPanel sweep;
     TunePanel tune;
     AdvicePanel advice;
     LabPanel lab;
-    EditorLayout layout;
-    std::optional<Panel> maximised;      ///< fills the window (F11)
-    Panel hovered_panel = Panel::Scene;  ///< that the mouse was over last
-    MapWindow map_window;
-    bool exact_texels = false;                ///< the map viewer marks the texels that kernels fetch
-    std::optional<MarkedTexel> marked_texel;  ///< that a finding of the panel Numbers stands at
-    std::string map_path = "shadow-map.pfm";  ///< that the map viewer's Save writes
-    std::optional<glm::ivec2> hovered_pixel;  ///< under the mouse in the scene picture, row 0 at the top
-    std::optional<glm::ivec2> hovered_texel;  ///< under the mouse in the map viewer, y up
-    Playback playback;
-    SweepPanel sweep;
-    std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< brought to the front in the next frame
-    /// Chosen by hand last: what else opens one leaves the picture in place.
-    BottomTab fitted_tab = BottomTab::Effects;
-    std::string object_search;
-    bool only_lost = false;               ///< the object list shows lost casters only
-    std::string selected_object;          ///< node path, of several the one chosen first; empty: none
-    std::string sought_object;            ///< chosen elsewhere, and not yet brought into view in the list of objects
-    int list_seeks = 0;                   ///< frames left in which that list scrolls to it
-    std::set<std::string> also_selected;  ///< the others
-    std::string hovered_object;           ///< node path of the row under the mouse; empty: none
-    std::set<std::string> closed_nodes;   ///< of the list of objects, by path
-    std::vector<double> object_ranks;     ///< that the list is sorted by; one a node of the scene `object_ranks_of`
-    std::uint64_t object_ranks_of = 0;    ///< Scene::id
-    std::string menu_object;              ///< node path that the scene's menu is about
-    bool flew = false;                    ///< or pressed a key, while the right button was held
-    bool show_welcome = false;
-    bool show_shortcuts = false;
-    double wheel_until = 0;                 ///< a turn of the wheel counts as one gesture until this time, seconds
-    bool dragging = false;                  ///< a drag in a picture is under way
-    std::optional<PictureView> scene_view;  ///< where the scene picture was drawn last
-    bool press_moved = false;               ///< the press in the scene picture became a drag
-    bool press_taken = false;  ///< the press in the scene picture is on a mark in it, no gesture of the camera
-    std::optional<LightHit> hovered_light;  ///< under the mouse in the scene picture
-    std::optional<HandleDrag> handle_drag;  ///< under way
-    char hovered_axis = 0;                  ///< 'x', 'y' or 'z': an end of the gnomon is under the mouse
-    Flight flight;
-    std::optional<CameraSettings> camera_before_light;  ///< what looking through the light goes back to
-    bool select_probed = false;                         ///< the next probe of a click chooses the selected object
-    std::optional<Flicker> flicker;                     ///< the other side is shown while its key is held
-    bool probe_has_arrows = false;                      ///< the arrow keys move the probe, and no widget takes them
-    bool took_navigation = false;                       ///< ImGui's navigation is off for it
-    std::array<int, 2> page_keys{-1, -1};               ///< codes of PageUp and PageDown, once they are known
-    bool fix_waits = false;                             ///< C was pressed before there was a verdict
-    bool had_popup = false;                             ///< a menu was open at the end of the frame before
-    glm::ivec2 wanted_picture{0};                       ///< size of the scene picture asked for last
-    ArtefactTour artefact_tour;
-    std::optional<Shot> shot_next;  ///< taken in the next frame, when what asked for it is gone from the picture
-    ScreenRect scene_rect, map_rect, drawing_rect;  ///< where the pictures were drawn last
-    SectionViews section_views;
-    FrameTimes times;
 };
 
 /// A scene that is being read while the editor shows another.
@@ -182,11 +109,11 @@ struct LoadingFacts {
 
 /// The first picture of a scene while it is drawn.
 struct DrawingFacts {
-    std::string pass;     ///< under way
+    std::string pass;     ///< pass under way
     double progress = 0;  ///< 0..1
 };
 
-/// What the last frame found out. Pointers may be null: the editor draws without them.
+/// Facts about the last frame and the work in the background. Pointers may be null: the editor draws without them.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -199,23 +126,24 @@ struct EditorFrame : ProbeFacts,
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
     FixSearch fixes;
-    const FloatImage* overlay_values = nullptr;  ///< of the active pane
-    std::span<const LostCaster> lost_casters;    ///< of the shown light
+    const FloatImage* overlay_values = nullptr;  ///< values of the active pane's overlay
+    std::span<const LostCaster> lost_casters;    ///< casters that the shown light's map loses
     const ComparisonFacts* comparison = nullptr;
     std::string_view shader_log;
     std::string_view problem;   ///< why there is no picture
-    bool driver_reset = false;  ///< the driver lost what was drawn: only another start of the program draws again
+    bool driver_reset = false;  ///< the driver has lost the context; the program has to be started again
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
     const SweepFacts* sweep = nullptr;
     std::optional<ReferenceFacts> reference;
-    const LiveError* error = nullptr;  ///< of the frame shown; null: not known
-    std::optional<PictureComparisonFacts> against;
-    const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
-    bool desktop_dialogs = false;              ///< the desktop's dialog for files can be asked for
-    const ArtefactSpots* artefacts = nullptr;  ///< of the last wish that was fulfilled
+    const LiveError* error = nullptr;  ///< errors of the shown frame; null: not known
+    std::optional<PictureComparisonFacts> picture_comparison;
+    const LoupeFacts* loupe = nullptr;         ///< pixels around state.loupe_pixel; null: not known yet
+    bool desktop_dialogs = false;              ///< the desktop's file dialog can be requested
+    const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
+/// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
                         TruthRequests,
                         PresetRequests,
@@ -226,21 +154,23 @@ struct EditorRequests : MapRequests,
                         AdviceRequests,
                         LabRequests,
                         HealthRequests {
-    int scene_width = 0, scene_height = 0;  ///< wanted size of the scene picture; 0: not shown
-    bool want_overlay_values = false;       ///< a scene picture is hovered
-    bool want_timing = false;
+    int scene_width = 0;               ///< wanted width of the scene picture, pixels; 0: it is not shown
+    int scene_height = 0;              ///< wanted height
+    bool want_overlay_values = false;  ///< the mouse is over a scene picture
+    bool want_timing = false;          ///< passes are to be timed
     bool copy_command_line = false;
     bool quit = false;
-    std::optional<DesktopFileDialog> ask_desktop;
-    bool welcomed = false;     ///< the welcome was shown
-    bool hold_cursor = false;  ///< hide the mouse and let it move without end: the camera flies
-    bool redraw = false;       ///< something still moves: draw another frame soon
+    std::optional<DesktopFileDialog> ask_desktop;  ///< open the desktop's file dialog
+    bool welcomed = false;                         ///< the welcome was shown
+    bool hold_cursor = false;  ///< hide the mouse and let it move without bounds, while the camera flies
+    bool redraw = false;       ///< something still moves: draw the next frame soon
     std::optional<ShotRequest> shot;
-    bool at_rest = false;  ///< nobody touches anything: the picture may be made smooth (view.smooth)
+    bool at_rest = false;  ///< no input: the static picture may get more samples per pixel (view.smooth)
 };
 
-/// Of the window at scale 1 (a font of 15 pixels): in a smaller one the editor scrolls.
-inline constexpr float kLeastWidth = 640, kLeastHeight = 360;
+/// Smallest size of the editor at scale 1 (a font of 15 pixels), pixels. A smaller window scrolls.
+inline constexpr float kLeastWidth = 640;
+inline constexpr float kLeastHeight = 360;
 
 /// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);

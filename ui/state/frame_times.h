@@ -1,4 +1,4 @@
-// What frames and their passes took when they were timed last.
+// Times of frames and passes, as measured last.
 #pragma once
 
 #include <deque>
@@ -10,23 +10,26 @@
 
 namespace si {
 
+/// Times of one frame.
 struct TimedFrame {
-    double at_s = 0;             ///< when it was shown first
-    double ms = 0, maps_ms = 0;  ///< of all passes that ran, and of those that draw maps
-    bool drew_maps = false;      ///< else they were reused, or there are none
+    double at_s = 0;         ///< time at which it was shown first, seconds
+    double ms = 0;           ///< sum of all passes that ran
+    double maps_ms = 0;      ///< sum of the passes that draw maps
+    bool drew_maps = false;  ///< else maps were cached, or there are none
 };
 
+/// Times of one scene's frames.
 struct FrameTimes {
-    static constexpr double kKept_s = 30;
+    static constexpr double kKept_s = 30;  ///< age up to which frames are kept
 
-    std::string scene;                      ///< as named; nothing is kept from one to the next
-    std::map<std::string, double> pass_ms;  ///< of each pass that was ever timed
-    std::deque<TimedFrame> frames;          ///< of the last `kKept_s`, the latest at the end; at least that one
-    bool of_shown = false;                  ///< the latest is the frame that is shown
+    std::string scene;                      ///< key or path; another scene drops all times
+    std::map<std::string, double> pass_ms;  ///< last time of each pass, by its name
+    std::deque<TimedFrame> frames;          ///< frames of the last kKept_s, newest last; at least the newest
+    bool of_shown = false;                  ///< the newest is the frame that is shown
 };
 
-/// Takes the times of a frame of `scene` that is shown, where its passes were timed and some ran. Call in every frame
-/// of the window: one that stays counts once. @param now_s of the window's clock
+/// Adds the shown frame's times, if its passes were timed and some ran. Call in every frame of the window; a frame that
+/// stays is added once. @param now_s time of the window's clock, seconds
 void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view scene, double now_s);
 
 }  // namespace si

@@ -10,49 +10,53 @@
 
 namespace si {
 
-/// What the preset that was opened last says to people.
+/// Note of the preset that was opened last.
 struct GuideNote {
-    std::string key;  ///< of a built-in preset, or the file's path; empty: none is open
-    std::string title, about;
+    std::string key;  ///< key of a built-in preset, or the file's path; empty: none is open
+    std::string title;
+    std::string about;  ///< sentence on what to look at
     bool operator==(const GuideNote&) const = default;
 };
 
-/// What settings belong to.
+/// Scene and preset that settings belong to.
 struct Place {
     std::string scene;  ///< built-in key or path; empty: any
     GuideNote guide;
 };
 
+/// Stack of settings, one entry a step.
 class History {
 public:
     /// Starts over from `settings` (a new scene or the start of the program).
     void reset(const Settings& settings);
-    /// What the settings of the next step belong to. Another scene is a step of its own.
+    /// Sets the scene and preset of the next step. Another scene is a step of its own.
     void set_place(Place place) { present_ = std::move(place); }
-    /// Call once a frame. While `busy` (a gesture is under way) nothing is recorded; afterwards whatever a person
-    /// changed since the last step becomes one step. Moves of the camera in a row are one.
+    /// Records changes of the settings. While `busy` (a gesture is under way) nothing is recorded; afterwards all
+    /// changes since the last step become one step. Moves of the camera in a row are one step. Call once a frame.
     void observe(const Settings& settings, bool busy);
-    /// The playing clock moved scene.time: no step, until commit().
+    /// Takes over scene.time from the playing clock without a step. commit() makes one.
     void tick(double time_s);
-    /// Settings followed others by themselves (lights that a file animates): part of the step that made them, never one
-    /// of their own.
+    /// Adds a change that the program has made by itself (lights that a file animates) to the last step.
     void follow(const Settings& before, const Settings& after);
-    /// Records a step when anything at all differs from the last one.
+    /// Records a step if anything differs from the last one.
     void commit(const Settings& settings);
-    /// What each step changed, the first being the beginning, and which of them is shown.
+    /// Returns the name of each step: the settings that it has changed. The first is the beginning.
     std::vector<std::string> names() const;
+    /// Index of the step that is shown.
     std::size_t at() const { return at_; }
-    /// That step, clamped to those there are.
+    /// Goes to a step, clamped to the existing ones. Returns its settings.
     const Settings& go(std::size_t step);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
-    /// The neighbouring value; the present one at either end.
+    /// Goes one step back. Returns its settings; the present ones at the beginning.
     const Settings& undo();
+    /// Goes one step forward. Returns its settings; the present ones at the end.
     const Settings& redo();
-    /// What the last step that was recorded, undone or redone belongs to, and its settings.
+    /// Scene and preset of the step that is shown.
     const Place& place() const { return steps_[at_].place; }
+    /// Settings of the step that is shown.
     const Settings& settings() const { return steps_[at_].settings; }
-    /// The last undo or redo did not come about: stands where it stood before.
+    /// Takes back the last undo or redo, after its scene could not be loaded.
     void stay();
 
 private:
@@ -62,12 +66,13 @@ private:
     struct Step {
         Settings settings;
         Place place;
-        bool looks = false;  ///< only the camera moved: the next such move is the same step
+        bool looks = false;  ///< only the camera moved; the next such move joins this step
     };
     std::vector<Step> steps_{Step{}};
-    std::size_t at_ = 0, before_ = 0;  ///< before_: of the last undo or redo
+    std::size_t at_ = 0;
+    std::size_t before_ = 0;  ///< at_ before the last undo or redo
     Place present_;
-    Settings untouched_;  ///< what the settings are if nobody touched them since the last step
+    Settings untouched_;  ///< settings after the last step, with the program's own changes since
 };
 
 }  // namespace si

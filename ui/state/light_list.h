@@ -5,21 +5,21 @@
 
 namespace si {
 
-/// Whether there may be one light more.
+/// Returns true below kMaxLights lights.
 bool can_add_light(const Settings& settings);
-/// One light more, by default settings but from another side than all others, and shows it; nothing when there are
+/// Adds a light with default settings from a direction that no other light has, and shows it. Does nothing at
 /// kMaxLights.
 void add_light(Settings& settings);
-/// A light like light.<i>, without its name, right after it, and shows it; nothing when there is no such light or no
-/// room.
+/// Inserts a copy of a light after it, without its name, and shows it. Does nothing without that light or at
+/// kMaxLights.
 void copy_light(Settings& settings, int light);
-/// Nothing when there is no such light.
+/// Deletes a light; does nothing without it.
 void delete_light(Settings& settings, int light);
-/// Whether it alone is on.
+/// Returns true if that light alone is on.
 bool is_solo(const Settings& settings, int light);
-/// Switches all others off; all on where it is solo already.
+/// Switches all other lights off; all on if they are off already.
 void solo_light(Settings& settings, int light);
-/// Moves light.<i> so many places on (below 0: back), as far as there are lights, and shows it.
+/// Moves a light `places` on in the list (below 0: back), clamped to the list, and shows it.
 void move_light(Settings& settings, int light, int places);
 
 }  // namespace si

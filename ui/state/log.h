@@ -1,4 +1,4 @@
-// What happened, in lines a person reads; repeated lines are counted.
+// Messages for the user. Repeated lines are counted.
 #pragma once
 
 #include <string>
@@ -9,19 +9,22 @@ namespace si {
 
 enum class LogKind { Info, Warning, Error };
 
+/// One message.
 struct LogLine {
     LogKind kind = LogKind::Info;
     std::string text;
-    int count = 1;
+    int count = 1;  ///< times that it was added in a row
 };
 
+/// The last messages, oldest first.
 class Log {
 public:
     void add(LogKind kind, std::string_view text);
     void clear();
     const std::vector<LogLine>& lines() const { return lines_; }
-    /// Errors added since the log was last looked at.
+    /// Returns the number of errors that were added since seen().
     int unseen_errors() const { return unseen_; }
+    /// Marks all messages as seen.
     void seen() { unseen_ = 0; }
 
 private:

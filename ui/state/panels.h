@@ -1,4 +1,4 @@
-// The parts of the editor, one file each. Each fills the child window that is current.
+// Draw functions of the editor's panels, one file each. Each fills the current child window.
 #pragma once
 
 #include <imgui.h>
@@ -6,107 +6,104 @@
 #include "renderer/base/lengths_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
+#include "ui/state/shown_light.h"
+#include "ui/widgets/progress_bar.h"
 
 namespace si {
 
-void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// What the frame simulates, keeps and leaves out, each with why and what that saves; what its passes cost.
-void draw_effects(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// What is wrong with the shadows of the shown light, in numbers.
-void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
+/// Draws the row of menus, scene, presets, undo and save.
+void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the scene pictures with their toolbar and marks, and steers camera and lights by the mouse.
+void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the shadow map with its toolbar, marks and plots.
+void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the column of all settings, with search.
+void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the probed pixel: its shadow test, verdict and cross-section.
+void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the errors of the shown light's shadows in numbers, by cause.
+void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// What accuracy costs in time.
-void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// What the scene advises, and the autopilot.
-void draw_advice_panel(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// Where the scene is put, what single precision makes of it, and how much edges crawl.
-void draw_lab(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// Which numbers of the frame are none, and where.
-void draw_health(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-void draw_log(EditorState& state, const EditorFrame& frame);
+/// Draws the settings that differ from the compared ones.
+void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the frontier of error against time, and the sweep that measures it.
+void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the overview of mouse and keyboard, while state.window.show_shortcuts.
 void draw_shortcuts(EditorState& state);
-/// Three sentences and three ways to begin, while state.show_welcome.
-void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
-/// Only where time_bar_height() is not 0: the scene has animations.
+/// Draws the welcome, while state.window.show_welcome.
+void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Draws the animation's controls. Call only while time_bar_height() is not 0.
 void draw_time_bar(EditorState& state, const EditorFrame& frame);
+/// Returns the height of the animation's controls, pixels; 0: the scene has no animation.
 float time_bar_height(const EditorFrame& frame);
-/// The popup `id` of presets by topic, while it is open.
+/// Draws the popup `id` of presets by topic, while it is open.
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
-                       EditorRequests& actions);
+                       EditorRequests& requests);
+/// Returns the width of that popup, pixels.
 float presets_menu_width();
-/// What to look at and what a crash left, where there is such a thing; as wide as asked, as high as the text needs.
-void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& actions, float width);
+/// Draws the note of the open preset and the offer to restore a lost session, each if there is one.
+/// @param width pixels; the height follows the text
+void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
-/// The walk that the open preset belongs to: the hard cases, or (also while none is open) the guided presets.
+/// Returns the sequence of presets that the open one belongs to: the hard cases, or else the guided presets.
 std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame);
-/// The preset of that walk `step` places after the open one; none beyond either end.
+/// Returns the preset `step` places after the open one in that sequence; none beyond either end.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
-/// The colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner; `room` is the
-/// picture's size on the screen. Of overlays that name a light's views the colours of those, by number or face.
-/// @param light that is shown; null: none is
+/// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
+/// that tell a light's views apart get a colour a view. @param room size of the picture, pixels @param light null: none
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
-/// Opacity and scale of a pane's overlay, in a box over its picture's lower left corner, below the legend.
+/// Draws sliders for opacity and scale of a pane's overlay, below its legend.
 void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
-/// What they take of the picture's height, pixels; 0: it is too small for them.
+/// Returns the height of these sliders, pixels; 0: the picture is too small for them.
 float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room);
 
-/// The colours of the artefact overlay with what they mean and how many pixels have them, in its picture's corner.
+/// Draws the colours of the artefact overlay with their causes and pixel counts, in its picture's corner.
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
 
-/// How far the truth is, or what it took. Only where frame.truth is.
+/// Returns the progress of the reference, or the time that it took. Requires frame.truth.
 std::string reference_status(const EditorFrame& frame);
 
-/// Over a picture whose overlay waits for rays: what is done about it, and how far.
-void draw_tracing(const EditorFrame& frame, EditorRequests& actions, float left, float bottom, float width);
+/// Draws the progress of the rays over a picture whose overlay waits for them.
+void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
-/// How the picture is compared with another one; and with which. @param width of the combo, pixels
+/// Draws the combo of comparison views (swipe, side by side, difference). @param width pixels
 void comparison_view_widget(EditorState& state, float width);
+/// Draws the combo of the other side of the comparison. @param width pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
-/// What was chosen, which a key may have put aside while it is held.
+/// Returns the chosen comparison view, also while a held key replaces it.
 ComparisonView chosen_comparison(const EditorState& state);
-/// A press of the mouse on the swipe's line drags it. Call before the picture's own gestures: returns whether it did.
+/// Drags the swipe's line with the mouse. Call before the picture's own gestures. Returns true if it has the press.
 bool steer_swipe(EditorState& state, const PictureView& view);
-/// The other picture, right of the line, beside or as a difference, and what the sides are. Pixels of the screen.
+/// Draws the other picture (right of the line, side by side or as a difference) and the names of both sides.
+/// @param lo, size of the picture, pixels of the screen
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as what they are compared with; the same settings again: nothing is pinned.
+/// Pins the present settings as A; takes the pin off if they are pinned already.
 void pin_settings(EditorState& state);
-/// While its key is held the picture is that of the pinned settings. Call in every frame.
-/// @param may_start a key that goes down is meant for it
-void steer_flicker(EditorState& state, bool may_start);
+/// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
+void begin_flicker(EditorState& state);
+/// Shows the present settings again, with the comparison that begin_flicker() has replaced.
+void end_flicker(EditorState& state);
 
-/// What is being read, and a button that cancels, at the top of a picture. Pixels of the screen.
-void draw_loading(const EditorFrame& frame, EditorRequests& actions, float left, float top, float width);
+/// Draws the progress of a scene that is read, with a button that cancels, at the top of a picture. Pixels of the
+/// screen.
+void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
-/// The light whose map and overlays are shown, clamped to the lights there are; -1 when there is none.
-int shown_light(const Settings& settings);
-/// The face of the shown light, clamped.
-int shown_face(const Settings& settings, const FrameResult& result);
+/// Returns true while a text field takes the keys, in this frame or from the next one on.
+bool text_is_typed();
 
-/// Letters, function keys and Escape mean something else: a text is typed, the camera flies, a handle is dragged.
-bool keys_are_taken(const EditorState& state);
-
-/// Lets the panel fill the window, or takes its place among the others again.
+/// Makes the panel fill the window, or shows all panels again if it does.
 void maximise(EditorState& state, Panel panel);
 
-/// One line below all: the last message, the picture's size, the map's bytes and look-ups, the driver.
+/// Draws the line below all panels: last message, frame time, map's bytes and taps, picture's size, driver.
 void draw_status_bar(EditorState& state, const EditorFrame& frame);
+/// Returns the height of that line, pixels.
 float status_bar_height();
 
-/// A built-in scene's label; a file without its folders; "No scene" when there is none.
+/// Returns a built-in scene's label, or a file's name without its folders; "No scene" for an empty name.
 std::string scene_label(const std::string& name_or_path);
-
-/// "12 s", "3 min".
-std::string seconds_text(double seconds);
-
-/// A bar filled from the left to this share, with a text that can be read on either part. @param width 0: all there is
-void progress_bar(double share, const std::string& text, float width = 0);
 
 }  // namespace si

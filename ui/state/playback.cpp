@@ -19,7 +19,7 @@ void show_step(EditorState& state, const Settings& settings) {
     state.between_steps = !place.scene.empty() && place.scene != state.scene_name;
     if (state.between_steps) return;
     state.settings = settings;
-    state.guide = place.guide;
+    state.files.guide = place.guide;
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
 #include "ui/state/panels.h"
+#include "ui/state/shortcuts.h"
 
 namespace si {
 namespace {
@@ -20,7 +21,7 @@ double middle(double at, int texels) {
 
 std::optional<TexelPlace> hovered_place(const EditorState& state, const EditorFrame& frame) {
     const FloatImage* c = frame.map_coordinates;
-    const auto& at = state.hovered_pixel;
+    const auto& at = state.viewport.hovered_pixel;
     if (!c || !at || at->x < 0 || at->y < 0 || at->x >= c->width || at->y >= c->height) return {};
     const int n = frame.result->map_resolution;
     const double u = c->at(at->x, at->y, 0), v = c->at(at->x, at->y, 1);
@@ -69,8 +70,8 @@ bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
 }  // namespace
 
 void apply_fix(EditorState& state, const EditorFrame& frame) {
-    state.fix_waits = frame.result && verdict_follows(state, frame);
-    if (state.fix_waits) {
+    state.probe_panel.fix_waits = frame.result && verdict_follows(state, frame);
+    if (state.probe_panel.fix_waits) {
         state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
         return;
     }
@@ -79,14 +80,16 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
         for (const auto& [key, value] : d.fix->settings) set_setting(state.settings, key, value);
         return;
     }
-    state.log.add(LogKind::Info, !state.probe_pixel ? "No fix to apply: click a wrong pixel first, or go to one (X)"
-                                                    : "No fix to apply: the verdict of this pixel names none");
+    state.log.add(LogKind::Info,
+                  !state.probe_pixel
+                      ? with_key("No fix to apply: click a wrong pixel first, or go to one", Command::NextWrongPixels)
+                      : "No fix to apply: the verdict of this pixel names none");
 }
 
 void follow_fix(EditorState& state, const EditorFrame& frame) {
-    if (!state.fix_waits) return;
+    if (!state.probe_panel.fix_waits) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
-        state.fix_waits = false;
+        state.probe_panel.fix_waits = false;
     else if (!verdict_follows(state, frame))
         apply_fix(state, frame);
 }

@@ -1,36 +1,42 @@
-// What single keys change of the settings.
+// Changes of settings that have a key of their own.
 #pragma once
 
 #include <optional>
 #include <string>
 
-#include "ui/state/editor_ui.h"
+#include "renderer/settings/settings.h"
 
 namespace si {
 
-/// All bias away, as when an engine's numbers are looked for anew.
+struct EditorFrame;
+struct EditorState;
+
+/// Sets all bias to 0.
 void remove_bias(Settings& settings);
-/// The shown light becomes the next type there is; nothing without a light.
+/// Changes the shown light to the next type; does nothing without a light.
 void next_light_type(Settings& settings);
-/// Twice as many texels a side, or half as many, within what the setting takes.
+/// Doubles or halves map.resolution, clamped to its range.
 void scale_resolution(Settings& settings, bool twice);
-/// Applies the remedy that the judged light's verdict names; where there is none the log says why. While the verdict is
-/// of an earlier picture, or being found, the wish is kept.
+/// Applies the fix of the probed pixel's verdict for the shown light; without one the log says why. While the verdict
+/// is not there yet, the request waits for follow_fix().
 void apply_fix(EditorState& state, const EditorFrame& frame);
-/// Fulfils it. Call once a frame.
+/// Applies a waiting fix once its verdict is there. Call once a frame.
 void follow_fix(EditorState& state, const EditorFrame& frame);
 
-/// A place of a light's map.
+/// A texel of a light's map.
 struct TexelPlace {
-    int light = 0, face = 0;
-    double u = 0, v = 0;  ///< middle of a texel, 0..1
+    int light = 0;
+    int face = 0;  ///< index of the light's view
+    double u = 0;  ///< centre of the texel, 0..1
+    double v = 0;  ///< centre of the texel, 0..1
 };
-/// Shows the texels around the place as quads at their stored depths, or hides those that are there.
+/// Shows the texels around a place as quads at their stored depths; hides them if they are shown there.
 void toggle_quads(Settings& settings, const TexelPlace& place);
+/// Returns true if quads are shown at that place.
 bool quads_at(const Settings& settings, const TexelPlace& place);
-/// Where the pixel under the mouse, else the probed one, is looked up in the shown light's map; nothing outside of it.
+/// Returns the shown light's texel that the pixel under the mouse, else the probed one, reads; nothing outside the map.
 std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame);
-/// toggle_quads() there; the log says what became of it.
+/// Toggles the quads at pointed_place(), and reports the result in the log.
 void point_quads(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

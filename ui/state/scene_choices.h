@@ -1,4 +1,4 @@
-// What the scene's file and the frame call the things that a setting counts.
+// Names from the scene's file and the frame for values of whole-number settings.
 #pragma once
 
 #include <string>
@@ -11,15 +11,15 @@
 
 namespace si {
 
-/// Values of a whole-number setting with a name for each; empty: the setting's row says all there is.
+/// Values of a whole-number setting with their names; empty: plain numbers are shown.
 using NamedValues = std::vector<std::pair<int, std::string>>;
 
-/// For scene.animation, scene.index and camera.index what the scene and its file hold. Empty for other settings,
-/// without a scene, and where there is nothing to choose from.
+/// Returns the animations, scenes or cameras of the file for scene.animation, scene.index or camera.index. Empty for
+/// other settings, without a scene, and if there is nothing to choose from.
 NamedValues scene_choices(const Scene* scene, std::string_view key);
 
-/// For view.face the shown light's maps by name; a number past the last means the last. Empty for other settings and
-/// for lights of a single map.
+/// Returns the shown light's views (faces, cascades) for view.face; a number past the last means the last. Empty for
+/// other settings and for lights with a single view.
 NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key);
 
 }  // namespace si

@@ -100,32 +100,32 @@ std::vector<std::string> placed_below(const Scene& scene, int node) {
 }
 
 std::set<std::string> selected_objects(const EditorState& state) {
-    std::set<std::string> all = state.also_selected;
-    if (!state.selected_object.empty()) all.insert(state.selected_object);
+    std::set<std::string> all = state.selection.others;
+    if (!state.selection.first.empty()) all.insert(state.selection.first);
     return all;
 }
 
 bool is_selected(const EditorState& state, const std::string& path) {
-    return !path.empty() && (state.selected_object == path || state.also_selected.count(path) > 0);
+    return !path.empty() && (state.selection.first == path || state.selection.others.count(path) > 0);
 }
 
 void select_objects(EditorState& state, std::span<const std::string> paths) {
-    state.selected_object = paths.empty() ? std::string() : paths[0];
-    state.also_selected.clear();
-    if (!paths.empty()) state.also_selected.insert(paths.begin() + 1, paths.end());
-    state.sought_object = state.selected_object;
-    state.list_seeks = 0;
+    state.selection.first = paths.empty() ? std::string() : paths[0];
+    state.selection.others.clear();
+    if (!paths.empty()) state.selection.others.insert(paths.begin() + 1, paths.end());
+    state.objects.sought = state.selection.first;
+    state.objects.scroll_frames = 0;
 }
 
 void toggle_object(EditorState& state, const std::string& path) {
-    if (state.also_selected.erase(path) > 0) return;
-    if (state.selected_object == path) {
-        state.selected_object = state.also_selected.empty() ? std::string() : *state.also_selected.begin();
-        state.also_selected.erase(state.selected_object);
-    } else if (state.selected_object.empty()) {
-        state.selected_object = path;
+    if (state.selection.others.erase(path) > 0) return;
+    if (state.selection.first == path) {
+        state.selection.first = state.selection.others.empty() ? std::string() : *state.selection.others.begin();
+        state.selection.others.erase(state.selection.first);
+    } else if (state.selection.first.empty()) {
+        state.selection.first = path;
     } else {
-        state.also_selected.insert(path);
+        state.selection.others.insert(path);
     }
 }
 

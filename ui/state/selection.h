@@ -1,4 +1,4 @@
-// Objects of the scene by node path: which are chosen, their boxes, and what is done to several at once.
+// Objects of the scene by node path: selection, boxes, and changes of several at once.
 #pragma once
 
 #include <array>
@@ -14,41 +14,43 @@
 
 namespace si {
 
-/// What a node's or a file's path ends in.
+/// Returns the last part of a node's or a file's path.
 std::string last_part(const std::string& path);
 
-/// World bounds of all that the nodes with these paths place; empty when there are none.
+/// Returns the world bounds of the meshes at these nodes; empty: there are none.
 Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths);
-/// Of one.
+/// Returns the world bounds of the meshes at this node; empty: there are none.
 Bounds bounds_of(const Scene& scene, const std::string& path);
-/// Of the node with this path and all below it.
+/// Returns the world bounds of the meshes at this node and all nodes below it.
 Bounds bounds_below(const Scene& scene, const std::string& path);
 
-/// Eight world corners of the box around what the node places, in the node's own axes; bit 0 of the index is x, bit 1
-/// y, bit 2 z. Nothing when it places nothing.
+/// Returns the eight world corners of the node's mesh box in the node's own axes; bits 0, 1, 2 of the index choose x,
+/// y, z. Nothing for a node without a mesh.
 std::optional<Box> box_of(const Scene& scene, const std::string& path);
 
-/// The paths of the node and of all below it that place a mesh.
+/// Returns the paths of this node and all nodes below it that have a mesh.
 std::vector<std::string> placed_below(const Scene& scene, int node);
 
-/// All that are chosen.
+/// Returns the paths of all selected objects.
 std::set<std::string> selected_objects(const EditorState& state);
+/// Returns true if the object is selected.
 bool is_selected(const EditorState& state, const std::string& path);
-/// These alone; none when there are none.
+/// Selects exactly these objects.
 void select_objects(EditorState& state, std::span<const std::string> paths);
-/// One more, or one less.
+/// Adds an object to the selection, or removes it.
 void toggle_object(EditorState& state, const std::string& path);
 
-/// Lets these cast, and nothing else of the scene.
+/// Makes these objects the only casters (object.PATH.cast).
 void cast_alone(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
-/// Lets everything cast.
+/// Makes all objects casters again.
 void cast_all(Settings& settings);
-/// These are no longer there (object.PATH.shown).
+/// Hides these objects (object.PATH.shown).
 void hide(Settings& settings, const std::set<std::string>& paths);
-/// Nothing else is there, but the ground put under the scene.
+/// Hides all other objects but the ground under the scene.
 void isolate(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
-/// Everything is there.
+/// Shows all objects.
 void show_all(Settings& settings);
+/// Returns true if no object is hidden.
 bool all_shown(const Settings& settings);
 
 }  // namespace si

@@ -1,21 +1,32 @@
-// Pictures of the window, or of a part of it, for files.
+// Screenshots of the window or of a part of it.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 
 namespace si {
 
-/// What a screenshot shows.
+/// Content of a screenshot. Drawing: the probe's cross-section.
 enum class Shot { Scene, Map, Window, Drawing };
 
-/// A part of the screen in ImGui's units, y down; without a size: not drawn.
+/// A part of the screen in ImGui's units, y down. Its size is 0 if it was not drawn.
 struct ScreenRect {
-    glm::vec2 lo{0}, size{0};
+    glm::vec2 lo{0};
+    glm::vec2 size{0};
 };
 
+/// Request for a screenshot of this frame.
 struct ShotRequest {
     Shot of = Shot::Window;
-    ScreenRect rect;  ///< of what is drawn in this frame
+    ScreenRect rect;  ///< part of the window to cut out
+};
+
+/// Screenshots that are due, and the places of the pictures in the window.
+struct ShotState {
+    std::optional<Shot> next;  ///< taken in the next frame, once the menu that requested it is closed
+    ScreenRect scene_rect;     ///< scene picture in the last frame
+    ScreenRect map_rect;       ///< map in the last frame
+    ScreenRect drawing_rect;   ///< cross-section in the last frame
 };
 
 }  // namespace si

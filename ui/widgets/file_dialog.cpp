@@ -165,8 +165,8 @@ int complete(ImGuiInputTextCallbackData* data) {
     return 0;
 }
 
-void choose(EditorState& state, EditorRequests& actions) {
-    FileDialog& d = state.file_dialog;
+void choose(EditorState& state, EditorRequests& requests) {
+    FileDialog& d = state.files.dialog;
     fs::path path = d.folder / d.name;
     std::error_code error;
     if (fs::is_directory(path, error)) {
@@ -175,10 +175,10 @@ void choose(EditorState& state, EditorRequests& actions) {
         return;
     }
     if (d.job == FileDialog::Job::Open) {
-        actions.open_file = path.string();
+        requests.open_file = path.string();
     } else {
-        actions.save_preset = preset_path(path).string();
-        actions.save_about = d.about;
+        requests.save_preset = preset_path(path).string();
+        requests.save_about = d.about;
     }
     ImGui::CloseCurrentPopup();
 }
@@ -224,11 +224,11 @@ std::string completed_path(const fs::path& folder, const std::string& typed, Fil
     return any ? lead + common : typed;
 }
 
-void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& actions) {
-    FileDialog& d = state.file_dialog;
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+    FileDialog& d = state.files.dialog;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
         d.asked = false;
-        actions.ask_desktop = {d.job, d.kind, d.folder, d.name};
+        requests.ask_desktop = {d.job, d.kind, d.folder, d.name};
     }
     const bool saving = d.job == FileDialog::Job::SavePreset;
     const char* title = saving ? kSaveTitle : kOpenTitle;
@@ -267,18 +267,18 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
         ImGui::CloseCurrentPopup();
-    if (done && !d.name.empty()) choose(state, actions);
+    if (done && !d.name.empty()) choose(state, requests);
     ImGui::EndPopup();
 }
 
-void draw_replace_dialog(EditorState& state, EditorRequests& actions) {
+void draw_replace_dialog(EditorState& state, EditorRequests& requests) {
     constexpr const char* kTitle = "Replace the file?";
-    if (state.replace && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
+    if (state.files.replace && !ImGui::IsPopupOpen(kTitle)) ImGui::OpenPopup(kTitle);
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
     if (!ImGui::BeginPopupModal(kTitle, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove)) return;
-    if (!state.replace) {
+    if (!state.files.replace) {
         ImGui::CloseCurrentPopup();
         ImGui::EndPopup();
         return;
@@ -286,20 +286,20 @@ void draw_replace_dialog(EditorState& state, EditorRequests& actions) {
     ImGui::PushTextWrapPos(std::min(em * 34, screen.x - 3 * em));
     ImGui::TextUnformatted(
         fmt::format("{} exists, and this editor has neither opened nor saved it. Its contents would be lost.",
-                    state.replace->path)
+                    state.files.replace->path)
             .c_str());
     ImGui::PopTextWrapPos();
     if (ImGui::Button("Replace", {em * 6, 0}) ||
         (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Enter), false) && !ImGui::GetIO().NavVisible)) {
-        actions.save_preset = state.replace->path;
-        actions.save_about = state.replace->about;
-        actions.replace = true;
-        state.replace.reset();
+        requests.save_preset = state.files.replace->path;
+        requests.save_about = state.files.replace->about;
+        requests.replace = true;
+        state.files.replace.reset();
         ImGui::CloseCurrentPopup();
     }
     ImGui::SameLine();
     if (ImGui::Button("Cancel", {em * 6, 0}) || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) {
-        state.replace.reset();
+        state.files.replace.reset();
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndPopup();

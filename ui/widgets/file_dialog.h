@@ -47,8 +47,8 @@ std::string completed_path(const std::filesystem::path& folder, const std::strin
                            FileDialog::Kind kind);
 /// Draws it while it is open; the chosen file becomes a wish. Where the desktop's own dialog can be had and is wanted,
 /// that is the wish.
-void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& actions);
+void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Asks before a file is replaced that was neither opened nor saved before.
-void draw_replace_dialog(EditorState& state, EditorRequests& actions);
+void draw_replace_dialog(EditorState& state, EditorRequests& requests);
 
 }  // namespace si

@@ -1,0 +1,13 @@
+// State of the error table.
+#pragma once
+
+#include <string>
+
+namespace si {
+
+/// State of the error table.
+struct ErrorPanel {
+    std::string save_path = "error.json";  ///< file that its Save button writes
+};
+
+}  // namespace si

@@ -1,0 +1,13 @@
+// The panel Log.
+#pragma once
+
+#include <string_view>
+
+namespace si {
+
+class Log;
+
+/// Draws the messages, newest last, and the shader compiler's output where there is one. Marks all messages as seen.
+void draw_log(Log& log, std::string_view shader_log);
+
+}  // namespace si

@@ -1,0 +1,17 @@
+// State of the settings' column.
+#pragma once
+
+#include <functional>
+#include <set>
+#include <string>
+
+namespace si {
+
+/// State of the settings' column.
+struct SettingsPanel {
+    std::string search;
+    bool only_changed = false;                    ///< lists only settings that differ from their defaults
+    std::set<std::string, std::less<>> unfolded;  ///< groups that also list their rarely used settings
+};
+
+}  // namespace si

@@ -1,0 +1,23 @@
+// Files that the editor has open, and the dialogs that choose them.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/panels/presets.h"
+#include "ui/state/history.h"
+#include "ui/widgets/file_dialog.h"
+
+namespace si {
+
+/// Paths of the open preset and scene, and the dialogs about them.
+struct FilesState {
+    std::string scene_input;                  ///< path of a scene while it is being typed
+    std::string preset_path = "preset.json";  ///< file that saving writes
+    GuideNote guide;                          ///< sentence of the preset that was opened last
+    std::string hidden_guide;                 ///< key of the note that a person has hidden; empty: none
+    FileDialog dialog;
+    std::optional<Replacement> replace;  ///< file that is replaced once a person agrees
+};
+
+}  // namespace si

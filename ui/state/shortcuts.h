@@ -1,0 +1,146 @@
+// The table of shortcuts. It dispatches the keys; the overview (F1), menus and tooltips read their key texts from it.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace si {
+
+struct EditorState;
+struct EditorFrame;
+struct EditorRequests;
+
+/// Something that a person triggers by a key. Most have a menu item or a button, too.
+enum class Command {
+    MouseGesture,  ///< of rows without a key, which only the overview reads
+    FlyForwards,
+    FlyBackwards,
+    FlyLeft,
+    FlyRight,
+    FlyUp,
+    FlyDown,
+    FrameSelection,
+    ResetCamera,
+    ToggleLightCamera,
+    ToggleFrozenCamera,
+    MaximisePanel,
+    RestorePanels,
+    NextMapPlace,
+    NextMapView,
+    ForgetProbe,
+    MoveProbe,
+    ReleaseArrows,
+    NextLoupeMode,
+    NextWrongPixels,
+    ApplyFix,
+    RemoveBias,
+    ToggleDepthQuads,
+    ToggleOverlay,
+    HideOverlay,
+    NextComparison,
+    MoveSwipeLeft,
+    MoveSwipeRight,
+    PinSettings,
+    ShowPinned,
+    CancelHandleDrag,
+    NextLightType,
+    RenameLight,
+    HalveResolution,
+    DoubleResolution,
+    HideSelected,
+    IsolateSelected,
+    ShowAllObjects,
+    TogglePlay,
+    OpenFile,
+    SavePreset,
+    SavePresetAs,
+    RevertPreset,
+    NextPreset,
+    PreviousPreset,
+    Undo,
+    Redo,
+    CopyCommandLine,
+    SceneScreenshot,
+    MapScreenshot,
+    WindowScreenshot,
+    Quit,
+    ToggleOverview,
+    CloseOverview,
+};
+
+/// Situation in which a key acts.
+enum class When {
+    Always,           ///< whatever else takes the keys
+    Ready,            ///< no text is typed, no menu or dialog is open, no camera flies, no handle is dragged
+    OnePanel,         ///< Ready, while one panel fills the window
+    AllPanels,        ///< Ready, while all panels are shown
+    ProbeHasArrows,   ///< Ready, after a click has probed a pixel
+    NoWidgetFocused,  ///< Ready, and no widget is chosen by the keyboard
+    SwipeShown,       ///< Ready, while two pictures are compared by a swipe
+    LightsListed,     ///< Ready, while the list of lights is on the screen
+    PopupOpen,        ///< a menu or dialog is open
+    Flying,           ///< the right mouse button is held in the scene picture
+    HandleDragged,    ///< a light's handle is being dragged
+};
+
+/// True if both situations can hold at the same time.
+bool overlap(When a, When b);
+
+/// State of a modifier key that a shortcut requires.
+enum class Modifier { Up, Down, Any };
+
+/// One key, or a range of keys that act alike, with modifiers.
+struct Chord {
+    const char* name = "";  ///< "F11", "1 to 9"
+    bool mapped = false;    ///< the codes are ImGuiKey values; else codes of the window (GLFW), which equal ASCII
+    int first = 0;          ///< code of the first key; 0: no key, a mouse gesture
+    int last = 0;           ///< code of the last key of the range
+    Modifier ctrl = Modifier::Up;
+    Modifier shift = Modifier::Any;
+    Modifier alt = Modifier::Any;
+};
+
+/// Arguments of a shortcut's action.
+struct CommandContext {
+    EditorState& state;
+    const EditorFrame& frame;
+    EditorRequests& requests;
+    int key = 0;  ///< code of the pressed key, in the chord's terms
+};
+
+/// One row of the table.
+struct Shortcut {
+    Command command = Command::MouseGesture;
+    Chord chord;
+    When when = When::Ready;
+    const char* label = "";                           ///< what the key does; empty: as the row before
+    void (*action)(const CommandContext&) = nullptr;  ///< null: is_held() is polled, or a mouse gesture
+    bool repeats = false;                             ///< acts again while the key is held
+    bool joined = false;                              ///< shares its line of the overview with the row before
+    const char* section = nullptr;                    ///< heading of the overview that begins with this row
+};
+
+/// All shortcuts, in the order of the overview.
+std::span<const Shortcut> shortcuts();
+
+/// Returns "Ctrl+Shift+S": required modifiers and the key's name.
+std::string chord_text(const Chord& chord);
+/// Returns the text of the command's first chord. The pointer stays valid.
+const char* key_text(Command command);
+/// Returns a tooltip with the command's key in parentheses: "Writes preset.json (Ctrl+S)".
+std::string with_key(std::string_view tooltip, Command command);
+
+/// Returns true while the command's key is down.
+bool is_held(Command command);
+/// Performs the command's action, as its key does.
+void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Performs the requests of all keys that were pressed in this frame. Call once a frame.
+void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+
+/// Gives the arrow keys to the probe or to ImGui's navigation, for the next frame.
+void share_arrow_keys(EditorState& state);
+/// Keeps Page up and Page down from scrolling panels, except in menus, for the next frame.
+void share_page_keys(EditorState& state);
+
+}  // namespace si

@@ -1,0 +1,45 @@
+// Arrangement of the editor's window: panels, splitters, tabs, popups.
+#pragma once
+
+#include <optional>
+
+namespace si {
+
+/// Place of the map viewer in the window.
+enum class MapSpot { AboveSettings, BesideScene, Inset, Hidden };
+
+/// A part of the window that can fill it.
+enum class Panel { Scene, Map, Tabs };
+
+/// Tabs of the strip below the pictures.
+enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
+
+/// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
+/// they survive a change of scale.
+struct EditorLayout {
+    float settings_width = 24;  ///< of the settings' column
+    float bottom_height = 0;    ///< of the tabs below; 0: as high as the tab needs that was chosen by hand
+    MapSpot map_place = MapSpot::AboveSettings;
+    float map_height = 0.5f;      ///< share of the settings' column, for AboveSettings
+    float map_share = 0.40f;      ///< share of the width left of the settings, for BesideScene
+    float map_inset = 20;         ///< width and height, for Inset
+    bool map_plots = true;        ///< histogram and depth curve are drawn under the map
+    bool light_theme = false;     ///< else the dark one
+    bool desktop_dialogs = true;  ///< the desktop's file dialog is used where there is one
+    bool operator==(const EditorLayout&) const = default;
+};
+
+/// Panels, tabs and popups that are open. Lasts as long as the window.
+struct WindowState {
+    std::optional<Panel> maximised;                          ///< panel that fills the window; none: all are shown
+    Panel hovered_panel = Panel::Scene;                      ///< panel that the mouse was over last
+    std::optional<BottomTab> open_tab = BottomTab::Effects;  ///< tab to bring to the front in the next frame
+    /// Tab that was chosen by hand last. Its height is kept when a click elsewhere opens another tab, so that the
+    /// picture does not move.
+    BottomTab fitted_tab = BottomTab::Effects;
+    bool show_welcome = false;
+    bool show_shortcuts = false;  ///< the overview of mouse and keyboard
+    bool had_popup = false;       ///< a menu or dialog was open at the end of the last frame
+};
+
+}  // namespace si

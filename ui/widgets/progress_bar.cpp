@@ -1,0 +1,33 @@
+#include "ui/widgets/progress_bar.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/theme.h"
+
+namespace si {
+
+std::string seconds_text(double seconds) {
+    const bool short_time = seconds < 60;
+    return fmt::format("{:.0f} {}", std::ceil(short_time ? seconds : seconds / 60), short_time ? "s" : "min");
+}
+
+void progress_bar(double share, const std::string& text, float width) {
+    const ImVec2 at = ImGui::GetCursorScreenPos(), padding = ImGui::GetStyle().FramePadding;
+    const ImVec2 size(width > 0 ? width : ImGui::GetContentRegionAvail().x, ImGui::GetFrameHeight());
+    const ImVec2 end(at.x + size.x, at.y + size.y);
+    ImGui::Dummy(size);
+    ImDrawList& list = *ImGui::GetWindowDrawList();
+    list.AddRectFilled(at, end, theme::well(), ImGui::GetStyle().FrameRounding);
+    list.AddRectFilled(at, {at.x + size.x * float(std::clamp(share, 0.0, 1.0)), end.y}, theme::colours().done,
+                       ImGui::GetStyle().FrameRounding);
+    list.AddRect(at, end, theme::line(), ImGui::GetStyle().FrameRounding);
+    ImGui::PushClipRect(at, end, true);
+    list.AddText({at.x + padding.x, at.y + padding.y}, theme::text(), text.c_str());
+    ImGui::PopClipRect();
+}
+
+}  // namespace si
