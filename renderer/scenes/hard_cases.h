@@ -14,7 +14,7 @@
 namespace si {
 
 struct HardCase {
-    int number = 0;            ///< 1 to 36, stable: the tests of a row are called HardCase<number>
+    int number = 0;            ///< from 1, stable: the tests of a row are called HardCase<number>
     std::string_view key;      ///< "grazing": its scene and preset are "hard/grazing", mended "hard/grazing-fixed"
     std::string_view title;    ///< a few words
     std::string_view fault;    ///< what goes wrong, a sentence
