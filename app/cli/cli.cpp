@@ -40,8 +40,9 @@ struct Options {
     ContactSheetOptions sheet;
     EditorOptions editor;
     MeasureCliOptions sweeps;
+    DocsOptions docs;
     int file_scene = -1;
-    bool json = false, check = false, no_state = false, area = false;
+    bool json = false, no_state = false, area = false;
 };
 
 void add_session_options(CLI::App& command, SessionOptions& session, bool scene_required) {
@@ -342,10 +343,15 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
 
     auto* docs = app.add_subcommand(
         "docs", "Write docs/settings.md, presets.md, metrics.md or techniques.md from the program's own tables");
-    docs->add_option("WHAT", o.file, "settings (the default), presets, metrics or techniques (measures each: minutes)");
-    auto* page = docs->add_option("-o,--output", o.output, "The file (default: standard output)")->type_name("FILE");
-    docs->add_flag("--check", o.check, "Compare instead of writing; fails when the file is out of date")->needs(page);
-    docs->callback([&o, &run] { run = [&o] { run_docs(o.file.empty() ? "settings" : o.file, o.output, o.check); }; });
+    docs->add_option("WHAT", o.docs.what, "settings (the default), presets, metrics, hard-cases or techniques (draws)");
+    auto* page =
+        docs->add_option("-o,--output", o.docs.output, "The file (default: standard output)")->type_name("FILE");
+    docs->add_option("--only", o.docs.only, "Of techniques: write the row of one choice alone, the others stay")
+        ->type_name("KEY=CHOICE")
+        ->needs(page);
+    docs->add_flag("--check", o.docs.check, "Compare instead of writing; fails when the file is out of date")
+        ->needs(page);
+    docs->callback([&o, &run] { run = [&o] { run_docs(o.docs); }; });
 }
 
 bool has_display() {

@@ -168,11 +168,18 @@ struct PresetTexts {
 void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
 void run_export(const SessionOptions& session, const std::string& output);
 
-/// docs/settings.md or docs/presets.md: to `output`, or to stdout when empty; `check` compares and throws when they
-/// differ. @param what "settings" or "presets"
-void run_docs(const std::string& what, const std::string& output, bool check);
-/// Draws and measures every technique: a page, and its pictures in a folder of its name beside it. Takes minutes.
-void run_docs_techniques(const std::string& output);
+struct DocsOptions {
+    std::string what = "settings";  ///< settings, presets, metrics, hard-cases or techniques
+    std::string output;             ///< the file; empty: standard output
+    std::string only;    ///< "filter.kernel=pcf": that row of docs/techniques.md alone; empty: the whole page
+    bool check = false;  ///< compares instead of writing
+};
+/// Writes a page of docs/ from the program's tables, or compares it. @throws Error where it is out of date
+/// @throws UsageError for unknown pages and rows
+void run_docs(const DocsOptions& options);
+/// Draws and measures every technique, or one: a page, and its pictures in a folder of the page's name. The whole page
+/// takes a minute. The same program on the same driver writes the same bytes.
+void run_docs_techniques(const DocsOptions& options);
 /// A text as a cell of a table in Markdown.
 std::string cell(std::string_view text);
 /// The text of docs/settings.md and of docs/presets.md.

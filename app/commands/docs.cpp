@@ -89,12 +89,13 @@ std::string settings_page() {
     return text;
 }
 
-void run_docs(const std::string& what, const std::string& output, bool check) {
+void run_docs(const DocsOptions& options) {
+    const auto& [what, output, only, check] = options;
     if (what == "techniques") {
-        if (check) throw UsageError("docs techniques --check: its times differ from run to run; write the page anew");
         if (output.empty()) throw UsageError("docs techniques: -o FILE says where page and pictures go");
-        return run_docs_techniques(output);
+        return run_docs_techniques(options);
     }
+    if (!only.empty()) throw UsageError(fmt::format("docs {} --only: only the page of techniques has rows", what));
     const std::map<std::string, std::string (*)()> pages = {{"settings", settings_page},
                                                             {"presets", presets_page},
                                                             {"metrics", metrics_page},

@@ -1,8 +1,10 @@
-// Every technique on one scene, side by side with the truth: docs/techniques.md and its pictures.
+// Every technique on one scene, compared with the ray-traced reference: docs/techniques.md and its pictures.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <utility>
 
 #include "app/base/interrupt.h"
@@ -14,6 +16,8 @@
 #include "app/sweep/pictures.h"
 #include "app/sweep/progress_line.h"
 #include "renderer/advise/bias_needs.h"
+#include "renderer/base/did_you_mean.h"
+#include "renderer/base/error.h"
 #include "renderer/measure/measure.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/biases.h"
@@ -31,29 +35,35 @@ constexpr int kWidth = 640, kHeight = 360, kShownWidth = 240, kResolution = 1024
 
 constexpr std::string_view kTechniquesIntro =
     "# Techniques\n\n"
-    "Written by `shadow-inspector docs techniques -o docs/techniques.md`, which draws and measures all of this anew; "
-    "do not edit by hand.\n\n"
-    "Every row of the tables of techniques on the built-in scene `stage`: {} x {} pixels, a map of {}² texels, all "
-    "else by default. Left the picture, right\nwhat of it is wrong by the ray-traced truth of a light without size, in "
-    "the "
-    "colours of the overlay `artefacts`. *Error* is the mean of |V - R| over the pixels that\ncount, *wrong* the share "
-    "on the other side of one half. *Taps* are the texels that the kernel fetches a pixel, *maps* what the maps take. "
-    "Times are medians of forced\nframes of this one run, with the 95 % interval of the median, on {} (clock: {}): "
-    "compare them with one another, not with other machines.\n";
+    "Written by `shadow-inspector docs techniques -o docs/techniques.md`, which draws and measures every row. The "
+    "option `--only filter.kernel=pcf`\nwrites the rows of that choice alone. Do not edit by hand.\n\n"
+    "Every row of the tables of techniques is drawn on the built-in scene `stage`: {} x {} pixels, a map of {}² "
+    "texels, all other settings\nat their defaults. The reference is ray traced for a light without size.\n\n"
+    "- The left half of a picture is the rendered frame. The right half shows its wrong pixels in the colours of the "
+    "overlay `artefacts`.\n"
+    "- *Error* is the mean of |V - R| over the pixels that count.\n"
+    "- *Wrong* is the share of pixels on the other side of one half.\n"
+    "- *Taps* are the texels that the kernel fetches for a pixel.\n"
+    "- *Maps* is the memory of the maps.\n\n"
+    "Times differ between machines and are left out: `shadow-inspector sweep stage --vary filter.kernel='*' -o DIR` "
+    "measures them.\n";
 
-/// A row of some table of techniques, and the settings that show it.
+/// One row of the page: a choice of a technique, and the settings that draw it.
 struct Entry {
     std::string_view key;
     std::string label;
     std::string_view help, paper;
     Settings settings;
-    std::string sets = {};  ///< KEY=VALUE of a row that is not the section's; then `key` is empty
+    std::string sets = {};     ///< KEY=VALUE of a row whose setting is not the section's; then `key` is empty
+    std::string_view of = {};  ///< key of the table's row where `key` is one of its sizes: "pcf" of "pcf5"
     std::string shown_key() const { return sets.empty() ? std::string(key) : sets; }
 };
 
+/// One table of the page: the rows are the choices of `setting`.
 struct PageSection {
     std::string_view title, setting, about;
-    std::vector<Entry> entries;
+    std::function<std::vector<Entry>()> make_entries;
+    bool has_other_settings = false;  ///< some rows change another setting (Entry::sets)
 };
 
 /// Each choice of a row's table in turn.
@@ -74,7 +84,7 @@ std::vector<Entry> kernel_entries(const Settings& base) {
         Settings s = base;
         set_setting(s, "filter.kernel", name);
         const Filter& row = filter_of(s);
-        out.push_back({name, kernel_label(s), row.help, row.paper, s});
+        out.push_back({name, kernel_label(s), row.help, row.paper, s, {}, row.key});
     }
     return out;
 }
@@ -145,20 +155,22 @@ std::vector<Entry> lighting_entries(const Settings& base) {
 
 std::vector<PageSection> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
     return {
-        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", kernel_entries(base)},
+        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", [&] { return kernel_entries(base); }},
         {"Biases", "bias.kind",
          "Each alone, at the least numbers that leave no acne by its own theory. A constant has to serve the steepest "
          "lit faces, and takes the shadows of the rest with it.",
-         bias_entries(renderer, scene, base)},
-        {"Sources", "light.source", "Where a light's shadows come from.", entries_of(sources(), base, "light.source")},
-        {"Fits", "light.fit", "What a map covers.", entries_of(fits(), base, "light.fit")},
+         [&] { return bias_entries(renderer, scene, base); }},
+        {"Sources", "light.source", "Where a light's shadows come from.",
+         [&] { return entries_of(sources(), base, "light.source"); }},
+        {"Fits", "light.fit", "What a map covers.", [&] { return entries_of(fits(), base, "light.fit"); }},
         {"Between which depths", "light.near_far", "What a map stores along the light.",
-         choices_of(base, "light.near_far")},
+         [&] { return choices_of(base, "light.near_far"); }},
         {"Cascades", "light.split", "Four maps of what the camera sees, by where they part; then as the rows say.",
-         cascade_entries(base)},
+         [&] { return cascade_entries(base); }, true},
         {"Storage", "map.format", "How depths are stored; then one setting changed, as the rows say.",
-         storage_entries(base)},
-        {"Composition", "shading.composition", "How light and shadow meet in the picture.", lighting_entries(base)}};
+         [&] { return storage_entries(base); }, true},
+        {"Composition", "shading.composition", "How light and shadow meet in the picture.",
+         [&] { return lighting_entries(base); }, true}};
 }
 
 std::string picture_name(const PageSection& s, const Entry& e) {
@@ -168,56 +180,180 @@ std::string picture_name(const PageSection& s, const Entry& e) {
     return name + ".png";
 }
 
-std::string row_text(const Entry& e, const std::string& picture, const Judgement& classified,
-                     const TimeMeasurement& time) {
+std::string row_text(const Entry& e, const std::string& picture, const Judgement& classified) {
     const ErrorMetrics& m = classified.error;
-    const Spread& t = time.total_ms;
-    return fmt::format(
-        "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
-        cell(e.label), picture, cell(e.label), e.shown_key(), cell(e.help),
-        e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
-        classified.cost.taps_per_pixel, double(classified.cost.map_bytes) / (1 << 20), t.median, t.median_low,
-        t.median_high);
+    return fmt::format("| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB |\n", cell(e.label),
+                       picture, cell(e.label), e.shown_key(), cell(e.help),
+                       e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae,
+                       100 * (m.false_shadow + m.false_light), classified.cost.taps_per_pixel,
+                       double(classified.cost.map_bytes) / (1 << 20));
+}
+
+constexpr std::string_view kTableHead =
+    "| picture, what is wrong | technique | error | wrong | taps | maps |\n"
+    "|---|---|---|---|---|---|\n";
+
+std::string section_head(const PageSection& s) {
+    return fmt::format("\n## {}\n\n`{}`. {}\n\n{}", s.title, s.setting, s.about, kTableHead);
+}
+
+/// Draws and measures rows of the page, and keeps their pictures as PNG bytes by file name.
+class PagePainter {
+public:
+    PagePainter(Renderer& renderer, const Scene& scene, std::string folder, std::size_t count)
+        : scene_(scene), folder_(std::move(folder)), count_(count), measurer_(renderer, kWidth, kHeight) {}
+
+    /// Returns the row's line of its table.
+    std::string draw_row(const PageSection& section, const Entry& e) {
+        if (interrupt_.asked()) interrupt_.end();
+        line_.show(fmt::format("{} of {}  {}", ++done_, count_, e.label), false);
+        const Judgement classified = measurer_.judge(scene_, e.settings);
+        const std::string file = picture_name(section, e);
+        pictures_[file] =
+            png_bytes(side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));
+        return row_text(e, folder_ + "/" + file, classified);
+    }
+
+    const std::map<std::string, std::string>& pictures() const { return pictures_; }
+
+private:
+    const Scene& scene_;
+    const std::string folder_;
+    std::size_t count_, done_ = 0;
+    Measurer measurer_;
+    ProgressLine line_;
+    InterruptGuard interrupt_;
+    std::map<std::string, std::string> pictures_;
+};
+
+/// Rows of one section that are drawn: indices into its entries.
+struct ChosenRows {
+    PageSection section;
+    std::vector<Entry> entries;
+    std::vector<std::size_t> rows;
+};
+
+/// Returns the rows that `only` names, "filter.kernel=pcf": a row of a table, one of its sizes, or a row of that text.
+/// @throws UsageError naming the nearest row
+std::vector<ChosenRows> chosen_rows(const std::vector<PageSection>& sections, const std::string& only) {
+    const std::string setting = only.substr(0, only.find('='));
+    std::vector<ChosenRows> out;
+    std::vector<std::string> names, settings;
+    for (const PageSection& s : sections) {
+        settings.emplace_back(s.setting);
+        if (s.setting != setting && !s.has_other_settings) continue;
+        ChosenRows chosen{s, s.make_entries(), {}};
+        for (std::size_t i = 0; i < chosen.entries.size(); ++i) {
+            const Entry& e = chosen.entries[i];
+            const std::string name = e.sets.empty() ? fmt::format("{}={}", s.setting, e.key) : e.sets;
+            names.push_back(name);
+            if (!e.sets.empty()) settings.push_back(e.sets.substr(0, e.sets.find('=')));
+            if (name == only || (!e.of.empty() && fmt::format("{}={}", s.setting, e.of) == only))
+                chosen.rows.push_back(i);
+        }
+        if (!chosen.rows.empty()) out.push_back(std::move(chosen));
+    }
+    if (!out.empty()) return out;
+    if (std::ranges::find(settings, setting) == settings.end())
+        throw UsageError(fmt::format("docs techniques --only {}: the page has no rows of {}{}", only, setting,
+                                     did_you_mean(nearest_name(setting, settings))));
+    throw UsageError(fmt::format("docs techniques --only {}: the page has no such row{}", only,
+                                 did_you_mean(nearest_name(only, names))));
+}
+
+/// Returns the key of a row's line, "pcf5" or "map.virtual=true". Empty for other lines.
+std::string_view key_of_line(std::string_view line) {
+    const std::size_t from = line.find("** `");
+    if (!line.starts_with("| ![") || from == std::string_view::npos) return {};
+    const std::string_view rest = line.substr(from + 4);
+    return rest.substr(0, rest.find('`'));
+}
+
+/// Replaces the line of a row in its section of the page, or inserts it after the nearest row that precedes it in the
+/// table. All other lines stay as they are. @throws Error where the page has no such section
+void put_row(std::string& page, const ChosenRows& chosen, std::size_t row, const std::string& line) {
+    const std::size_t head = page.find(fmt::format("\n`{}`. ", chosen.section.setting));
+    const std::size_t rule = head == std::string::npos ? head : page.find("\n|---", head);
+    if (rule == std::string::npos)
+        throw Error(fmt::format("the page has no table of {}; write the whole page first: docs techniques -o FILE",
+                                chosen.section.setting));
+    const std::size_t first = std::min(page.find('\n', rule + 1), page.size() - 1) + 1;
+    std::map<std::string_view, std::pair<std::size_t, std::size_t>> lines;  // key to offset and size
+    for (std::size_t at = first; at < page.size() && page[at] == '|';) {
+        const std::size_t end = std::min(page.find('\n', at), page.size() - 1) + 1;
+        const std::string_view text = std::string_view(page).substr(at, end - at);
+        lines[key_of_line(text)] = {at, text.size()};
+        at = end;
+    }
+    if (const auto same = lines.find(chosen.entries[row].shown_key()); same != lines.end()) {
+        page.replace(same->second.first, same->second.second, line);
+        return;
+    }
+    std::size_t at = first;
+    for (std::size_t i = 0; i < row; ++i)
+        if (const auto before = lines.find(chosen.entries[i].shown_key()); before != lines.end())
+            at = before->second.first + before->second.second;
+    page.insert(at, line);
+}
+
+std::string whole_page(PagePainter& painter, const std::vector<ChosenRows>& all) {
+    std::string page = fmt::format(fmt::runtime(kTechniquesIntro), kWidth, kHeight, kResolution);
+    for (const ChosenRows& chosen : all) {
+        page += section_head(chosen.section);
+        for (const std::size_t row : chosen.rows) page += painter.draw_row(chosen.section, chosen.entries[row]);
+    }
+    return page;
+}
+
+void compare_page(const std::string& output, const std::string& page, const fs::path& folder,
+                  const std::map<std::string, std::string>& pictures) {
+    const auto out_of_date = [&](const std::string& file) {
+        return Error(fmt::format("{}: is out of date; write it with `docs techniques -o {}`", file, output));
+    };
+    if (read_text_file(output) != page) throw out_of_date(output);
+    for (const auto& [file, bytes] : pictures)
+        if (read_text_file(folder / file) != bytes) throw out_of_date((folder / file).string());
 }
 
 }  // namespace
 
-void run_docs_techniques(const std::string& output) {
-    require_writable(output);
-    const fs::path pictures = fs::path(output).parent_path() / fs::path(output).stem();
-    fs::create_directories(pictures);
+void run_docs_techniques(const DocsOptions& options) {
+    const std::string& output = options.output;
+    if (!options.check) require_writable(output);
+    const fs::path folder = fs::path(output).parent_path() / fs::path(output).stem();
+    std::string page;
+    if (!options.only.empty()) {
+        if (!fs::exists(output))
+            throw Error(fmt::format("{}: there is no such page to put a row into; write it without --only", output));
+        page = read_text_file(output);
+    }
     const HeadlessContext context;
     Renderer renderer;
-    Measurer measurer(renderer, kWidth, kHeight);
     const Scene scene = load_scene("stage");
     Settings base = base_settings(scene);
     base.map.resolution = kResolution;
     const std::vector<PageSection> sections = all_sections(renderer, scene, base);
-    std::size_t count = 0, done = 0;
-    for (const PageSection& s : sections) count += s.entries.size();
-    ProgressLine line;
-    InterruptGuard interrupt;
-    std::string text;
-    for (const PageSection& s : sections) {
-        text += fmt::format("\n## {}\n\n`{}`. {}\n\n", s.title, s.setting, s.about) +
-                "| picture, what is wrong | technique | error | wrong | taps | maps | ms a frame |\n"
-                "|---|---|---|---|---|---|---|\n";
-        for (const Entry& e : s.entries) {
-            if (interrupt.asked()) interrupt.end();
-            line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
-            const Judgement classified = measurer.judge(scene, e.settings);
-            const TimeMeasurement time =
-                measurer.time(scene, e.settings, CostCase::Forced, {.least = 5, .most = 15, .bursts = 3});
-            const std::string file = picture_name(s, e);
-            write_png(pictures / file,
-                      side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));
-            text += row_text(e, (pictures.filename() / file).generic_string(), classified, time);
+    std::vector<ChosenRows> all;
+    if (options.only.empty())
+        for (const PageSection& s : sections) {
+            all.push_back({s, s.make_entries(), {}});
+            for (std::size_t i = 0; i < all.back().entries.size(); ++i) all.back().rows.push_back(i);
         }
-    }
-    const DriverInfo& driver = renderer.driver();
-    write_file(output, fmt::format(fmt::runtime(kTechniquesIntro), kWidth, kHeight, kResolution, driver.renderer,
-                                   driver.clock) +
-                           text);
+    else
+        all = chosen_rows(sections, options.only);
+    std::size_t count = 0;
+    for (const ChosenRows& chosen : all) count += chosen.rows.size();
+    PagePainter painter(renderer, scene, folder.filename().generic_string(), count);
+    if (options.only.empty())
+        page = whole_page(painter, all);
+    else
+        for (const ChosenRows& chosen : all)
+            for (const std::size_t row : chosen.rows)
+                put_row(page, chosen, row, painter.draw_row(chosen.section, chosen.entries[row]));
+    if (options.check) return compare_page(output, page, folder, painter.pictures());
+    fs::create_directories(folder);
+    for (const auto& [file, bytes] : painter.pictures()) write_file(folder / file, bytes);
+    write_file(output, page);
 }
 
 }  // namespace si

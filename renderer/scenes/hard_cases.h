@@ -15,7 +15,7 @@ namespace si {
 
 /// Row of the table of hard cases: a situation in which shadow maps break, its fix, and how both are measured.
 struct HardCase {
-    int number = 0;            ///< 1 to 36, stable: the tests of a row are called HardCase<number>
+    int number = 0;            ///< from 1, stable: the tests of a row are called HardCase<number>
     std::string_view key;      ///< "grazing": scene and preset are "hard/grazing", with the fix "hard/grazing-fixed"
     std::string_view title;    ///< a few words
     std::string_view fault;    ///< artefact and its cause, a sentence

@@ -1,4 +1,4 @@
-// Each row of each table of techniques is drawn as it was when somebody last looked at it: tests/golden.
+// Golden pictures: each row of each table of techniques is drawn as when a person last looked at it (tests/golden).
 #include "tests/support/golden.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,10 @@ std::optional<double> most_different(std::string_view driver) {
     return driver.starts_with("zink") ? 0.01 : 0.002;
 }
 
+/// Returns the sentence that says how to accept the picture that is drawn now.
 std::string fix(const GoldenPicture& picture) {
-    return fmt::format("If what is drawn now is right, keep it: build/release/tests/draw_golden {}", picture.name());
+    return fmt::format("If the picture that is drawn now is right, keep it: scripts/document_technique.sh {}",
+                       picture.choice());
 }
 
 class GoldenTest : public FrameTest, public testing::WithParamInterface<std::string> {};

@@ -21,9 +21,9 @@ std::string view_identifier(const testing::TestParamInfo<HardCaseView>& info) {
     return name;
 }
 
-TEST(HardCaseTable, HasThirtySixRowsWithWordsScenesAndLimits) {
+TEST(HardCaseTable, EveryRowHasWordsASceneAndALimit) {
     const auto rows = hard_cases();
-    ASSERT_EQ(rows.size(), 36u);
+    ASSERT_GE(rows.size(), 36u);
     std::set<std::string_view> keys, titles;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const HardCase& row = rows[i];

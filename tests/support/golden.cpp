@@ -16,6 +16,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/param.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/source_tree.h"
 
 namespace si::test {
 namespace {
@@ -111,7 +112,7 @@ const std::vector<GoldenTable>& tables() {
 }
 
 GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const Sets& sets) {
-    GoldenPicture out{table.name, row, still_life(), texel_settings("hard", 96, 1.5)};
+    GoldenPicture out{table.name, row, table.key, still_life(), texel_settings("hard", 96, 1.5)};
     out.settings.camera.distance = 6.5;
     out.settings.camera.target_y = 0.6;
     out.settings.view.overlay_opacity = 1;
@@ -160,7 +161,7 @@ ByteImage draw_golden(Renderer& renderer, const GoldenPicture& picture) {
 }
 
 std::filesystem::path golden_folder() {
-    return SI_SOURCE_DIR "/tests/golden";
+    return source_tree() / "tests/golden";
 }
 
 std::filesystem::path golden_file(const std::filesystem::path& folder, const GoldenPicture& picture) {

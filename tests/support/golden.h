@@ -1,5 +1,5 @@
-// A small picture of every row of every table of techniques, as it was drawn once: what the tests know by heart, where
-// they know no closed form. tests/golden holds them, tests/tools/draw_golden.cpp makes them anew.
+// Golden pictures: a small picture of each row of each table of techniques, drawn once and looked at by a person.
+// tests/golden holds them, tests/tools/draw_golden.cpp draws them again.
 #pragma once
 
 #include <filesystem>
@@ -10,24 +10,28 @@
 
 namespace si::test {
 
+/// A row of a table, with the scene and the settings that show it.
 struct GoldenPicture {
     std::string table, row;
+    std::string setting;  ///< key of the setting whose choices are the table's rows: "filter.kernel"
     Scene scene;
     Settings settings;
-    std::string name() const { return table + "-" + row; }
+    std::string name() const { return table + "-" + row; }      ///< "filters-tent3", the file's name
+    std::string choice() const { return setting + "=" + row; }  ///< "filter.kernel=tent3"
 };
 
-/// "filters", "biases", ...: all that golden_pictures() takes.
+/// Returns the names of the tables: "filters", "biases", ...
 std::vector<std::string> golden_tables();
 
-/// Of each row of a table one. @throws Error where there is no such table
+/// Returns one picture for each row of a table. @throws Error where there is no such table
 std::vector<GoldenPicture> golden_pictures(const std::string& table);
 
-/// 128 x 72 pixels: the visibility, or what else shows the row best.
+/// Draws the picture: 128 x 72 pixels of the visibility, or of the view that shows the row best.
 ByteImage draw_golden(Renderer& renderer, const GoldenPicture& picture);
 
-/// Where the pictures are kept, and the file of one.
+/// Returns tests/golden of source_tree().
 std::filesystem::path golden_folder();
+/// Returns the file of a picture in a folder.
 std::filesystem::path golden_file(const std::filesystem::path& folder, const GoldenPicture& picture);
 
 /// @returns an empty image where there is no such file. @throws Error where it is no picture

@@ -1,4 +1,4 @@
-// docs/techniques.md is measured by a command that takes minutes: here that it has a row and a picture of everything.
+// docs/techniques.md has a row and a picture of each technique. Its figures are tested where the program draws.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -11,16 +11,17 @@
 #include "renderer/settings/fits.h"
 #include "renderer/settings/param.h"
 #include "renderer/settings/sources.h"
+#include "tests/support/source_tree.h"
 
 namespace si {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kHow = "run: shadow-inspector docs techniques -o docs/techniques.md";
+constexpr const char* kHow = "run: scripts/document_technique.sh KEY=CHOICE";
 
 TEST(TechniquesPage, HasARowAndAPictureOfEachTechnique) {
-    const fs::path docs = fs::path(SI_SOURCE_DIR) / "docs", pictures = docs / "techniques";
+    const fs::path docs = test::source_tree() / "docs", pictures = docs / "techniques";
     std::ifstream in(docs / "techniques.md");
     ASSERT_TRUE(in) << kHow;
     std::stringstream read;

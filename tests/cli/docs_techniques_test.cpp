@@ -1,0 +1,122 @@
+// `docs techniques --only`: one row of docs/techniques.md drawn again is the row of the page, all others stay.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "app/base/output.h"
+#include "tests/support/golden.h"
+#include "tests/support/process.h"
+#include "tests/support/source_tree.h"
+
+namespace si {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Copies docs/techniques.md and its pictures to a fresh folder.
+fs::path copied_page() {
+    const fs::path folder = fresh_test_folder(), docs = test::source_tree() / "docs";
+    fs::copy_file(docs / "techniques.md", folder / "techniques.md");
+    fs::copy(docs / "techniques", folder / "techniques");
+    return folder;
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> out;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);) out.push_back(line);
+    return out;
+}
+
+/// Returns the text of a row's line before its figures, and the figures.
+std::pair<std::string, std::vector<double>> parts_of(const std::string& line) {
+    static const std::regex figures(R"(^(.*)\| ([0-9.]+) \| ([0-9.]+) % \| ([0-9.]+) \| ([0-9.]+) MiB \|$)");
+    std::smatch m;
+    EXPECT_TRUE(std::regex_match(line, m, figures)) << line;
+    if (m.empty()) return {};
+    return {m[1], {std::stod(m[2]), std::stod(m[3]), std::stod(m[4]), std::stod(m[5])}};
+}
+
+TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
+    if (run_program({"info"}).out.find("llvmpipe") == std::string::npos)
+        GTEST_SKIP() << "the page's pictures are llvmpipe's";
+    const fs::path folder = copied_page();
+    const std::vector<std::string> arguments = {"docs",          "techniques", "-o",
+                                                "techniques.md", "--only",     "filter.kernel=tent3"};
+    const std::vector<std::string> before = lines_of(file_bytes(folder / "techniques.md"));
+    const ProcessResult r = run_program(arguments, folder);
+    ASSERT_EQ(r.code, 0) << r.err;
+    const std::vector<std::string> after = lines_of(file_bytes(folder / "techniques.md"));
+    ASSERT_EQ(after.size(), before.size());
+    for (std::size_t i = 0; i < after.size(); ++i) {
+        if (before[i].find("`tent3`") == std::string::npos) {
+            EXPECT_EQ(after[i], before[i]);
+            continue;
+        }
+        // llvmpipe of another machine may round otherwise.
+        const auto [text, figures] = parts_of(before[i]);
+        const auto [now_text, now_figures] = parts_of(after[i]);
+        EXPECT_EQ(now_text, text);
+        ASSERT_EQ(now_figures.size(), figures.size());
+        for (std::size_t k = 0; k < figures.size(); ++k)
+            EXPECT_NEAR(now_figures[k], figures[k], 0.02 * figures[k] + 1e-3) << before[i];
+    }
+    const fs::path drawn = folder / "techniques/filter-kernel-tent3.png";
+    const ByteImage picture = test::read_golden(drawn);
+    const ByteImage golden = test::read_golden(test::source_tree() / "docs/techniques/filter-kernel-tent3.png");
+    ASSERT_EQ(picture.data.size(), golden.data.size());
+    std::size_t different = 0;
+    for (std::size_t i = 0; i < picture.data.size(); ++i)
+        different += std::abs(int(picture.data[i]) - int(golden.data[i])) > 8;
+    EXPECT_LT(different, picture.data.size() / 200) << drawn;
+    for (const auto& entry : fs::directory_iterator(folder / "techniques"))
+        if (entry.path() != drawn) {
+            EXPECT_TRUE(file_bytes(entry.path()) ==
+                        file_bytes(test::source_tree() / "docs/techniques" / entry.path().filename()))
+                << entry.path();
+        }
+    // The same program on the same driver writes the same bytes.
+    std::vector<std::string> check = arguments;
+    check.push_back("--check");
+    const ProcessResult again = run_program(check, folder);
+    EXPECT_EQ(again.code, 0) << again.err;
+}
+
+TEST(DocsTechniques, RefusesUnknownRows) {
+    const fs::path folder = copied_page();
+    const std::string page = file_bytes(folder / "techniques.md");
+    struct Case {
+        std::vector<std::string> arguments;
+        int code;
+        const char* message;
+    };
+    const std::vector<std::string> techniques = {"docs", "techniques", "-o", "techniques.md", "--only"};
+    const Case cases[] = {
+        {{"filter.kernel=tent4"}, 2, "did you mean filter.kernel=tent"},
+        {{"filter.kernal=tent3"}, 2, "did you mean filter.kernel"},
+        {{"map.reversed_z=false"}, 2, "did you mean map.reversed_z=true"},
+        {{"tent3"}, 2, "the page has no rows of tent3"},
+    };
+    for (const Case& c : cases) {
+        std::vector<std::string> arguments = techniques;
+        arguments.insert(arguments.end(), c.arguments.begin(), c.arguments.end());
+        const ProcessResult r = run_program(arguments, folder);
+        EXPECT_EQ(r.code, c.code) << r.err;
+        EXPECT_NE(r.err.find(c.message), std::string::npos) << r.err;
+    }
+    EXPECT_EQ(file_bytes(folder / "techniques.md"), page);
+    EXPECT_EQ(run_program({"docs", "settings", "-o", "s.md", "--only", "filter.kernel=hard"}, folder).code, 2);
+    EXPECT_EQ(run_program({"docs", "techniques", "--only", "filter.kernel=hard"}, folder).code, 2);
+    const ProcessResult missing =
+        run_program({"docs", "techniques", "-o", "none.md", "--only", "filter.kernel=hard"}, folder);
+    EXPECT_EQ(missing.code, 1);
+    EXPECT_NE(missing.err.find("none.md"), std::string::npos) << missing.err;
+}
+
+}  // namespace
+}  // namespace si
