@@ -388,7 +388,8 @@ std::uint64_t next_number() {
 
 }  // namespace
 
-Renderer::Impl::Impl() : driver(query_driver()), number(next_number()) {
+Renderer::Impl::Impl(std::shared_ptr<gl::ProgramCache> programs)
+    : driver(query_driver()), resources(std::move(programs)), number(next_number()) {
     resources.empty_vao = gl::VertexArray::create("no vertices");
     resources.map_nearest = gl::Sampler::create("shadow map, nearest");
     resources.map_compare = gl::Sampler::create("shadow map, comparison");

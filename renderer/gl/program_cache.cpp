@@ -14,10 +14,6 @@ namespace {
 constexpr const char* kShaderRemedy =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
-/// A frame takes 5 to 40. On llvmpipe each takes some 4 MB, machine code and what it is made of (resident memory beside
-/// what is held by name, over 55 programs of a random trial); one that is asked for again is found in the driver's
-/// cache of shaders.
-constexpr std::size_t kMostPrograms = 64;
 constexpr std::size_t kRequestsAProgram = 64;  ///< that come to the same text and are remembered
 
 std::string info_log(GLuint id, bool program) {
@@ -125,7 +121,7 @@ GLuint ProgramCache::use(Kept& kept) const {
 
 void ProgramCache::end_frame(std::size_t most) {
     const std::uint64_t now = frame_++;
-    if (most == 0) most = kMostPrograms;
+    if (most == 0) most = most_;
     if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most)
         by_request_.clear(), last_good_.clear();
     while (programs_.size() > most) {

@@ -12,12 +12,14 @@
 #include "renderer/gl/target.h"
 #include "renderer/gl/trouble.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
 
 class HeldTest : public FrameTest {
 protected:
+    HeldTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
     void TearDown() override {
         gl::trouble_seam() = {};
         FrameTest::TearDown();
@@ -35,6 +37,7 @@ protected:
     std::vector<HeldBytes> before_ = memory_facts().holders;
 };
 
+SI_TESTS_ARE(DriverIndependent, HeldTest);
 TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
         gl::Target t;
