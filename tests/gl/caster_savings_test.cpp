@@ -4,7 +4,9 @@
 
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -66,6 +68,8 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
     return scene;
 }
 
+SI_TESTS_ARE(DriverIndependent, CasterSavingsTest);
+SI_TESTS_ARE(Repeated, CasterSavingsTest);
 TEST_F(CasterSavingsTest, LeaveEveryTexelInEveryBuiltInScene) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())
@@ -84,7 +88,7 @@ TEST_F(CasterSavingsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
 
 TEST_F(CasterSavingsTest, LeaveEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
+    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     for (const test::SharedModel& model : models) {
         std::optional<Scene> scene;
         try {

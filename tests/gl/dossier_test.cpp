@@ -10,6 +10,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -83,6 +84,7 @@ TEST_F(DossierTest, WhatALightIsAskedGoesByThatLight) {
     }
 }
 
+SI_TEST_IS(Repeated, DossierTest, TapsAddUpToWhatTheGpuFound);
 TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
@@ -118,6 +120,8 @@ TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
     EXPECT_LE(off, checked / 200);
 }
 
+SI_TEST_IS(DriverIndependent, DossierTest, AgreesWithMeasureOnEveryPixel);
+SI_TEST_IS(Repeated, DossierTest, AgreesWithMeasureOnEveryPixel);
 TEST_F(DossierTest, AgreesWithMeasureOnEveryPixel) {
     const Scene scene = test::sheet_over_floor(1.5);
     int kinds[kArtefacts] = {}, dark = 0;

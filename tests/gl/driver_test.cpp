@@ -6,6 +6,7 @@
 #include "renderer/gl/timer.h"
 #include "renderer/settings/map_storage.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -136,6 +137,7 @@ std::set<GLuint> linked, used;
 decltype(epoxy_glLinkProgram) real_link = nullptr;
 decltype(epoxy_glUseProgram) real_use = nullptr;
 
+SI_TEST_IS(Repeated, DriverTest, CompilesWhatAFrameUses);
 // A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
 TEST_F(DriverTest, CompilesWhatAFrameUses) {
     const GLuint program = glCreateProgram();

@@ -4,6 +4,7 @@
 
 #include "renderer/inspect/texel_usage.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -91,6 +92,7 @@ TEST_F(LightCamera, WithoutLightsItIsTheAutomaticCameraAndSaysSo) {
                             [](const std::string& n) { return n.starts_with("camera.source light"); }));
 }
 
+SI_TEST_IS(Repeated, LightCamera, CanBeTakenOverByHand);
 TEST_F(LightCamera, CanBeTakenOverByHand) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
@@ -144,6 +146,7 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
     EXPECT_NEAR(texel_usage(coarse, s, n).utilisation(), usage.utilisation() / 4, 0.01);
 }
 
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreTheTexelThatTheProbeTests);
 TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
@@ -168,6 +171,7 @@ TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     }
 }
 
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads);
 TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {

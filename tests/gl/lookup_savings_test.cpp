@@ -8,6 +8,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -78,6 +79,7 @@ Scene bare_floor() {
     return scene;
 }
 
+SI_TESTS_ARE(Repeated, LookupSavingsTest);
 TEST_F(LookupSavingsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
     const Scene scene = bare_floor();
     for (const char* kernel : {"pcf", "gauss", "poisson", "vogel", "dpcf", "pcss"}) {
@@ -183,6 +185,7 @@ const std::vector<Sets>& ways() {
     return all;
 }
 
+SI_TEST_IS(DriverIndependent, LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap);
 TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;

@@ -10,6 +10,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -195,6 +196,7 @@ struct Case {
     double azimuth;
 };
 
+SI_TESTS_ARE(Repeated, Moments);
 // Every row under every type of light, both directions of depth, at home and away: moments by the map, bound by
 // moments, visibility by bound.
 TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {

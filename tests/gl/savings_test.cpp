@@ -7,7 +7,9 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/effects.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -69,6 +71,8 @@ const std::vector<Sets>& cases() {
     return all;
 }
 
+SI_TESTS_ARE(DriverIndependent, SavingsTest);
+SI_TESTS_ARE(Repeated, SavingsTest);
 TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -86,7 +90,7 @@ TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
 // All of them under all cases take an hour.
 TEST_F(SavingsTest, ForcedDrawsTheSameBytesOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
+    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     const bool all = std::getenv("SI_LONG");
     constexpr std::string_view kSome[] = {"godot_room",           "kaykit_graveyard",  "khr_SimpleInstancing",
                                           "gen_mirrored_sheared", "gen_leaf_mask_uv1", "gen_far_from_origin"};

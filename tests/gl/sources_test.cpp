@@ -8,6 +8,7 @@
 #include "renderer/reference/truth_picture.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -32,6 +33,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Repeated, SourcesTest, EveryRowHasWhatItClaims);
 TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     ASSERT_FALSE(sources().empty());
     EXPECT_EQ(sources()[std::size_t(LightSettings{}.source)].key, "map");
@@ -43,6 +45,7 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, OnlyAMapIsDrawnAsAMap);
 // Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
 // says why.
 TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
@@ -115,6 +118,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
         }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives);
 TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
     const Scene scene = load_scene("stage");
     for (const Source& source : sources()) {
@@ -164,6 +168,7 @@ TEST_F(SourcesTest, TracedIsTheTruthItself) {
             }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwn);
 TEST_F(SourcesTest, EachLightHasItsOwn) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "3"},
@@ -204,6 +209,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
     EXPECT_FALSE(renderer.render(scene, turned, request).traced[0].met) << "another light, other rays";
 }
 
+SI_TEST_IS(Repeated, SourcesTest, TheTruePictureIsThatOfTheTracedSource);
 // What the true picture shows is what the row gives.
 TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     const Scene scene = load_scene("stage");
@@ -224,6 +230,7 @@ TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap);
 // Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
 // is made up for it.
 TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {

@@ -10,6 +10,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -87,6 +88,7 @@ std::vector<Settings> square_kernels() {
     return out;
 }
 
+SI_TESTS_ARE(Repeated, TapsTest);
 TEST_F(TapsTest, WeighWhatEachKernelsDefinitionSays) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     const std::vector<Settings> kernels = square_kernels();

@@ -3,6 +3,7 @@
 
 #include "renderer/reference/truth_task.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -40,6 +41,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, ViewChoiceTest);
 TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
     Scene scene = load_scene("boxes");
     for (const char* elevation : {"90", "30"})

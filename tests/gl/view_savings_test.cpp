@@ -6,6 +6,7 @@
 #include "renderer/frame/effects.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -67,6 +68,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, ViewSavingsTest);
 TEST_F(ViewSavingsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     const Scene scene = row_of_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;

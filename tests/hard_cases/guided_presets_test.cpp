@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "tests/hard_cases/guided_claims.h"
 #include "tests/support/guided.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -45,6 +46,7 @@ TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(claimed_keys()), identifier);
 
+SI_TESTS_ARE(DriverIndependent, GuidedPresetFiles);
 TEST(GuidedPresetFiles, EachHasATextATopicASceneAndACountedClaim) {
     std::vector<std::string> keys, claimed = claimed_keys();
     std::set<std::string> titles, abouts, topics;

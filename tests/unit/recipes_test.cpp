@@ -15,6 +15,7 @@
 #include "renderer/settings/biases.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -95,6 +96,7 @@ bool exists(const std::string& named) {
     return false;
 }
 
+SI_TESTS_ARE(Repeated, Recipes);
 TEST(Recipes, NameFilesThatExist) {
     const auto all = recipes();
     std::size_t named = 0;

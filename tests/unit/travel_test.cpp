@@ -13,6 +13,7 @@
 #include "renderer/view/camera.h"
 #include "renderer/view/fit_bounds.h"
 #include "renderer/view/light_fit.h"
+#include "tests/support/traits.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -125,6 +126,7 @@ std::size_t outside(const Scene& scene, const FittedLight& light) {
     return count;
 }
 
+SI_TEST_IS(Repeated, Travel, MapsStayAsTheyAreAndHoldWhatMoves);
 TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
     for (const auto& [name, scene] : moving_scenes())
         for (const char* fit : {"casters", "scene"})

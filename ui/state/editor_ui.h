@@ -60,6 +60,7 @@ struct EditorLayout {
 };
 
 enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
+inline constexpr int kBottomTabs = int(BottomTab::Log) + 1;
 
 /// Settings that were kept to compare later ones with.
 struct PinnedSettings {
