@@ -1,5 +1,5 @@
-// Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests do not run; SI_ONLY names the
-// traits whose tests alone run.
+// Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests do not run, by default
+// "long"; SI_ONLY names the traits whose tests alone run.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -106,6 +106,9 @@ int main(int argc, char** argv) {
             return 1;
         }
     std::string filter = testing::GTEST_FLAG(filter), only, without;
+    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", "long", 0);
+    // The driver keeps compiled shaders here, also for commands and windows: half of the time is compiling them.
+    setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
     if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;
     if (filter == "*" && !only.empty()) filter = only;
     if (!without.empty()) filter += (filter.find('-') == std::string::npos ? "-" : ":") + without;
