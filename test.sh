@@ -1,28 +1,79 @@
 #!/usr/bin/env bash
-# Installs what is missing, builds, and runs the tests: all in Release on the driver at hand; what draws once more on a
-# second driver (zink over lavapipe); the unit tests and the drawing of each preset under AddressSanitizer and
-# UndefinedBehaviorSanitizer. Besides, sources have to be as .clang-format wants them. Says at the end how long what took.
-# Left out are the long ones: ctest --test-dir build/release -L long
-# and the drawing tests under the sanitizers, some ten minutes: ./test.sh --memory
+# Installs what is missing, builds, and runs the tests by stages; prints at the end how long each took. Options:
+#   (none)         format, build in Release, and all that draws or computes without a window, on the driver at hand
+#   --all          besides: windows, zink (a second driver), the sanitizers, the strict build by clang
+#   --only STAGE   one stage, with the build that it needs; may be repeated
+#   -h, --help     this text
+# A stage whose packages are missing and cannot be installed is skipped and counted; with SI_REQUIRE_ALL=1 that fails.
+# What takes longer still: ctest --test-dir build/release -L long
 set -euo pipefail
-case ${1:-} in
--h | --help)
-  sed -n '2,/^set /s/^# //p' "${BASH_SOURCE[0]}"
-  exit
-  ;;
---memory | "") ;;
-*)
-  echo "$1 is no option: see ./test.sh --help" >&2
-  exit 2
-  ;;
-esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 source "$root/scripts/packages.sh"
+
+# STAGE:what it does, in the order in which they run.
+default_stages=(
+  "format:sources are as .clang-format says"
+  "build:the program and the tests in Release"
+  "unit:what computes"
+  "gl:what draws"
+  "glsl:shaders by the reference compiler"
+  "hard:hard cases against rays"
+  "invariant:invariants of all rows, two choices at a time"
+  "cli:commands"
+  "ui:panels, without a window"
+)
+more_stages=(
+  "window:the editor in windows of its own"
+  "zink:drawing tests on zink over lavapipe"
+  "asan:the build under AddressSanitizer and UndefinedBehaviorSanitizer; unit tests, panels, each preset drawn"
+  "strict:a build by clang, each source by itself, warnings are errors; not run"
+)
+# By hand alone: ten minutes more.
+other_stages=("memory:drawing tests under the sanitizers")
+
+names() { printf '%s\n' "${@%%:*}"; }
+list_stages() {
+  local stage
+  for stage in "${default_stages[@]}" "${more_stages[@]}" "${other_stages[@]}"; do
+    printf '  %-10s %s\n' "${stage%%:*}" "${stage#*:}"
+  done
+}
+
+chosen=()
+while [ $# -gt 0 ]; do
+  case $1 in
+  -h | --help)
+    sed -n '2,/^set /s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"
+    echo "Stages:"
+    list_stages
+    exit
+    ;;
+  --all) mapfile -t chosen < <(names "${default_stages[@]}" "${more_stages[@]}") ;;
+  --memory) chosen+=(memory) ;;
+  --only)
+    if ! names "${default_stages[@]}" "${more_stages[@]}" "${other_stages[@]}" | grep -qx -- "${2:-}"; then
+      { echo "${2:-} is no stage; there are"; list_stages; } >&2
+      exit 2
+    fi
+    chosen+=("$2")
+    shift
+    ;;
+  *)
+    echo "$1 is no option: see ./test.sh --help" >&2
+    exit 2
+    ;;
+  esac
+  shift
+done
+if [ ${#chosen[@]} -eq 0 ]; then mapfile -t chosen < <(names "${default_stages[@]}"); fi
+
 require_packages "${build_packages[@]}" "${test_packages[@]}"
+# Installing may fail without a network; what then lacks is found below.
+(require_packages "${stage_packages[@]}") || true
 jobs=$(nproc)
 log=$(mktemp)
 trap 'rm -f "$log"' EXIT
-failed=() times=()
+failed=() skipped=() lacking=() times=() built=" "
 
 minutes() { printf '%4d:%02d min' $(($1 / 60)) $(($1 % 60)); }
 
@@ -35,95 +86,102 @@ stage() {
   times+=("$(minutes $((SECONDS - start)))  $name")
 }
 
-# tests BUILD LABELS [LAUNCHER]: runs the tests that have one of the labels, and keeps how long each label took.
+# tests BUILD LABEL: runs the tests of a label, and keeps how long they took and how many of them were skipped.
 tests() {
   local passed=0 seconds what again=()
   # The leak sanitizer itself may crash where threads end; what it finds, it finds again.
   if [ "$1" = asan ]; then again=(--repeat until-pass:2); fi
-  ${3:+"$3"} ctest --test-dir "$root/build/$1" -L "$2" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
+  ctest --test-dir "$root/build/$1" -L "^$2\$" -LE long --output-on-failure --no-tests=error "${again[@]}" -j "$jobs" |
     tee "$log" || passed=1
   while read -r seconds what; do
     times+=("$(minutes "$seconds")      on one core: $what")
   done < <(sed -nE 's/^([a-z]+) += +([0-9]+)[.0-9]* sec\*proc +(\(.*\))/\2 \1 \3/p' "$log")
+  # Lines that tests leave which lack something from outside the repository: a name, "lacks", and what.
+  while read -r _ _ what; do
+    lacking+=("$what")
+  done < <(cat "$root/build/$1"/test-output/lacking-*.txt 2>/dev/null)
+  rm -f "$root/build/$1"/test-output/lacking-*.txt
   return $passed
+}
+
+# once BUILD: makes a build if this run has not.
+once() {
+  case $built in *" $1 "*) return ;; esac
+  built+="$1 "
+  stage "build: $1" "build_$1"
 }
 
 build_release() {
   cmake -S "$root" --preset release -DSI_BUILD_TESTS=ON -DSI_BUILD_BENCH=ON &&
     cmake --build "$root/build/release" --parallel "$jobs"
 }
-
-# build_asan TARGET...
 build_asan() {
-  cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target "$@"
+  cmake -S "$root" --preset asan &&
+    cmake --build "$root/build/asan" --parallel "$jobs" --target test_unit draw_presets test_ui
 }
-
-# What one front end and one plan decide on every driver: what compiles, what is kept, what is left out, what is told of
-# measured errors.
-decided_by_the_plan="ProgramsTest.*:RandomWalkTest.*:*CachedPicturesEqualFreshOnes*:*BusyStates*:FitsTest.What*"
-decided_by_the_plan+=":IdleTest.*:WasteTest.*:SavingsTest.*:RestingSavingsTest.*:CuresTest.*:AdviceTest.*"
-decided_by_the_plan+=":LookupSavingsTest.ForcedGives*:*EveryPassIsAnEffect*"
-# That, and what compares the numbers of one thing drawn hundreds of times over: a driver's affair, not of our memory.
-drawn_over_and_over="$decided_by_the_plan:*SavingsTest.*:LeastBiasTwins.*:*AreTheSameInCxxAndOnTheGpu*"
-drawn_over_and_over+=":*PerTexelBiasesLeaveNoAcneOnPlanes*:*GatherAndShadowSamplerGiveOnePicture*"
-drawn_over_and_over+=":*LeastBiasAndSlackAreThoseOfTheTheory*:*AgreesWithMeasureOnEveryPixel*"
-drawn_over_and_over+=":*AreExactOverScenesAndLights*:*ProbeAgreesWithTheVisibilityPicture*:*EveryOverlayDrawsEveryLightType*"
-drawn_over_and_over+=":SlabsTest.StandWhereTheStoredDepthLies:MapViewTest.ShowsTheCamerasOwnDepth:*TapsAddUpToWhatTheGpuFound"
-drawn_over_and_over+=":ViewChoiceTest.*:ViewDepthsTest.*:WarpedMapsTest.*:LightMapTest.P*:LightMapTest.Fo*:LightRange.Probe*"
-drawn_over_and_over+=":*FourMissLessThanOne*:*CascadesTest.TheProbeNamesThem:BlocksTest.*:SurfaceIdsTest.WhatIsSeenEdgeOn*"
-drawn_over_and_over+=":FitsTest.*:MeasureTest.*:*GoldenTest.*:CausesTest.E*:LightCamera.C*:Moments.*:ShadowVolumesTest.*"
-drawn_over_and_over+=":SectionTest.StepsAre*:FrameTest.Skipping*:FrameTest.Fused*:SourcesTest.Fused*:SourcesTest.TheTrue*"
-drawn_over_and_over+=":CascadesTest.Nothing*:PagesTest.AreSharper*:PagesTest.AreTheWhole*:TapsTest.*:DriverTest.Compiles*"
-drawn_over_and_over+=":SourcesTest.O*:SourcesTest.E*:FaceNormals*:LookTest.*:FramesApart.AProbeLeavesTheFrame*:GroundTest.Models*"
-# And what the unit tests compute as often, or read of the sources.
-computed_over_and_over="Travel.MapsStay*:SettingsIdle.Every*:CastersFit.*:WarpedFit.*:ViewFit.*:CaseSessionsTest.AnAxis*:Recipes.*"
-
-# What the program's own code decides, rays included, and variants of what is drawn there as well.
-not_the_drivers="CasterSavingsTest.*:HeldTest.*:TroubleTest.*:GroundTest.Models*:MeasureTest.ErrorOfTheHardKernel*:SectionTest.*"
-not_the_drivers+=":FramesApart.*:*EveryOverlayDrawsEveryLightType*:*PerTexelBiasesLeaveNoAcneOnPlanes*:DossierTest.AgreesWithMeasure*"
-not_the_drivers+=":*EachFit.*:*EachSourceWithoutAMap.*:*large_indices:*GuidedPresets.*/light_map*"
-not_the_drivers+=":*ReceiverPlaneBias.*_reversed:*ReceiverPlaneBias.*_d16"
-
-# All that draws, but for the editor and the commands, which are the same on every driver; that both draw each preset
-# alike is among the commands' tests.
-tests_on_zink() {
-  local zink=$root/scripts/on_zink.sh
-  # That presets look alike on both is a test of commands. Settings by chance call for programs that this driver takes
-  # long to compile: one group that shares them.
-  local -x GTEST_FILTER="-$decided_by_the_plan:$not_the_drivers:HardCaseTable.PresetsOfFaultsShowThem:GuidedPresetFiles.*"
-  local -x SI_RANDOM_SEEDS=25
-  "$zink" "$root/build/release/shadow-inspector" info && tests release '^(gl|hard|invariant)$' "$zink"
-}
-
-tests_asan() {
-  local -x GTEST_FILTER="-$computed_over_and_over"
-  tests asan '^(unit|presets)$'
-}
-
-drawing_tests_asan() {
-  local -x GTEST_FILTER="-$drawn_over_and_over"
-  tests asan '^gl$'
-}
+build_memory() { cmake -S "$root" --preset asan && cmake --build "$root/build/asan" --parallel "$jobs" --target test_gl; }
+build_strict() { cmake -S "$root" --preset strict && cmake --build "$root/build/strict" --parallel "$jobs"; }
 
 # By clang-format of Debian 12, whose version decides what is well formed.
 format() {
-  find "$root"/{app,renderer,ui,tests} -name '*.h' -o -name '*.cpp' | xargs clang-format --dry-run -Werror
+  find "$root"/{app,renderer,ui,tests} \( -name '*.h' -o -name '*.cpp' \) -print0 |
+    xargs -0 -P "$jobs" -n 64 clang-format --dry-run -Werror
 }
 
-if [ "${1:-}" = --memory ]; then
-  stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan test_gl
-  stage "drawing tests under AddressSanitizer and UndefinedBehaviorSanitizer" drawing_tests_asan
-else
-  stage "format" format
-  stage "build in Release" build_release
-  stage "tests" tests release .
-  stage "drawing tests on zink over lavapipe" tests_on_zink
-  stage "build under AddressSanitizer and UndefinedBehaviorSanitizer" build_asan test_unit draw_presets
-  stage "tests under AddressSanitizer and UndefinedBehaviorSanitizer" tests_asan
-fi
+zink() {
+  "$root/scripts/on_zink.sh" "$root/build/release/shadow-inspector" info && tests release zink
+}
+
+# run_stage NAME
+run_stage() {
+  case $1 in
+  format) stage format format ;;
+  build) once release ;;
+  zink) once release && stage zink zink ;;
+  asan)
+    once asan
+    local label
+    for label in unit presets ui; do stage "asan: $label" tests asan "$label"; done
+    ;;
+  memory) once memory && stage memory tests asan gl ;;
+  strict) once strict ;;
+  *) once release && stage "$1" tests release "$1" ;;
+  esac
+}
+
+# lacks NAME: the command that a stage needs and the machine has not.
+lacks() {
+  local command
+  case $1 in
+  format) command=clang-format ;;
+  strict) command=clang++ ;;
+  window) command=xdotool ;;
+  *) return 1 ;;
+  esac
+  ! command -v "$command" >/dev/null
+}
+
+for name in "${chosen[@]}"; do
+  if lacks "$name"; then
+    skipped+=("$name")
+    say "== $name is skipped: a package is missing"
+    continue
+  fi
+  run_stage "$name"
+done
 
 say "== Times"
 printf '%s\n' "${times[@]}" >&2
+say "$(minutes $SECONDS)  altogether"
+if [ ${#skipped[@]} -gt 0 ]; then
+  say "Stages skipped (${#skipped[@]}):"
+  printf '  %s\n' "${skipped[@]}" >&2
+  if [ -n "${SI_REQUIRE_ALL:-}" ]; then failed+=("stages that were skipped"); fi
+fi
+if [ ${#lacking[@]} -gt 0 ]; then
+  say "Tests skipped that lack something from outside the repository (${#lacking[@]}):"
+  printf '  %s\n' "${lacking[@]}" | sort | uniq -c >&2
+fi
 if [ ${#failed[@]} -gt 0 ]; then
   printf 'Failed: %s\n' "${failed[@]}" >&2
   exit 1

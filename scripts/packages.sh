@@ -11,6 +11,8 @@ build_packages=(g++ cmake ninja-build pkg-config
 # driver (zink over lavapipe), the reference compiler of GLSL, the formatter.
 test_packages=(libgtest-dev googletest libbenchmark-dev xvfb xauth xdotool dbus
   mesa-vulkan-drivers glslang-tools chromium parallel shellcheck clang-format)
+# What single stages of test.sh need, which are skipped without: a second compiler.
+stage_packages=(clang)
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -52,4 +54,5 @@ require_packages() {
 # Compilations are reused where ccache is installed.
 if command -v ccache >/dev/null; then
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+  export CCACHE_SLOPPINESS=${CCACHE_SLOPPINESS:-pch_defines,time_macros}  # for precompiled headers
 fi

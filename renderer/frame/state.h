@@ -49,7 +49,8 @@ struct CasterFindings;
 
 /// What outlives a frame and is no pass's own: programs, blocks, samplers, the scene, fitted lights.
 struct Resources {
-    gl::ProgramCache programs;
+    std::shared_ptr<gl::ProgramCache> shared_programs;  ///< see Renderer's constructor
+    gl::ProgramCache& programs;
     Blocks blocks;
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
@@ -66,6 +67,9 @@ struct Resources {
     /// Which drawing each key of contents is from; drawings are counted.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
+
+    explicit Resources(std::shared_ptr<gl::ProgramCache> of)
+        : shared_programs(std::move(of)), programs(*shared_programs) {}
 };
 
 struct FrameState {

@@ -14,10 +14,7 @@ namespace {
 constexpr const char* kShaderFix =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
-/// Limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and intermediate
-/// data (measured over 55 programs); a program that is linked again comes from the driver's shader cache.
-constexpr std::size_t kMostPrograms = 64;
-constexpr std::size_t kRequestsAProgram = 64;  ///< remembered requests that expand to the same text
+constexpr std::size_t kRequestsAProgram = 64;  ///< that come to the same text and are remembered
 
 std::string info_log(GLuint id, bool program) {
     GLint length = 0;
@@ -126,7 +123,7 @@ GLuint ProgramCache::use(Kept& kept) const {
 
 void ProgramCache::end_frame(std::size_t most) {
     const std::uint64_t now = frame_++;
-    if (most == 0) most = kMostPrograms;
+    if (most == 0) most = max_programs_;
     if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most) {
         by_request_.clear();
         last_good_.clear();

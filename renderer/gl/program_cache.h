@@ -26,7 +26,13 @@ struct ProgramRequest {
 /// Cache of linked OpenGL programs; compiles on a miss and again after a shader file changed. For one context.
 class ProgramCache {
 public:
-    explicit ProgramCache(ShaderSource source = ShaderSource()) : source_(std::move(source)) {}
+    /// Default limit of cached programs. A frame uses 5 to 40. On llvmpipe each takes some 4 MB of machine code and
+    /// intermediate data (measured over 55 programs); a program that is linked again comes from the driver's shader
+    /// cache.
+    static constexpr std::size_t kMaxPrograms = 64;
+    /// @param max_programs programs that end_frame() keeps
+    explicit ProgramCache(ShaderSource source = ShaderSource(), std::size_t max_programs = kMaxPrograms)
+        : source_(std::move(source)), max_programs_(max_programs) {}
     /// Returns the OpenGL name of the linked program for a request; compiles it on a miss. When a changed shader file
     /// does not compile, the last good program is returned.
     /// @throws Error with the compile log and the file names when there is no good program.
@@ -48,6 +54,7 @@ private:
         std::uint64_t used = 0;  ///< last frame that used the program
     };
     ShaderSource source_;
+    std::size_t max_programs_;
     std::unordered_map<std::uint64_t, Kept*> by_request_;  // request and generation
     std::unordered_map<std::uint64_t, Kept*> last_good_;   // request alone
     std::unordered_map<std::uint64_t, Kept> programs_;     // final text

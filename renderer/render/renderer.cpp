@@ -82,6 +82,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
 }  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
+Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs) : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // so that nobody restores a program that is gone
     glFinish();       // drivers with threads of their own crash when the process ends with work under way

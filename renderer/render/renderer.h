@@ -11,12 +11,19 @@
 namespace si {
 
 struct Probe;
+namespace gl {
+class ProgramCache;
+}
+
 struct RendererImpl;  // renderer/render/renderer_impl.h
 
 class Renderer {
 public:
     /// @throws Error when the context lacks OpenGL 4.5.
     Renderer();
+    /// Compiles into a cache that outlives the renderer, so that the next one in the same context finds its programs
+    /// there. @param programs of the current context, not null
+    explicit Renderer(std::shared_ptr<gl::ProgramCache> programs);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -33,7 +33,7 @@ struct RendererImpl {
     std::optional<MapLimit> map_limit;
     std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::watch_numbers()
 
-    RendererImpl();
+    explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
     /// After the driver refused memory: has maps be half as large. @returns whether that may help
     bool take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why);
     /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn

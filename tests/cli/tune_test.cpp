@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -83,6 +84,7 @@ TEST(Tune, TakesTheTruthAsMeasureDoes) {
     tuned({"truth.area=true", "light.size=3", "truth.samples=16", "truth.noise=0.1", "truth.step=3"});
 }
 
+SI_TEST_IS(Long, Tune, KeepsToTheErrorThatIsAsked);  // compiles and times all kernels of three families
 TEST(Tune, KeepsToTheErrorThatIsAsked) {
     const fs::path preset = fresh_test_folder() / "accurate.json";
     const auto r =

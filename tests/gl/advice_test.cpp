@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -63,6 +64,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, AdviceTest);
+SI_TESTS_ARE(Repeated, AdviceTest);
 TEST_F(AdviceTest, KeepsWhatItSaysOnBuiltInScenes) {
     for (const char* name : {"boxes", "teapot"}) {
         SCOPED_TRACE(name);

@@ -3,6 +3,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -77,6 +78,7 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     return s;
 }
 
+SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory);
 TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
     const Scene scene = hills();
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},

@@ -3,6 +3,7 @@
 
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -25,6 +26,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, BlocksTest);
 TEST_F(BlocksTest, AreReadAsTheSameBitsEitherWay) {
     if (!renderer.driver().blocks_as_images) GTEST_SKIP() << "this driver reads uniform blocks";
     static const std::vector<Sets> cases = {

@@ -7,6 +7,7 @@
 #include "renderer/measure/measure.h"
 #include "renderer/reference/reference_task.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -93,6 +94,7 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
     }
 }
 
+SI_TEST_IS(Repeated, CascadesTest, NothingIsReadBesideAMap);
 // Where taps would reach beyond a map's sides or its far plane, the answer there would show.
 TEST_F(CascadesTest, NothingIsReadBesideAMap) {
     for (const char* name : {"stage", "landscape"}) {
@@ -118,6 +120,7 @@ TEST_F(CascadesTest, NothingIsReadBesideAMap) {
     }
 }
 
+SI_TEST_IS(Repeated, CascadesTest, FourMissLessThanOneAtTheSameResolution);
 TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     const Scene scene = load_scene("landscape");
     for (const char* choice : {"interval", "map"}) {
@@ -150,6 +153,7 @@ TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
     }
 }
 
+SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesThem);
 TEST_F(CascadesTest, TheProbeNamesThem) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {{"light.cascades", "4"}, {"light.cascade_blend", "0.3"}});

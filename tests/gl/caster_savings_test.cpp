@@ -5,7 +5,9 @@
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -67,6 +69,8 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
     return scene;
 }
 
+SI_TESTS_ARE(DriverIndependent, CasterOptimisationsTest);
+SI_TESTS_ARE(Repeated, CasterOptimisationsTest);
 TEST_F(CasterOptimisationsTest, LeaveEveryTexelInEveryBuiltInScene) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())
@@ -85,7 +89,7 @@ TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
 
 TEST_F(CasterOptimisationsTest, LeaveEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
+    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     for (const test::SharedModel& model : models) {
         std::optional<Scene> scene;
         try {

@@ -8,6 +8,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -105,6 +106,7 @@ protected:
     std::string last_;
 };
 
+SI_TEST_IS(Repeated, CausesTest, AreTheSameInCxxAndOnTheGpu);
 TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
@@ -263,6 +265,7 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     EXPECT_LT(count(measure(scene, s), Artefact::Undersampled), undersampled / 20);
 }
 
+SI_TEST_IS(Repeated, CausesTest, EdgesOfABoxOnAPlaneStayEdges);
 TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
     for (const char* kernel : {"hard", "pcf3"}) {
         const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
@@ -309,6 +312,7 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
+SI_TEST_IS(Repeated, CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin);
 TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     Scene scene = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
     const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
@@ -435,6 +439,7 @@ TEST_F(CausesTest, ACubeHasNoSeams) {
     }
 }
 
+SI_TEST_IS(Repeated, CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight);
 TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;

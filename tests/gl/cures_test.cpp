@@ -7,6 +7,7 @@
 #include "renderer/settings/fits.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -70,6 +71,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, FixesTest);
+SI_TESTS_ARE(Repeated, FixesTest);
 TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);

@@ -9,6 +9,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -85,6 +86,7 @@ TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
     }
 }
 
+SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToWhatTheGpuFound);
 TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
@@ -120,6 +122,8 @@ TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
     EXPECT_LE(off, checked / 200);
 }
 
+SI_TEST_IS(DriverIndependent, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
+SI_TEST_IS(Repeated, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
 TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     const Scene scene = test::sheet_over_floor(1.5);
     int kinds[kArtefacts] = {}, dark = 0;

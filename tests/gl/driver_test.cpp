@@ -7,6 +7,7 @@
 #include "renderer/render/polygon_offset.h"
 #include "renderer/settings/map_storage.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -138,6 +139,7 @@ std::set<GLuint> linked, used;
 decltype(epoxy_glLinkProgram) real_link = nullptr;
 decltype(epoxy_glUseProgram) real_use = nullptr;
 
+SI_TEST_IS(Repeated, DriverTest, CompilesWhatAFrameUses);
 // A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
 TEST_F(DriverTest, CompilesWhatAFrameUses) {
     const GLuint program = glCreateProgram();

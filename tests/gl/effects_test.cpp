@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -60,6 +61,8 @@ const std::vector<Sets>& varied() {
     return all;
 }
 
+SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
+SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
 TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
     FrameRequest request = small();
     request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;

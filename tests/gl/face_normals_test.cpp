@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -28,6 +29,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, FaceNormalsOnGpu);
 // One plane needs one bias: under parallel light its gradient is the same everywhere.
 TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
     struct View {

@@ -9,6 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -48,6 +49,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, FitsTest);
+SI_TEST_IS(DriverIndependent, FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections);
 TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
     struct Sun {
         const char *azimuth, *elevation;
@@ -79,6 +82,7 @@ TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
     }
 }
 
+SI_TEST_IS(DriverIndependent, FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth);
 // Wherever the camera stands, within the scene too: of the pixels that it sees none beyond the map is in shadow.
 TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
     std::mt19937 random(17);

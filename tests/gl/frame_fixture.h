@@ -1,4 +1,4 @@
-// A renderer on a context of its own; every test must leave the driver without complaint.
+// A renderer of the test's own in a context that all share; every test must leave the driver without complaint.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,6 +9,7 @@
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
 #include "tests/support/named_driver.h"
+#include "tests/support/shared_context.h"
 
 namespace si {
 
@@ -22,11 +23,15 @@ inline Settings settings_for(const Scene& scene, const Sets& extra = {}) {
     return s;
 }
 
+/// Has a renderer that has drawn nothing, with the programs that earlier tests of the process compiled.
 class FrameTest : public ::testing::Test {
 protected:
-    HeadlessContext context;
+    HeadlessContext& context = test::shared_context();
     Renderer renderer;
 
+    /// @param programs of shared_context(); where compiling is the subject: a cache of the test's own
+    explicit FrameTest(std::shared_ptr<gl::ProgramCache> programs = test::shared_programs())
+        : renderer(std::move(programs)) {}
     void SetUp() override { test::expect_named_driver(); }
     void TearDown() override {
         context.make_current();  // test::hard_renderer() has one of its own, whose objects are not this renderer's

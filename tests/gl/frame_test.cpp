@@ -12,6 +12,7 @@
 #include "renderer/settings/overlays.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -36,6 +37,7 @@ TEST_F(FrameTest, SameInputsSameBytesAlsoInAnotherRenderer) {
     context.make_current();
 }
 
+SI_TEST_IS(Repeated, FrameTest, FusedAndSeparateVisibilityGiveOnePicture);
 TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
     for (const char* name : {"stage", "boxes"}) {
         const Scene scene = load_scene(name);
@@ -52,6 +54,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
     }
 }
 
+SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePicture);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     const Scene scene = load_scene("stage");
     FrameRequest request = small();
@@ -70,6 +73,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     }
 }
 
+SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange);
 // Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's
 // does not.
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
@@ -154,6 +158,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, ProgramsTest);
+SI_TESTS_ARE(Repeated, ProgramsTest);
 TEST_F(ProgramsTest, EveryChoiceCompiles) {
     ASSERT_GE(rows.size(), 8u);
     const Scene stage = load_scene("stage");  // masked, textured and plain materials
@@ -171,6 +177,8 @@ TEST_F(ProgramsTest, PairsOfChoicesCompile) {
                 draw(boxes, {{rows[a], i % choices(rows[a])}, {rows[b], (i + int(a)) % choices(rows[b])}});
 }
 
+SI_TEST_IS(DriverIndependent, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
+SI_TEST_IS(Repeated, FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath);
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     const Scene scene = load_scene("stage");
     ReferenceCache references;
@@ -289,6 +297,7 @@ std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequ
     return out;
 }
 
+SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingLeaveThePixelsAlone);
 TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
     const Scene scene = load_scene("stage");
     for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
@@ -331,6 +340,8 @@ void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const 
     }
 }
 
+SI_TEST_IS(DriverIndependent, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings);
+SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings);
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
     const Scene scene = load_scene("stage");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene),
@@ -352,6 +363,8 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughSettings) {
                             {"map.format", "d24"}});
 }
 
+SI_TEST_IS(DriverIndependent, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
+SI_TEST_IS(Repeated, FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews);
 TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
     const Scene scene = load_scene("boxes");
     expect_cached_as_fresh(context, renderer, scene, settings_for(scene, {{"map.resolution", "256"}}),
@@ -414,6 +427,7 @@ TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
     EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
 }
 
+SI_TEST_IS(Repeated, FrameTest, ProbeAgreesWithTheVisibilityPicture);
 TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {

@@ -2,6 +2,7 @@
 // are gone.
 #include "renderer/base/error.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -45,6 +46,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, FramesApart);
 TEST_F(FramesApart, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
     const std::vector<Shown> both = shown();
     std::vector<FloatImage> maps, views;
@@ -128,6 +130,7 @@ TEST_F(FramesApart, ProbesInTurnEachAnswerForTheirOwn) {
     }
 }
 
+SI_TEST_IS(Repeated, FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs);
 // Where it did not, a window that shows both would draw for ever.
 TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
     using Sets = std::vector<std::pair<std::string, std::string>>;

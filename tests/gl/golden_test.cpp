@@ -9,6 +9,7 @@
 #include "app/base/output.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/process.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -31,6 +32,7 @@ std::string fix(const GoldenPicture& picture) {
 
 class GoldenTest : public FrameTest, public testing::WithParamInterface<std::string> {};
 
+SI_TESTS_ARE(Repeated, GoldenTest);
 TEST_P(GoldenTest, RowsAreDrawnAsTheyWere) {
     const std::string driver = driver_at_hand();
     const std::optional<double> most = most_different(driver);

@@ -18,7 +18,9 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -369,11 +371,13 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };
 
+SI_TEST_IS(Repeated, GroundTest, ModelsShowTheirShadowsAtOnce);
+SI_TEST_IS(DriverIndependent, GroundTest, ModelsShowTheirShadowsAtOnce);
 // What a file's own camera shows of the shadow is the file's affair; the camera that frames the scene is asked for it.
 // But a file opens with its own: there has to be a picture.
 TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
     const std::vector<test::SharedModel> files = test::shared_models();
-    if (files.empty()) GTEST_SKIP() << "../shared/models is not there";
+    if (files.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     int shown = 0, with_camera = 0;
     std::string by_own_cameras;
     for (const test::SharedModel& model : files) {

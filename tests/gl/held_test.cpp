@@ -11,12 +11,14 @@
 #include "renderer/gl/target.h"
 #include "renderer/software/llvmpipe_queue.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
 
 class HeldTest : public FrameTest {
 protected:
+    HeldTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
     void TearDown() override {
         gl::fault_injection() = {};
         FrameTest::TearDown();
@@ -37,6 +39,7 @@ protected:
     std::vector<MemoryUse> before_ = memory_report().holders;
 };
 
+SI_TESTS_ARE(DriverIndependent, HeldTest);
 TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
         gl::Target t;

@@ -5,6 +5,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/idle_reason.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -108,6 +109,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, IdleTest);
+SI_TESTS_ARE(Repeated, IdleTest);
 TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
     const Scene scene = load_scene("boxes");
     std::size_t compared = 0;
@@ -190,6 +193,8 @@ Scene boxes_and_ball() {
 
 class BusyStates : public IdleTest, public testing::WithParamInterface<std::size_t> {};
 
+SI_TESTS_ARE(Repeated, BusyStates);
+SI_TESTS_ARE(DriverIndependent, BusyStates);
 // What is kept from frame to frame is never of other settings: each picture is held against the same drawn anew, right
 // after one that shares nothing with it.
 TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {

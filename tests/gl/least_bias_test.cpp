@@ -9,6 +9,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -62,6 +63,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, LeastBiasTwins);
 TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
     int compared = 0, perspective = 0, warped = 0, grazing = 0;
     std::size_t next = 0;

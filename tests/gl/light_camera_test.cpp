@@ -5,6 +5,7 @@
 #include "renderer/inspect/texel_usage.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -92,6 +93,7 @@ TEST_F(LightCamera, WithoutLightsItIsTheAutomaticCameraAndSaysSo) {
                             [](const std::string& n) { return n.starts_with("camera.source light"); }));
 }
 
+SI_TEST_IS(Repeated, LightCamera, CanBeTakenOverByHand);
 TEST_F(LightCamera, CanBeTakenOverByHand) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
@@ -145,6 +147,7 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
     EXPECT_NEAR(texel_usage(coarse, s, n).utilisation(), usage.utilisation() / 4, 0.01);
 }
 
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreTheTexelThatTheProbeTests);
 TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
@@ -169,6 +172,7 @@ TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     }
 }
 
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads);
 TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {

@@ -9,6 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -107,6 +108,7 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
     }
 }
 
+SI_TEST_IS(Repeated, LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner);
 // Twice the texels across, about half as much wrong along the edges.
 TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
     const Scene scene = load_scene("stage");
@@ -123,6 +125,7 @@ TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
     EXPECT_LT(shares.back(), 0.014);
 }
 
+SI_TEST_IS(Repeated, LightMapTest, PenumbraeAreThoseOfTheLightsDisc);
 // The share of a disc on the sky beyond a straight edge, in closed form.
 TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
     test::Place above;

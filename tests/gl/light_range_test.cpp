@@ -4,6 +4,7 @@
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -92,6 +93,7 @@ TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
     EXPECT_EQ(middle(), 0);
 }
 
+SI_TEST_IS(Repeated, LightRange, ProbeSaysWhyItIsDark);
 TEST_F(LightRange, ProbeSaysWhyItIsDark) {
     const Settings s = lit("point", 3);
     int beyond = 0, within = 0;

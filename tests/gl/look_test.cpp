@@ -15,6 +15,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -39,6 +40,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, LookTest);
 TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
     for (const BuiltinScene& row : builtin_scenes()) {
         SCOPED_TRACE(row.key);

@@ -9,6 +9,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -82,6 +83,7 @@ Scene bare_floor() {
     return scene;
 }
 
+SI_TESTS_ARE(Repeated, LookupOptimisationsTest);
 TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
     const Scene scene = bare_floor();
     for (const char* kernel : {"pcf", "gauss", "poisson", "vogel", "dpcf", "pcss"}) {
@@ -191,6 +193,7 @@ const std::vector<Sets>& ways() {
     return all;
 }
 
+SI_TEST_IS(DriverIndependent, LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap);
 TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;

@@ -6,6 +6,7 @@
 #include "renderer/base/error.h"
 #include "renderer/frame/depth_histogram.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -22,6 +23,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Repeated, MapViewTest, ShowsTheCamerasOwnDepth);
 TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
     const Scene scene = load_scene("boxes");
     for (const char* orthographic : {"false", "true"})

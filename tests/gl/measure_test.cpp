@@ -3,6 +3,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -38,6 +39,7 @@ protected:
     static Settings hard(int resolution) { return test::texel_settings("hard", resolution, 3); }
 };
 
+SI_TESTS_ARE(Repeated, MeasureTest);
 TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "pcf3"}) {
@@ -118,6 +120,7 @@ TEST_F(MeasureTest, KeepsWhatTheMapDoesNotHoldApart) {
     EXPECT_GT(m.outside_false_light, 0) << "a part of the shadow falls outside";
 }
 
+SI_TEST_IS(DriverIndependent, MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne);
 TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     std::vector<double> x, y;

@@ -12,6 +12,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/idle_reason.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -198,6 +199,7 @@ struct Case {
     double azimuth;
 };
 
+SI_TESTS_ARE(Repeated, Moments);
 // Every row under every type of light, both directions of depth, at home and away: moments by the map, bound by
 // moments, visibility by bound.
 TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {

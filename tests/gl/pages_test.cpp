@@ -8,6 +8,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -36,6 +37,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Repeated, PagesTest, AreTheWholeMapsTexels);
 // Pages are drawn with the map's own matrix, moved by whole texels. All that may differ is where a rasteriser rounds a
 // corner to 1/256 of a texel.
 TEST_F(PagesTest, AreTheWholeMapsTexels) {
@@ -212,6 +214,7 @@ TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
     EXPECT_GT(different_pixels(whole, picture(scene, s), 1), 200u) << "there is a shadow on the glass";
 }
 
+SI_TEST_IS(Repeated, PagesTest, AreSharperThanAFixedMapOfMoreTexels);
 // Two kilometres of land: less is wrong than with one map of 4096 texels, for far fewer texels drawn.
 TEST_F(PagesTest, AreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");

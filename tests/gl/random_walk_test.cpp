@@ -8,6 +8,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -179,6 +180,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, RandomWalkTest);
+SI_TESTS_ARE(DriverIndependent, RandomWalkTest);
 // One step changes one thing; two at once may leave as many maps as before, of other lights.
 TEST_F(RandomWalkTest, MapsThatAnotherLightTookAreDrawnAnew) {
     const Scene scene = load_scene("boxes");

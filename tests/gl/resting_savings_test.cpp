@@ -9,6 +9,8 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -116,6 +118,8 @@ const std::vector<Sets>& kinds() {
     return all;
 }
 
+SI_TESTS_ARE(DriverIndependent, StaticOptimisationsTest);
+SI_TESTS_ARE(Repeated, StaticOptimisationsTest);
 TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
     std::size_t next = 0;
     int kept = 0, frames = 0;
@@ -188,7 +192,7 @@ TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
 
 TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
     const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
-    if (!std::filesystem::exists(models)) GTEST_SKIP() << "../shared/models is not here";
+    if (!std::filesystem::exists(models)) GTEST_SKIP() << test::kLacks << "../shared/models";
     for (const char* file :
          {"khr_Fox/glTF/Fox.gltf", "khr_BoxAnimated/glTF-Binary/BoxAnimated.glb",
           "khr_InterpolationTest/glTF-Binary/InterpolationTest.glb", "gen_skin_morph/skin_morph.gltf"}) {

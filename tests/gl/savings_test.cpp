@@ -7,7 +7,9 @@
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/lacks.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -72,6 +74,8 @@ const std::vector<Sets>& cases() {
     return all;
 }
 
+SI_TESTS_ARE(DriverIndependent, OptimisationsTest);
+SI_TESTS_ARE(Repeated, OptimisationsTest);
 TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -90,7 +94,7 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
 // All of them under all cases take an hour.
 TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
+    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     const bool all = std::getenv("SI_LONG");
     constexpr std::string_view kSome[] = {"godot_room",           "kaykit_graveyard",  "khr_SimpleInstancing",
                                           "gen_mirrored_sheared", "gen_leaf_mask_uv1", "gen_far_from_origin"};

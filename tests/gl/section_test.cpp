@@ -11,6 +11,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -116,6 +117,8 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, SectionTest);
+SI_TEST_IS(Repeated, SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap);
 TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
     const std::vector<Sets> kinds{{{"light.type", "directional"}},

@@ -10,6 +10,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/agreed_scene.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -64,6 +65,7 @@ const Sets kFromAbove = {{"camera.source", "manual"},
                          {"light.cast", "false"},
                          {"shading.sky", "plain"}};
 
+SI_TESTS_ARE(Repeated, ShadingOptimisationsTest);
 TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);

@@ -9,6 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -84,6 +85,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, ShadowVolumesTest);
 TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
     for (const char* name : {"boxes", "stage", "teapot", "figures", "plane", "relief"}) {
         const Scene scene = solid(load_scene(name));

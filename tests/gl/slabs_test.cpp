@@ -4,6 +4,7 @@
 
 #include "renderer/passes/texel_slabs.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -57,6 +58,7 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
     return out;
 }
 
+SI_TEST_IS(Repeated, SlabsTest, StandWhereTheStoredDepthLies);
 TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};

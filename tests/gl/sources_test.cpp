@@ -9,6 +9,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -34,6 +35,7 @@ protected:
     }
 };
 
+SI_TEST_IS(Repeated, SourcesTest, EveryRowHasWhatItClaims);
 TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     ASSERT_FALSE(sources().empty());
     EXPECT_EQ(sources()[std::size_t(LightSettings{}.source)].key, "map");
@@ -45,6 +47,7 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, OnlyAMapIsDrawnAsAMap);
 // Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
 // says why.
 TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
@@ -122,6 +125,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
         }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives);
 TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
     const Scene scene = load_scene("stage");
     for (const Source& source : sources()) {
@@ -171,6 +175,7 @@ TEST_F(SourcesTest, TracedIsTheTruthItself) {
             }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwn);
 TEST_F(SourcesTest, EachLightHasItsOwn) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "3"},
@@ -211,6 +216,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
     EXPECT_FALSE(renderer.render(scene, turned, request).traced[0].met) << "another light, other rays";
 }
 
+SI_TEST_IS(Repeated, SourcesTest, TheTruePictureIsThatOfTheTracedSource);
 // What the true picture shows is what the row gives.
 TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     const Scene scene = load_scene("stage");
@@ -231,6 +237,7 @@ TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     }
 }
 
+SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap);
 // Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
 // is made up for it.
 TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {

@@ -4,6 +4,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/traced.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -168,6 +169,7 @@ std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, cons
     return out;
 }
 
+SI_TEST_IS(Repeated, SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed);
 // Where rounding alone has a triangle cover a pixel, a rasteriser may find no place for it. What follows is a number
 // all the same, and that of the fused pass the one of visibility drawn apart.
 TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {

@@ -12,6 +12,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -103,6 +104,8 @@ TEST(ClosedForms, AreOfSquareKernels) {
     }
 }
 
+SI_TESTS_ARE(Repeated, TapsTest);
+SI_TESTS_ARE(Repeated, EachSquareKernel);
 class EachSquareKernel : public TapsTest, public testing::WithParamInterface<SizedKernel> {};
 
 TEST_P(EachSquareKernel, WeighsEachTexelOnceAndAsItsDefinitionSays) {

@@ -6,6 +6,7 @@
 
 #include "renderer/gl/driver_failure.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -93,6 +94,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(DriverIndependent, TroubleTest);
 TEST_F(TroubleTest, MemoryMayEndAtEveryCallOfAFrame) {
     survive_each(DriverFailure::Memory, 20);
 }

@@ -4,6 +4,7 @@
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/reference_frames.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -41,6 +42,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, ViewChoiceTest);
 TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
     Scene scene = load_scene("boxes");
     for (const char* elevation : {"90", "30"})

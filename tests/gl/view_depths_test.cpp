@@ -11,6 +11,7 @@
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
 #include "tests/support/ray_truth.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -34,6 +35,7 @@ std::size_t differing(const FloatImage& a, const FloatImage& b, float tolerance 
 
 // ---- light.depth_bounds sdsm
 
+SI_TESTS_ARE(Repeated, ViewDepthsTest);
 TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
     for (const char* name : {"stage", "landscape", "plane"})
         for (const Sets& camera :

@@ -8,6 +8,7 @@
 #include "renderer/settings/fits.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -69,6 +70,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, ViewOptimisationsTest);
 TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     const Scene scene = row_of_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;

@@ -9,6 +9,7 @@
 #include "renderer/settings/filters.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -89,6 +90,7 @@ protected:
     }
 };
 
+SI_TESTS_ARE(Repeated, WarpedMapsTest);
 // On land that reaches from the camera's feet to hills far away: where the texels of an even map are large in the
 // picture near the camera and small far away, those of a warped map are as large everywhere, and near ones are finer.
 TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
@@ -131,6 +133,7 @@ TEST_F(WarpedMapsTest, ErrsLessThanAnEvenMapAndComesToTheTruth) {
                               std::to_string(fine.mae));
 }
 
+SI_TEST_IS(DriverIndependent, WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes);
 TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(115, 0, 0), glm::dvec3(1e5, 0, -3e4)}) {
         const Scene scene = sheets(at);

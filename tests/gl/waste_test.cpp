@@ -12,6 +12,7 @@
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/shared_models.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -34,6 +35,8 @@ const Tried& tried_named(const Waste& waste, std::string_view name) {
     return none;
 }
 
+SI_TESTS_ARE(DriverIndependent, WasteTest);
+SI_TESTS_ARE(Repeated, WasteTest);
 TEST_F(WasteTest, ALightThatShadowsIsNeededAndOneThatNobodySeesIsNot) {
     const Scene scene = load_scene("boxes");
     const Waste needed = waste_of(scene, {});

@@ -15,6 +15,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
 #include "tests/hard_cases/claim_metrics.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -87,6 +88,7 @@ TEST(Claims, OfAnUnknownMetricFail) {
     EXPECT_TRUE(holds(1, "<=", 1) && holds(1, ">=", 1) && holds(1, "==", 1) && holds(1, "<", 2) && holds(2, ">", 1));
 }
 
+SI_TESTS_ARE(DriverIndependent, GuidedPresetFiles);
 TEST(GuidedPresetFiles, EachHasATextATopicAndAScene) {
     std::set<std::string> titles, abouts, topics;
     std::string topic;

@@ -11,6 +11,7 @@
 #include "renderer/settings/idle_reason.h"
 #include "tests/support/hard_view.h"
 #include "tests/support/stability.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -103,6 +104,7 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
 INSTANTIATE_TEST_SUITE_P(Each, HardCasePresets, testing::ValuesIn(hard_case_views().begin(), hard_case_views().end()),
                          view_identifier);
 
+SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowThem);
 // The picture of the fault is worse than that of the remedy, by the truth.
 TEST(HardCaseTable, PresetsOfFaultsShowThem) {
     for (const HardCase& row : hard_cases()) {

@@ -9,6 +9,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -81,6 +82,7 @@ Scene covered_in_part(const glm::dvec3& at) {
     return scene;
 }
 
+SI_TESTS_ARE(DriverIndependent, EachFit);
 // Away from edges visibility is that of rays, whatever the map leaves out: so it is that of any other fit, too.
 TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     const Scene scene = covered_in_part(c.place.at);

@@ -13,6 +13,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/lights/kernel_reach.h"
 #include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
 
 namespace si::test {
 namespace {
@@ -128,6 +129,7 @@ TEST_P(EachSource, LightsALonePlane) {
 // What a map alone has does nothing to sources that are none.
 class EachSourceWithoutAMap : public EachSource {};
 
+SI_TESTS_ARE(DriverIndependent, EachSourceWithoutAMap);
 TEST_P(EachSourceWithoutAMap, KnowsNoKernelBiasOrFit) {
     const Scene half = scene(true);
     const FloatImage plain = shoot(half, settings(), 80, 60).visibility;

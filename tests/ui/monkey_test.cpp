@@ -15,6 +15,7 @@
 
 #include "app/session/presets.h"
 #include "tests/support/confined.h"
+#include "tests/support/lacks.h"
 #include "tests/support/number_from.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd.h"
@@ -163,7 +164,8 @@ protected:
 };
 
 TEST_F(WindowMonkey, DoesNoHarm) {
-    if (!is_confined()) GTEST_SKIP() << "this kernel has no Landlock, and nothing would keep it from a person's files";
+    if (!is_confined())
+        GTEST_SKIP() << test::kLacks << "Landlock in the kernel: nothing would keep it from a person's files";
     const std::uint32_t seed = number_from("SI_MONKEY_SEED", kUsualSeed);
     const int count = int(number_from("SI_MONKEY_EVENTS", kUsualEvents));
     std::vector<std::string> events;

@@ -1,6 +1,7 @@
 // Every panel for every choice of every row; the widgets' behaviour by mouse.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 #include <map>

@@ -22,9 +22,8 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
         .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
     ui.map_facts = MapPlots{};
-    for (const BottomTab tab :
-         {BottomTab::Effects, BottomTab::Probe, BottomTab::Error, BottomTab::Objects, BottomTab::Compare,
-          BottomTab::Frontier, BottomTab::Advice, BottomTab::Lab, BottomTab::Log}) {
+    for (int i = 0; i < kBottomTabs; ++i) {
+        const auto tab = BottomTab(i);
         ui.state.window.open_tab = tab;
         ui.frames(4);
         const std::u32string text = ui.printed();

@@ -13,6 +13,7 @@
 #include "renderer/gltf/gltf.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "ui/scene_view/camera_steering.h"
 #include "ui/scene_view/light_handles.h"
 
@@ -222,8 +223,9 @@ TEST_P(Tour, Comparison) {
     keep("compare");
 }
 
-INSTANTIATE_TEST_SUITE_P(Sizes, Tour,
-                         testing::Values(std::pair{1280, 720}, std::pair{1600, 900}, std::pair{3840, 2160}));
+INSTANTIATE_TEST_SUITE_P(Sizes, Tour, testing::Values(std::pair{1280, 720}, std::pair{1600, 900}));
+SI_INSTANCE_IS(Long, LargeScreen, Tour);
+INSTANTIATE_TEST_SUITE_P(LargeScreen, Tour, testing::Values(std::pair{3840, 2160}));
 
 }  // namespace
 }  // namespace si::test

@@ -140,7 +140,7 @@ void Window::SetUp() {
     // The editor keeps things between runs: not in the home of whoever runs the tests, and each test for itself.
     fs::create_directories(home());
     setenv("HOME", home().c_str(), 1);
-    setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);  // the driver's
+    setenv("XDG_CACHE_HOME", (folder_ / "cache").c_str(), 1);
     setenv("XDG_STATE_HOME", (folder_ / "state").c_str(), 1);
     // Not on the desktop of whoever runs the tests.
     for (const char* desktop : {"WAYLAND_DISPLAY", "DBUS_SESSION_BUS_ADDRESS", "XDG_RUNTIME_DIR"}) unsetenv(desktop);

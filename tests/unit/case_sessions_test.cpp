@@ -8,6 +8,7 @@
 #include "app/sweep/spec.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
+#include "tests/support/traits.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -108,6 +109,7 @@ std::vector<std::string> texts_of(const Param& p, const Value& like) {
     return texts;
 }
 
+SI_TEST_IS(Repeated, CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting);
 TEST_F(CaseSessionsTest, AnAxisDoesWhatSetDoesForEverySetting) {
     for (const Param& p : params()) {
         if (is_text(p)) continue;  // what things are called is no axis

@@ -8,6 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
+#include "tests/support/lacks.h"
 
 namespace si::test {
 namespace {
@@ -76,7 +77,7 @@ private:
 };
 
 void run(const std::filesystem::path& folder, const char* table, std::size_t at_least) {
-    if (!std::filesystem::exists(folder / table)) GTEST_SKIP() << folder << " is not here";
+    if (!std::filesystem::exists(folder / table)) GTEST_SKIP() << test::kLacks << folder;
     const std::vector<Case> cases = read_table(folder / table);
     ASSERT_GE(cases.size(), at_least);
     [[maybe_unused]] const long most_kib = std::max(1L << 20, peak_kib());  // of tests in the same process, too

@@ -6,6 +6,7 @@
 
 #include "renderer/scenes/shapes.h"
 #include "renderer/scenes/teapot.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -21,6 +22,7 @@ std::vector<std::array<std::uint32_t, 3>> triangles(std::span<const std::uint32_
     return out;
 }
 
+SI_TESTS_ARE(Repeated, FaceNormals);
 TEST(FaceNormals, LastCornersCarryThemAndTheTrianglesStay) {
     for (const Mesh& mesh :
          {make_sphere(1), make_box(glm::dvec3(1)), make_capsule(0.3, 1), make_plane(2, 3), make_teapot()}) {

@@ -12,6 +12,7 @@
 #include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/region.h"
 #include "tests/support/ray_truth.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -87,6 +88,7 @@ Made floor_and_box_at(const glm::dvec3& offset, const glm::dmat4& turn = glm::dm
     return m;
 }
 
+SI_TESTS_ARE(Repeated, CastersFit);
 TEST(CastersFit, AFloorUnderABoxDoesNotWidenIt) {
     // Every point of the box that the light reaches may cast onto the floor: its own extent, whatever the direction.
     for (const glm::dvec3 offset : {glm::dvec3(0), glm::dvec3(-3e5, 40, 7e4)}) {
@@ -229,6 +231,7 @@ Camera camera_at(const glm::dvec3& eye, const glm::dvec3& at, double fov_deg, do
     return c;
 }
 
+SI_TESTS_ARE(Repeated, ViewFit);
 TEST(ViewFit, HoldsWhatTheCameraSees) {
     // From above, at a height of 10 m and with a square picture, it sees 10 tan(20°) to each side of the floor.
     Made m;

@@ -16,6 +16,7 @@
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
 #include "tests/support/source_tree.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -89,6 +90,7 @@ bool exists(const std::string& named) {
     return false;
 }
 
+SI_TESTS_ARE(Repeated, Recipes);
 TEST(Recipes, NameFilesThatExist) {
     const auto all = recipes();
     std::size_t named = 0;

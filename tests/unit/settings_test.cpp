@@ -15,6 +15,7 @@
 #include "renderer/settings/rows.h"
 #include "renderer/settings/search.h"
 #include "renderer/settings/sources.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -380,6 +381,7 @@ std::vector<Value> some_values(const SettingRef& ref) {
     return values;
 }
 
+SI_TEST_IS(Repeated, SettingsIdle, EveryReasonEndsSomewhere);
 TEST(SettingsIdle, EveryReasonEndsSomewhere) {
     std::vector<std::pair<SettingRef, Value>> changes;
     for (const SettingRef& ref : all_settings(Settings{}))

@@ -14,6 +14,7 @@
 #include "renderer/view/bounds/scene_shape.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
+#include "tests/support/traits.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -126,6 +127,7 @@ std::size_t outside(const Scene& scene, const FittedLight& light) {
     return count;
 }
 
+SI_TEST_IS(Repeated, Travel, MapsStayAsTheyAreAndHoldWhatMoves);
 TEST(Travel, MapsStayAsTheyAreAndHoldWhatMoves) {
     for (const auto& [name, scene] : moving_scenes())
         for (const char* fit : {"casters", "scene"})

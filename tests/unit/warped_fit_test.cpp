@@ -11,6 +11,7 @@
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
 #include "tests/support/ray_truth.h"
+#include "tests/support/traits.h"
 
 namespace si {
 namespace {
@@ -60,6 +61,7 @@ double w_at(const LightView& view, const glm::dvec3& p) {
 constexpr NearFar kNearFars[] = {NearFar::Fitted, NearFar::Manual, NearFar::Casters, NearFar::Scene,
                                  NearFar::Pancaking};
 
+SI_TESTS_ARE(Repeated, WarpedFit);
 TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(-1, 1);

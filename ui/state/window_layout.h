@@ -13,6 +13,7 @@ enum class Panel { Scene, Map, Tabs };
 
 /// Tabs of the strip below the pictures.
 enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
+inline constexpr int kBottomTabs = int(BottomTab::Log) + 1;
 
 /// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
 /// they survive a change of scale.

@@ -1,0 +1,118 @@
+// Runs the tests of a folder. SI_LEAVE_OUT names traits, separated by commas, whose tests do not run, by default
+// "long"; SI_ONLY names the traits whose tests alone run.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "tests/support/lacks.h"
+#include "tests/support/traits.h"
+
+namespace si::test {
+namespace {
+
+struct Stated {
+    Trait trait;
+    std::string suite, name;
+};
+
+std::vector<Stated>& stated() {
+    static std::vector<Stated> list;
+    return list;
+}
+
+constexpr struct {
+    const char* key;
+    Trait trait;
+} kTraits[] = {{"driver-independent", Trait::DriverIndependent}, {"repeated", Trait::Repeated}, {"long", Trait::Long}};
+
+/// The patterns of googletest for a suite by itself and as an instance of a parameter.
+std::vector<std::string> patterns(const Stated& s) {
+    const std::string name = s.name.empty() ? "*" : s.name;
+    std::vector<std::string> out = {s.suite + "." + name, "*/" + s.suite + "." + name};
+    if (!s.name.empty()) out.insert(out.end(), {s.suite + "." + name + "/*", "*/" + s.suite + "." + name + "/*"});
+    return out;
+}
+
+bool is_of(const std::string& suite, const Stated& s) {
+    return suite == s.suite || suite.ends_with("/" + s.suite);
+}
+
+bool means_a_test(const Stated& s) {
+    const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+    for (int i = 0; i < all.total_test_suite_count(); ++i) {
+        const testing::TestSuite& suite = *all.GetTestSuite(i);
+        if (!is_of(suite.name(), s)) continue;
+        for (int j = 0; j < suite.total_test_count(); ++j) {
+            const std::string name = suite.GetTestInfo(j)->name();
+            if (s.name.empty() || name == s.name || name.starts_with(s.name + "/")) return true;
+        }
+    }
+    return false;
+}
+
+/// Joins the patterns of all tests that have one of the traits that a variable names. @returns false for no such trait
+bool add_patterns(const char* variable, std::string& to) {
+    const char* value = std::getenv(variable);
+    std::istringstream keys(value ? value : "");
+    for (std::string key; std::getline(keys, key, ',');) {
+        bool known = false;
+        for (const auto& trait : kTraits) {
+            if (key != trait.key) continue;
+            known = true;
+            for (const Stated& s : stated())
+                if (s.trait == trait.trait)
+                    for (const std::string& pattern : patterns(s)) to += (to.empty() ? "" : ":") + pattern;
+        }
+        if (!known) {
+            std::fprintf(stderr, "%s=%s: no trait %s\n", variable, value, key.c_str());
+            return false;
+        }
+    }
+    return true;
+}
+
+/// Writes the tests down that lack something, for the summary of test.sh.
+class LackingTests : public testing::EmptyTestEventListener {
+    void OnTestPartResult(const testing::TestPartResult& result) override {
+        const std::string reason = result.message();
+        const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+        if (!test || !result.skipped() || !reason.starts_with(kLacks)) return;
+        const std::string file = SI_TEST_OUTPUT_DIR "/lacking-" + std::to_string(getpid()) + ".txt";
+        std::ofstream(file, std::ios::app) << test->test_suite_name() << "." << test->name() << " " << reason << "\n";
+    }
+};
+
+}  // namespace
+
+TraitOf::TraitOf(Trait trait, const char* suite, const char* name) {
+    stated().push_back({trait, suite, name ? name : ""});
+}
+
+}  // namespace si::test
+
+int main(int argc, char** argv) {
+    using namespace si::test;
+    testing::InitGoogleTest(&argc, argv);
+    for (const Stated& s : stated())
+        if (!means_a_test(s)) {
+            std::fprintf(stderr, "a trait is stated of %s.%s: there is no such test\n", s.suite.c_str(),
+                         s.name.c_str());
+            return 1;
+        }
+    std::string filter = testing::GTEST_FLAG(filter), only, without;
+    if (!std::getenv("SI_ONLY")) setenv("SI_LEAVE_OUT", "long", 0);
+    // The driver keeps compiled shaders here, also for commands and windows: half of the time is compiling them.
+    setenv("MESA_SHADER_CACHE_DIR", SI_TEST_OUTPUT_DIR "/shader-cache", 0);
+    if (!add_patterns("SI_ONLY", only) || !add_patterns("SI_LEAVE_OUT", without)) return 1;
+    if (filter == "*" && !only.empty()) filter = only;
+    if (!without.empty()) filter += (filter.find('-') == std::string::npos ? "-" : ":") + without;
+    testing::GTEST_FLAG(filter) = filter;
+    testing::UnitTest::GetInstance()->listeners().Append(new LackingTests);  // which owns it
+    return RUN_ALL_TESTS();
+}

@@ -1,0 +1,39 @@
+#include "tests/support/shared_context.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace si::test {
+namespace {
+
+// Neither a static object nor an exit handler: parts of the driver may be gone before those, while its threads draw.
+struct Shared : testing::EmptyTestEventListener {
+    std::optional<HeadlessContext> context{std::in_place};
+    // Enough for all tests of a shard, at some 4 MB each on llvmpipe.
+    std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>(gl::ShaderSource(), 200);
+    void OnTestProgramEnd(const testing::UnitTest&) override {
+        context->make_current();
+        programs.reset();
+        context.reset();
+    }
+};
+
+Shared& shared() {
+    static Shared* made = nullptr;
+    if (!made) testing::UnitTest::GetInstance()->listeners().Append(made = new Shared);  // which owns it
+    return *made;
+}
+
+}  // namespace
+
+HeadlessContext& shared_context() {
+    shared().context->make_current();
+    return *shared().context;
+}
+
+std::shared_ptr<gl::ProgramCache> shared_programs() {
+    return shared().programs;
+}
+
+}  // namespace si::test
