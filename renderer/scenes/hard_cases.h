@@ -1,6 +1,6 @@
 // The hard cases: corners in which shadow maps break, each with what goes wrong, what mends it, how that is measured,
 // and a small scene with settings that show it. One table for tests, the editor's menu and the command line; the
-// numbers of tests/hard_cases are judged by its rows, docs/stability.md lists what came out.
+// numbers of tests/hard_cases are judged by its rows, docs/lab/stability.md lists what came out.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// What the tests of the hard cases found, held to the table's limits and to docs/stability.md, which is written of it:
+// What the tests of the hard cases found, held to the table's limits and to docs/lab/stability.md, which is written of it:
 // scripts/stability.sh.
 #pragma once
 
