@@ -99,8 +99,10 @@ std::string hard_cases_page() {
     std::string text(kHardCasesIntro);
     for (const HardCase& c : hard_cases()) {
         text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.remedy);
-        text += fmt::format("Measured: {}. At most {:.4g} ({}): {}. Without the remedy: {}; at least {:.4g}.\n\n",
-                            c.measure, c.limit, c.unit, c.why, c.without, c.shown);
+        text += fmt::format(
+            "| measured | at most | reason | without the fix |\n|---|---|---|---|\n"
+            "| {} | {:.4g} ({}) | {} | {}: at least {:.4g} |\n\n",
+            cell(c.measure), c.limit, c.unit, cell(c.why), cell(c.without), c.shown);
         for (const bool fixed : {false, true}) {
             const HardCaseView view{&c, fixed};
             if (!fixed && c.broken.empty()) continue;
