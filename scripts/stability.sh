@@ -1,5 +1,5 @@
 #!/bin/sh
-# Runs the tests of the hard cases on the driver at hand and on zink, and writes what they find into docs/stability.md.
+# Runs the tests of the hard cases on the driver at hand and on zink, and writes what they find into docs/lab/stability.md.
 # usage: scripts/stability.sh [BUILD]      BUILD: where CMake built the tests, else build/release
 set -eu
 cd "$(dirname "$0")/.."

@@ -13,12 +13,14 @@ namespace si {
 namespace {
 
 constexpr std::string_view kSettingsIntro =
-    "# Settings\n\n"
-    "Written by `shadow-inspector docs settings -o docs/settings.md` from the table of settings; do not edit by "
-    "hand.\n\n"
-    "Every setting can be moved in the editor, given as `--set KEY=VALUE`, and saved in a preset. `light.X` means\n"
-    "`light.0.X`; lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, such as\n"
-    "`object.Root/Fence.cull`.\n";
+    "# Settings\n"
+    "\n"
+    "Printed by `shadow-inspector docs settings -o docs/settings.md` from the table of settings. Do not edit it by "
+    "hand.\n"
+    "\n"
+    "Every setting has a control in the editor, can be given as `--set KEY=VALUE`, and is saved in a preset. `light.X` "
+    "means `light.0.X`, and lights 0 to 15 have the same settings. `object.PATH.X` is for the object at a node path, "
+    "such as `object.Root/Fence.cull`.\n";
 
 std::string allowed(const SettingRef& ref) {
     const Param& p = *ref.param;
@@ -51,14 +53,19 @@ std::string setting_section(const Param& p) {
 }
 
 constexpr std::string_view kMetricsIntro =
-    "# Metrics\n\n"
-    "Written by `shadow-inspector docs metrics -o docs/metrics.md` from the table of metrics; do not edit by hand.\n\n"
-    "How wrong a picture's shadows are, in numbers: fields of `error` in `measure --json`, columns `error.…` of a "
-    "sweep,\nrows of the editor's Error tab, and what `tune --error` can bound. V is the visibility that the map "
-    "gives, R "
-    "that of the\nray-traced truth, n the number of pixels that count; a *wrong* pixel and its causes are told in "
-    "[accuracy.md](accuracy.md#errors).\nFractions are of n, and 0 when n is 0.\n\n"
-    "| key | name | unit | formula | reads as | part of | source |\n|---|---|---|---|---|---|---|\n";
+    "# Metrics\n"
+    "\n"
+    "Printed by `shadow-inspector docs metrics -o docs/metrics.md` from the table of metrics. Do not edit it by hand.\n"
+    "\n"
+    "Each metric says how wrong the shadows of a picture are. The same numbers are fields of `error` in `measure "
+    "--json`, columns `error.…` of a sweep and rows of the tab *Error*. `tune --error` can bound each of them.\n"
+    "\n"
+    "In the formulas V is the visibility that the map gives, R that of the ray-traced reference, and n the number of "
+    "counted pixels. [accuracy.md](accuracy.md#errors) defines a *wrong* pixel and its causes. Fractions are of n, and "
+    "0 if n is 0.\n"
+    "\n"
+    "| key | name | unit | formula | reads as | part of | source |\n"
+    "|---|---|---|---|---|---|---|\n";
 
 }  // namespace
 

@@ -12,44 +12,59 @@ namespace si {
 namespace {
 
 constexpr std::string_view kPresetsIntro =
-    "# Guided presets\n\n"
-    "Written by `shadow-inspector docs presets -o docs/presets.md` from the presets themselves; do not edit by "
-    "hand.\n\n"
-    "Each shows one artefact or one remedy, in a view in which it cannot be missed. In the editor: Guided presets in "
-    "the\n"
-    "top bar, then Page down and Page up to walk through them; the sentence stands above the picture. On the command "
-    "line:\n"
-    "`render SCENE --preset KEY -o OUT.png`, and `preset diff KEY OTHER` says what sets two apart. What the sentences "
-    "claim\n"
-    "is counted against ray-traced truth in `tests/hard_cases/guided_presets_test.cpp`.\n";
+    "# Guided presets\n"
+    "\n"
+    "Printed by `shadow-inspector docs presets -o docs/presets.md` from the presets. Do not edit it by hand.\n"
+    "\n"
+    "Each preset shows one artefact or one fix, from a camera that makes it obvious. "
+    "`tests/hard_cases/guided_presets_test.cpp` measures what each sentence claims against the ray-traced reference.\n"
+    "\n"
+    "- In the editor, open *Guided presets* in the top bar. PageDown and PageUp walk through them, and the sentence "
+    "stands above the picture.\n"
+    "- On the command line, `render SCENE --preset KEY -o OUT.png` draws one, and `preset diff KEY OTHER` prints what "
+    "differs between two.\n";
 
 constexpr std::string_view kHardCasesIntro =
-    "# Hard cases\n\n"
-    "Written by `shadow-inspector docs hard-cases -o docs/hard-cases.md` from the table in "
-    "`renderer/scenes/hard_cases.cpp`; do not\nedit by hand.\n\n"
-    "Corners in which shadow maps break. Each is a small scene and a preset of one name: in the editor, *Hard cases* "
-    "in "
-    "the top bar,\nthen Page down and Page up; on the command line, `render hard/NAME -o OUT.png`, or the name "
-    "wherever "
-    "a preset may stand. Where a\nsetting brings the fault back, `hard/NAME` shows it and `hard/NAME-fixed` what mends "
-    "it. The tests `HardCase<number>` hold each\nmeasure to its limit, show that the fault is there without the "
-    "remedy, and write what came out into [stability.md](stability.md).\n\n"
-    "Everywhere, not only at home: the same tests draw, trace and judge each case also 100 m to 10,000 km from the "
-    "world's origin, on and\noff the grid that shaders count from, at scales of 1/1000 to 1,000,000, mirrored, and "
-    "with its light exactly along every axis. Where the\nscale is a power of two and the shift a whole number of grid "
-    "steps (32 times the scale, for scenes of this size), pictures, truths and\ncauses are the same bytes, as long "
-    "as a double resolves the place to a billionth of the scene's radius: to 9,000,000 radii, which is\n45,000 km for "
-    "a scene of 10 m and 45 km for one of 1 cm. Farther away the places of light and camera, which are world "
-    "coordinates,\nhave fewer bits than home gives them: at up to 3\u00b710\u2079 radii visibility differs by last "
-    "bits "
-    "(6\u00b710\u207b\u2075, and 1.1\u00b710\u207b\u2074 where moments are stored in\n16 bits), no edge moves, and "
-    "rays "
-    "within a plane meet it otherwise in at most 4 of 6,912 pixels. Everywhere else at most 0.05 % of a\ncase's pixels "
-    "differ (0.15 % of one picture's), all at edges, and 99 % of the wrong ones have the same cause; 98 % in case 27, "
-    "where a row of\ntexels hangs on what positions are rounded by. With the faults it is the same, but that those of "
-    "cases 4, 22, 24, 25 and 27 are rounding itself\nand meet other pixels elsewhere. Nothing is asked where a double "
-    "resolves less than a millionth of the radius. Each placement is drawn\nby itself, and pairs of placements "
-    "together; all of them with all others, some 800 a case, under the label `long`.\n";
+    "# Hard cases\n"
+    "\n"
+    "Printed by `shadow-inspector docs hard-cases -o docs/hard-cases.md` from the table in "
+    "`renderer/scenes/hard_cases.cpp`. Do not edit it by hand.\n"
+    "\n"
+    "A hard case is a corner in which shadow maps break. Each is a small scene and a preset of the same name.\n"
+    "\n"
+    "- In the editor, open *Hard cases* in the top bar. PageDown and PageUp walk through them.\n"
+    "- On the command line, `render hard/NAME -o OUT.png` draws one. The name stands wherever a scene or a preset may "
+    "stand.\n"
+    "- Where a setting brings the fault back, `hard/NAME` shows the fault and `hard/NAME-fixed` the fix.\n"
+    "\n"
+    "The tests `HardCase<number>` compare each measure with its limit and show the fault without the fix. They write "
+    "their values into [lab/stability.md](lab/stability.md).\n"
+    "\n"
+    "## Placements\n"
+    "\n"
+    "The same tests draw, trace and classify each case in other places. Each placement is tested alone and in pairs. "
+    "The label `long` runs all combinations, some 800 a case.\n"
+    "\n"
+    "| placement | range |\n"
+    "|---|---|\n"
+    "| distance from the world's origin | 100 m to 10,000 km, on and off the grid that shaders count from |\n"
+    "| scale | 1/1000 to 1,000,000 |\n"
+    "| mirrored | along one axis |\n"
+    "| light | exactly along every axis |\n"
+    "\n"
+    "Pictures, references and causes are the same bytes if the scale is a power of two and the shift is a whole number "
+    "of grid steps. A step is 32 times the scale for scenes of this size. This holds up to 9,000,000 scene radii, "
+    "where a double resolves a billionth of the radius.\n"
+    "\n"
+    "| elsewhere | difference |\n"
+    "|---|---|\n"
+    "| up to 3·10⁹ radii | visibility differs by 6·10⁻⁵ (1.1·10⁻⁴ with moments in 16 bits), and no edge moves |\n"
+    "| rays within a plane | they meet it differently in at most 4 of 6,912 pixels |\n"
+    "| other scales and shifts | at most 0.05 % of pixels differ (0.15 % of one picture's), all at edges |\n"
+    "| causes of wrong pixels | 99 % are the same, 98 % in case 27 |\n"
+    "| faults of cases 4, 22, 24, 25 and 27 | they are rounding itself, and meet other pixels |\n"
+    "\n"
+    "Nothing is tested where a double resolves less than a millionth of the radius.\n";
 
 /// Whether the setting only chooses where one stands.
 bool is_view_point(const SettingRef& ref) {
@@ -84,8 +99,10 @@ std::string hard_cases_page() {
     std::string text(kHardCasesIntro);
     for (const HardCase& c : hard_cases()) {
         text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.fix);
-        text += fmt::format("Measured: {}. At most {:.4g} ({}): {}. Without the remedy: {}; at least {:.4g}.\n\n",
-                            c.measure, c.limit, c.unit, c.limit_reason, c.fault_measure, c.min_fault);
+        text += fmt::format(
+            "| measured | at most | reason | without the fix |\n|---|---|---|---|\n"
+            "| {} | {:.4g} ({}) | {} | {}: at least {:.4g} |\n\n",
+            cell(c.measure), c.limit, c.unit, cell(c.limit_reason), cell(c.fault_measure), c.min_fault);
         for (const bool fixed : {false, true}) {
             const HardCaseView view{&c, fixed};
             if (!fixed && c.broken.empty()) continue;

@@ -1,6 +1,6 @@
 // Table of hard cases: situations in which shadow maps break. Each row has the fault, the fix, a measure, and a small
 // scene with settings that shows it. Tests, the editor's menu and the command line read it. tests/hard_cases compares
-// its measurements with the rows' limits; docs/stability.md lists the results.
+// its measurements with the rows' limits; docs/lab/stability.md lists the results.
 #pragma once
 
 #include <optional>

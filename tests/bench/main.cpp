@@ -1,6 +1,6 @@
 // bench [--benchmark_...]          measures, see README
 // bench --gpu-report FILE ...      which way of each choice this driver prefers, as JSON; see kUsage
-// bench --draw-curves JSON PNG     the picture of docs/performance.md, of what curve/ wrote
+// bench --draw-curves JSON PNG     the picture of docs/lab/performance.md, of what curve/ wrote
 #include <benchmark/benchmark.h>
 
 #include <cstdio>

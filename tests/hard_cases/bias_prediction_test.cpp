@@ -1,5 +1,5 @@
 // The predicted least bias against what the renderer shows, over formats, kernels, lights and angles; and the table of
-// it in docs/bias-prediction.md. To measure the table anew:
+// it in docs/lab/bias-prediction.md. To measure the table anew:
 //   SI_UPDATE_ASSETS=1 test_hard_cases --gtest_filter='*BiasPrediction*'
 #include <fmt/format.h>
 
@@ -19,7 +19,7 @@ namespace {
 constexpr double kAngles[] = {0, 20, 45, 60, 75, 85};
 constexpr const char* kKernels[] = {"hard", "hw2x2", "pcf3", "pcf5"};
 constexpr double kShares[] = {0, 0.5, 0.9, 0.99, 1};
-constexpr const char* kTable = SI_SOURCE_DIR "/docs/bias-prediction.md";
+constexpr const char* kTable = SI_SOURCE_DIR "/docs/lab/bias-prediction.md";
 constexpr int kWidth = 240, kHeight = 180;
 
 struct Case {

@@ -1,5 +1,5 @@
 // The table of hard cases itself: every row has words, a scene and settings that open without a fault, a test that
-// judges it, and its line in docs/stability.md; and where a setting brings the fault back, it does.
+// judges it, and its line in docs/lab/stability.md; and where a setting brings the fault back, it does.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -66,7 +66,7 @@ TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
         const auto lines = stability_rows(driver);
         for (const HardCase& row : hard_cases()) {
             const auto it = std::ranges::find(lines, row.number, &StabilityRow::number);
-            ASSERT_NE(it, lines.end()) << "docs/stability.md lacks " << row.key << " on " << driver
+            ASSERT_NE(it, lines.end()) << "docs/lab/stability.md lacks " << row.key << " on " << driver
                                        << "; scripts/stability.sh writes it";
             const auto wanted = stability_cells(row);
             ASSERT_GE(it->cells.size(), wanted.size() + 5);

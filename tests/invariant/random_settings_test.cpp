@@ -1,5 +1,5 @@
 // Whatever settings are put together, all numbers are numbers, the driver has nothing to complain of, visibility lies
-// within 0 to 1, and shadow makes nothing brighter. docs/property-runs.md says how to run more of them.
+// within 0 to 1, and shadow makes nothing brighter. docs/lab/property-runs.md says how to run more of them.
 #include "tests/support/random_settings.h"
 
 #include <fmt/format.h>

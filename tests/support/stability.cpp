@@ -17,17 +17,19 @@
 namespace si::test {
 namespace {
 
-constexpr const char* kPage = SI_SOURCE_DIR "/docs/stability.md";
+constexpr const char* kPage = SI_SOURCE_DIR "/docs/lab/stability.md";
 constexpr const char* kRemedy = "; scripts/stability.sh writes it anew";
 constexpr std::string_view kIntro =
     "# Stability\n\n"
-    "What the tests of the [hard cases](hard-cases.md) found, by drivers. Written by `scripts/stability.sh` from their "
-    "own run; do not\nedit by hand. The tests compare verdicts, not digits: they fail where a row is missing, where "
-    "its "
-    "limit is not the table's,\nand where it no longer holds. Each value is the worst of its tests; margin is what is "
-    "left to the limit; the last number but\none is what the same tests find without the remedy, at its least.\n";
+    "Results of the tests of the [hard cases](../hard-cases.md), by driver. `scripts/stability.sh` writes this page "
+    "from "
+    "their run.\nDo not edit it by hand.\n\n"
+    "The tests compare verdicts and not digits. A test fails if a row is missing, if its limit is not the table's, or "
+    "if it no longer holds.\n\n"
+    "*Value* is the worst of a case's tests. *Margin* is the distance to the limit. *Found* is the least value of the "
+    "same tests without the fix.\n";
 constexpr std::string_view kHead =
-    "| # | case | measure | limit | unit | value | margin | without the remedy | found | verdict |\n"
+    "| # | case | measure | limit | unit | value | margin | without the fix | found | verdict |\n"
     "|---|---|---|---|---|---|---|---|---|---|\n";
 
 struct Found {

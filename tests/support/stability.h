@@ -1,5 +1,5 @@
-// What the tests of the hard cases found, held to the table's limits and to docs/stability.md, which is written of it:
-// scripts/stability.sh.
+// What the tests of the hard cases found, held to the table's limits and to docs/lab/stability.md, which is written of
+// it: scripts/stability.sh.
 #pragma once
 
 #include <string>
