@@ -33,7 +33,7 @@ struct Options {
     PresetTexts texts;
     RenderOptions render;
     ProbeOptions probe;
-    TruthCommandOptions truth;
+    ReferenceCommandOptions reference;
     MeasureOptions measure;
     ListOptions list;
     OverviewOptions overview;
@@ -110,41 +110,41 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
     });
 }
 
-void add_truth(CLI::App& app, Options& o, std::function<void()>& run) {
+void add_reference(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("truth", "Trace rays for what is true about a light's shadows, into a file");
     add_session_options(*c, o.session, true);
     c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
         ->required()
         ->type_name("OUT");
-    auto* area = c->add_flag("--area", o.truth.truth.area,
+    auto* area = c->add_flag("--area", o.reference.reference.area,
                              "Give the light its size (light.size); else it is a point or a direction. As --set "
                              "truth.area=true");
-    c->add_flag("--as-rasterised", o.truth.truth.as_rasterised,
+    c->add_flag("--as-rasterised", o.reference.reference.as_rasterised,
                 "Leave out the faces that culling leaves out of the shadow map (caster.cull)");
-    auto* samples = c->add_option("--samples", o.truth.truth.samples,
+    auto* samples = c->add_option("--samples", o.reference.reference.samples,
                                   "With --area: most rays a pixel (default 1024). As --set truth.samples=N")
                         ->check(CLI::Range(1, 1 << 20))
                         ->type_name("N");
-    auto* noise = c->add_option("--noise", o.truth.truth.noise,
+    auto* noise = c->add_option("--noise", o.reference.reference.noise,
                                 "With --area: wanted standard error of a pixel (default 0.005). As --set truth.noise=E")
                       ->check(number_between(0, 1))
                       ->type_name("E");
-    c->add_option("--threads", o.truth.threads, "Threads that trace (default: all)")
+    c->add_option("--threads", o.reference.threads, "Threads that trace (default: all)")
         ->check(CLI::Range(1, 1024))
         ->type_name("N");
-    add_numeric_option(*c, o.truth.check_numeric);
+    add_numeric_option(*c, o.reference.check_numeric);
     add_size(*c, o, "1280x720");
-    c->add_option("--report", o.truth.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
+    c->add_option("--report", o.reference.report, "Write counts, rays, noise and times as JSON")->type_name("F.json");
     c->callback([&o, &run, area, samples, noise] {
         run = [&o, area, samples, noise] {
-            o.truth.session = o.session;
-            std::vector<std::string>& sets = o.truth.session.sets;
+            o.reference.session = o.session;
+            std::vector<std::string>& sets = o.reference.session.sets;
             if (area->count()) sets.push_back("truth.area=true");
-            if (samples->count()) sets.push_back(fmt::format("truth.samples={}", o.truth.truth.samples));
-            if (noise->count()) sets.push_back(fmt::format("truth.noise={}", o.truth.truth.noise));
-            o.truth.output = o.output;
-            o.truth.size = size_of(o);
-            run_truth(o.truth);
+            if (samples->count()) sets.push_back(fmt::format("truth.samples={}", o.reference.reference.samples));
+            if (noise->count()) sets.push_back(fmt::format("truth.noise={}", o.reference.reference.noise));
+            o.reference.output = o.output;
+            o.reference.size = size_of(o);
+            run_reference(o.reference);
         };
     });
 }
@@ -159,7 +159,7 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
     add_cost_option(*c, o.measure.cost);
     add_numeric_option(*c, o.measure.check_numeric);
     c->add_flag(
-        "--cures", o.measure.cures,
+        "--cures", o.measure.fixes,
         "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
@@ -180,7 +180,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
     c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
     add_size(*c, o, "1280x720");
     add_numeric_option(*c, o.probe.check_numeric);
-    c->add_flag("!--no-truth", o.probe.truth, "Trace no rays: only what the map says, no verdict on it");
+    c->add_flag("!--no-truth", o.probe.reference, "Trace no rays: only what the map says, no verdict on it");
     c->add_option("-o,--output", o.probe.section,
                   "Draw the test under view.light as a cross-section along the light's ray; cures are not looked for")
         ->type_name("F.svg");
@@ -431,7 +431,7 @@ int run_cli(int argc, const char* const* argv) {
     std::function<void()> run = [&options] { run_default(options); };
     add_edit(app, options, run);
     add_render(app, options, run);
-    add_truth(app, options, run);
+    add_reference(app, options, run);
     add_measure(app, options, run);
     add_probe(app, options, run);
     add_list(app, options, run);

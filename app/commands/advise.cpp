@@ -47,7 +47,7 @@ Json advice_json(const TriedAdvice& t) {
 Json finding_json(const Finding& f) {
     return {{"severity", severity_word(f.severity)},
             {"text", f.text},
-            {"cure", f.cure.empty() ? Json() : Json(f.cure)},
+            {"cure", f.fix.empty() ? Json() : Json(f.fix)},
             {"settings", changes_json(f.settings)}};
 }
 
@@ -77,9 +77,9 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
     json["held"] = r.held;
     json["summary"] = r.summary;
     json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
-    json["best"] = {{"error", r.best.judged.error},
+    json["best"] = {{"error", r.best.classified.error},
                     {"ms", r.best.ms ? Json(*r.best.ms) : Json()},
-                    {"cost", cost_json(r.best.judged.work)},
+                    {"cost", cost_json(r.best.classified.work)},
                     {"settings", changes_json(setting_changes(measured_settings(before), r.best.settings))}};
     json["combinations"] = r.combinations;
     json["seconds"] = r.seconds;
@@ -93,7 +93,7 @@ Json autopilot_json(const AutopilotResult& r, const Settings& before, const Advi
                                    {"ms_more", ms_json(d.ms)}});
     for (const AutopilotCase& c : r.cases)
         json["cases"].push_back({{"settings", changes_json(setting_changes(measured_settings(before), c.settings))},
-                                 {"error", c.judged.error},
+                                 {"error", c.classified.error},
                                  {"ms", c.ms ? Json(*c.ms) : Json()},
                                  {"holds", c.holds}});
     return json;
@@ -109,7 +109,7 @@ void print_report(const AdviceReport& r) {
     fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
-        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.cure.empty() ? "" : "; ", f.cure,
+        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
                    f.settings.empty() ? "" : "\n      " + sets_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
@@ -172,7 +172,7 @@ private:
     HeadlessContext context_;
     Renderer renderer_;
     NumberWatch numbers_{renderer_, session_.settings, o_.check_numeric};
-    TruthCache cache_;
+    ReferenceCache cache_;
 
     void write(const AutopilotResult& r) const {
         Settings after = session_.settings;

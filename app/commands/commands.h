@@ -38,23 +38,23 @@ struct RenderOptions {
 };
 void run_render(const RenderOptions& options);
 
-struct TruthCommandOptions {
+struct ReferenceCommandOptions {
     SessionOptions session;
     std::string output, report;
     PictureSize size;
-    TruthOptions truth;
+    ReferenceOptions reference;
     int threads = 0;  ///< 0: all
     bool check_numeric = false;
 };
 /// The ray-traced visibility of view.light as a picture.
-void run_truth(const TruthCommandOptions& options);
+void run_reference(const ReferenceCommandOptions& options);
 
 struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
     bool time = true, json = false;
     bool check_numeric = false;
-    bool cures = false;  ///< and what would put wrong pixels right
+    bool fixes = false;  ///< and what would put wrong pixels right
     CostCase cost = kDefaultCost;
 };
 /// How far the shadows of view.light are from the truth, and what they cost, in numbers.
@@ -130,7 +130,7 @@ struct ProbeOptions {
     std::string pixel;  ///< "X,Y" from the top left
     PictureSize size;
     std::filesystem::path section;  ///< where the cross-section of view.light's test goes, .svg; empty: nowhere
-    bool json = false, truth = true, check_numeric = false;
+    bool json = false, reference = true, check_numeric = false;
 };
 void run_probe(const ProbeOptions& options);
 

@@ -83,7 +83,7 @@ std::string presets_page() {
 std::string hard_cases_page() {
     std::string text(kHardCasesIntro);
     for (const HardCase& c : hard_cases()) {
-        text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.remedy);
+        text += fmt::format("\n## {}. {}\n\n{} {}\n\n", c.number, c.title, c.fault, c.fix);
         text += fmt::format("Measured: {}. At most {:.4g} ({}): {}. Without the remedy: {}; at least {:.4g}.\n\n",
                             c.measure, c.limit, c.unit, c.why, c.without, c.shown);
         for (const bool fixed : {false, true}) {

@@ -81,7 +81,7 @@ std::vector<Entry> kernel_entries(const Settings& base) {
 
 /// Each bias at the least numbers that clear the picture's planes by its own account.
 std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Settings& base) {
-    TruthCache cache;
+    ReferenceCache cache;
     const MeasuredError measured =
         measure_error(renderer, scene, base, {.width = kWidth, .height = kHeight}, 0, {}, cache);
     std::vector<Entry> out;
@@ -167,14 +167,16 @@ std::string picture_name(const PageSection& s, const Entry& e) {
     return name + ".png";
 }
 
-std::string row_text(const Entry& e, const std::string& picture, const Judgement& judged, const TimeMeasurement& time) {
-    const ErrorMetrics& m = judged.error;
+std::string row_text(const Entry& e, const std::string& picture, const Judgement& classified,
+                     const TimeMeasurement& time) {
+    const ErrorMetrics& m = classified.error;
     const Spread& t = time.total_ms;
     return fmt::format(
         "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
         cell(e.label), picture, cell(e.label), e.shown_key(), cell(e.help),
         e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
-        judged.cost.taps_per_pixel, double(judged.cost.map_bytes) / (1 << 20), t.median, t.median_low, t.median_high);
+        classified.cost.taps_per_pixel, double(classified.cost.map_bytes) / (1 << 20), t.median, t.median_low,
+        t.median_high);
 }
 
 }  // namespace
@@ -202,13 +204,13 @@ void run_docs_techniques(const std::string& output) {
         for (const Entry& e : s.entries) {
             if (interrupt.asked()) interrupt.end();
             line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
-            const Judgement judged = measurer.judge(scene, e.settings);
+            const Judgement classified = measurer.judge(scene, e.settings);
             const TimeMeasurement time =
                 measurer.time(scene, e.settings, CostCase::Forced, {.least = 5, .most = 15, .bursts = 3});
             const std::string file = picture_name(s, e);
             write_png(pictures / file,
-                      side_by_side(shrunk(judged.picture, kShownWidth), shrunk(judged.artefacts, kShownWidth)));
-            text += row_text(e, (pictures.filename() / file).generic_string(), judged, time);
+                      side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));
+            text += row_text(e, (pictures.filename() / file).generic_string(), classified, time);
         }
     }
     const DriverInfo& driver = renderer.driver();

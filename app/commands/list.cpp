@@ -167,7 +167,7 @@ Json hard_case_rows() {
     for (const HardCase& c : hard_cases()) {
         Json json = row(HardCaseView{&c, false}.name(), c.title, c.fault);
         json["number"] = c.number;
-        json["remedy"] = c.remedy;
+        json["remedy"] = c.fix;
         json["measure"] = c.measure;
         json["limit"] = c.limit;
         json["unit"] = c.unit;

@@ -32,8 +32,8 @@ void print_metric(const Metric& metric, const ErrorMetrics& m, std::string_view 
     fmt::print("  {:<24} {:>11}{}   {}\n", label, number, metric.unit == "px" ? " px" : "", metric.help);
 }
 
-void print_error(const ErrorMetrics& m, const Truth& truth) {
-    const std::string noise = noise_text(truth);
+void print_error(const ErrorMetrics& m, const Reference& reference) {
+    const std::string noise = noise_text(reference);
     const std::string ground =
         m.ground_pixels > 0 ? fmt::format(", {} of them on the ground under the model", m.ground_pixels) : "";
     fmt::print("{} pixels compared with the ray-traced truth{}{}\n", m.counted, noise.empty() ? "" : " (" + noise + ")",
@@ -80,15 +80,15 @@ void run_measure(const MeasureOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     Measurer measurer(renderer, options.size.width, options.size.height);
-    const Judgement judged = measurer.judge(session.scene, session.settings);
+    const Judgement classified = measurer.judge(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
     if (options.time) time = measurer.time(session.scene, session.settings, options.cost);
-    std::optional<CureTable> cures;
-    if (options.cures) {
-        TruthCache cache;
+    std::optional<FixTable> fixes;
+    if (options.fixes) {
+        ReferenceCache cache;
         ProgressLine line;
-        cures = find_cures(renderer, session.scene, session.settings, options.size.width, options.size.height,
-                           {.time = options.time, .truth = truth_options(session.settings)}, cache, {},
+        fixes = find_fixes(renderer, session.scene, session.settings, options.size.width, options.size.height,
+                           {.time = options.time, .reference = reference_options(session.settings)}, cache, {},
                            [&](double share, const std::string& what) {
                                line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
                            });
@@ -103,27 +103,27 @@ void run_measure(const MeasureOptions& options) {
                      {"light", session.settings.view.light},
                      {"width", options.size.width},
                      {"height", options.size.height},
-                     {"map_resolution", judged.map_resolution},
+                     {"map_resolution", classified.map_resolution},
                      {"area", session.settings.truth.area}};
-        json["error"] = error_json(judged.error, judged.truth->noise);
-        json["truth"] = truth_quality_json(*judged.truth);
+        json["error"] = error_json(classified.error, classified.reference->noise);
+        json["truth"] = reference_quality_json(*classified.reference);
         json["time"] = time ? time_json(*time) : Json();
         if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";
-        json["cost"] = cost_json(judged.cost);
-        if (judged.pages) json["pages"] = pages_json(*judged.pages);
-        json["cures"] = cures ? cures_json(*cures) : Json();
+        json["cost"] = cost_json(classified.cost);
+        if (classified.pages) json["pages"] = pages_json(*classified.pages);
+        json["cures"] = fixes ? fixes_json(*fixes) : Json();
         json["numeric_health"] = health ? health_json(*health) : Json();
         json["driver"] = driver_json(renderer.driver());
         fmt::print("{}", json_text(json));
     } else {
-        print_error(judged.error, *judged.truth);
-        print_time_and_cost(time, judged.cost);
-        if (judged.pages) fmt::print("{}\n", page_text(*judged.pages));
-        if (cures) print_cures(*cures, cures->rows.size());
+        print_error(classified.error, *classified.reference);
+        print_time_and_cost(time, classified.cost);
+        if (classified.pages) fmt::print("{}\n", page_text(*classified.pages));
+        if (fixes) print_fixes(*fixes, fixes->rows.size());
         if (health && health->sound()) fmt::print("{}\n", health_text(*health));
     }
     print_notes(session.notes);
-    print_notes(judged.notes);
+    print_notes(classified.notes);
     if (health) require_sound(*health);
 }
 

@@ -22,7 +22,7 @@ void print_passes(const FrameResult& frame, const DriverInfo& driver) {
     static constexpr const char* kStates[] = {"ran", "reused", "skipped"};
     fmt::print("\n{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", "pass", "state", "ms", "draws", "triangles", "why");
     for (const PassInfo& p : frame.passes) {
-        const std::string ms = p.state == PassState::Ran ? fmt::format("{:.2f}", p.gpu_ms) : "-";
+        const std::string ms = p.state == PassState::Drawn ? fmt::format("{:.2f}", p.gpu_ms) : "-";
         fmt::print("{:<32} {:<8} {:>10} {:>7} {:>11}  {}\n", p.name, kStates[std::size_t(p.state)], ms, p.draws,
                    p.triangles, p.reason);
     }
@@ -62,8 +62,8 @@ void run_overview(const OverviewOptions& options) {
         }
         // All of it once more, now that programs are compiled, for the clock.
         request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
-        TruthCache truths;
-        trace_sources(renderer, session.scene, session.settings, request, truths);
+        ReferenceCache references;
+        trace_sources(renderer, session.scene, session.settings, request, references);
         request.timing = request.force = true;
         frame = renderer.render(session.scene, session.settings, request);
         driver = renderer.driver();

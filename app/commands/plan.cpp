@@ -18,26 +18,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool shows_truth(const Settings& s) {
-    return some_pane_shows(s.view, &Overlay::reads_truth);
+bool shows_reference(const Settings& s) {
+    return some_pane_shows(s.view, &Overlay::reads_reference);
 }
 
 /// What is traced before the frame, for pictures that need it.
 Effect trace_for(const Session& session, FrameRequest& request, const Workers& workers) {
     Effect effect{.name = "rays of the truth"};
-    const bool sources = any_source_needs(session.settings, &SourceNeeds::truth) ||
+    const bool sources = any_source_needs(session.settings, &SourceNeeds::reference) ||
                          any_source_needs(session.settings, &SourceNeeds::light_map);
-    if (!sources && !shows_truth(session.settings)) {
+    if (!sources && !shows_reference(session.settings)) {
         effect.reason = "No light's source needs rays, and no overlay shows what is true.";
         return effect;
     }
     Renderer renderer;  // of its own: the frame that is told about finds nothing drawn before
-    TruthCache cache;
-    if (shows_truth(session.settings))
-        render_with_truth(renderer, session.scene, session.settings, request, cache, workers);
+    ReferenceCache cache;
+    if (shows_reference(session.settings))
+        render_with_reference(renderer, session.scene, session.settings, request, cache, workers);
     else
         trace_sources(renderer, session.scene, session.settings, request, cache, workers);
-    effect.state = EffectState::Simulated;
+    effect.state = EffectState::Drawn;
     effect.reason = sources ? "A light's source is traced or baked, before the frame."
                             : "An overlay shows what is true: its rays are traced before the frame.";
     return effect;
@@ -65,8 +65,9 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     plan.notes = frame.notes;
     if (options.check_numeric) plan.health = renderer.numeric_health(frame);
     if (options.measure)
-        plan.saved = measure_saved(renderer, session.scene, session.settings, request, named_savings(plan.effects),
-                                   options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
+        plan.saved =
+            measure_saved(renderer, session.scene, session.settings, request, named_optimisations(plan.effects),
+                          options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
     request.outputs.health = false;  // the search reads maps whole: what the picture needs of them would not show
     request.timing = options.measure;
     if (options.waste)

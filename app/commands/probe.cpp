@@ -88,11 +88,11 @@ void print_amount(const char* name, const DepthAmount& a, const char* about = ""
         fmt::print("    {:<23} {:>10}                                       {}\n", name, endless, about);
 }
 
-void print_dossier(const Probe::PerLight& p, const Dossier& d, const Settings& settings) {
+void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Settings& settings) {
     fmt::print("  verdict: {}\n", d.verdict);
-    if (d.remedy)
-        fmt::print("  fix: {}{} ({})\n", fix_text(*d.remedy, settings), fix_worth_text(*d.remedy),
-                   sets_text(d.remedy->settings));
+    if (d.fix)
+        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), fix_worth_text(*d.fix),
+                   sets_text(d.fix->settings));
     if (!p.casts) return;
     const BiasAccount& a = p.account;
     fmt::print("  bias\n");
@@ -111,9 +111,9 @@ void print_dossier(const Probe::PerLight& p, const Dossier& d, const Settings& s
     print_amount("  rounding", a.amount(a.least.rounding));
     print_amount("shift towards the light", d.lifted, "a surface nearer than this is lost");
     print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
-    fmt::print("  truth: {}", d.truth.lit ? "lit" : "in shadow");
-    if (d.truth.share > 0 && d.truth.share < 1)
-        fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.truth.share);
+    fmt::print("  truth: {}", d.reference.lit ? "lit" : "in shadow");
+    if (d.reference.share > 0 && d.reference.share < 1)
+        fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.reference.share);
     if (!std::isfinite(d.least.depth))
         fmt::print("; no bias window: the light sees the surface edge-on\n");
     else if (!std::isfinite(d.occluder.depth))
@@ -143,29 +143,30 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
 
 namespace {
 
-std::vector<Dossier> dossiers(const Probe& probe, const Scene& scene, const Settings& settings,
-                              const DriverInfo& driver, const TruthScene& casters) {
-    std::vector<Dossier> out;
+std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, const Settings& settings,
+                                      const DriverInfo& driver, const ReferenceScene& casters) {
+    std::vector<PixelDiagnosis> out;
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
-        out.push_back(explain(probe, light, fragment_truth(casters, probe, light, settings, traits), settings, driver));
+        out.push_back(
+            explain(probe, light, fragment_reference(casters, probe, light, settings, traits), settings, driver));
     return out;
 }
 
 /// What puts the pixel right under view.light, when it is wrong.
-std::optional<CureTable> cures(Renderer& renderer, const Session& session, const Probe& probe,
-                               const std::vector<Dossier>& found) {
+std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const Probe& probe,
+                              const std::vector<PixelDiagnosis>& found) {
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
-    CureOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
-    if (const auto& remedy = found[light].remedy) options.more.push_back(idea_of(*remedy, session.settings));
-    TruthCache cache;
-    return find_cures(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
+    FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
+    if (const auto& fix = found[light].fix) options.more.push_back(idea_of(*fix, session.settings));
+    ReferenceCache cache;
+    return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
 /// The test under view.light, as a picture.
-std::string drawing_of(const Session& session, const Probe& probe, const std::vector<Dossier>& found,
-                       const TruthScene* casters) {
+std::string drawing_of(const Session& session, const Probe& probe, const std::vector<PixelDiagnosis>& found,
+                       const ReferenceScene* casters) {
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
     if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
     const Section section = section_of(probe, i, found, session.settings, casters);
@@ -189,26 +190,26 @@ void run_probe(const ProbeOptions& options) {
     const auto place = grid.at({x, y});
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     request.width = grid.width, request.height = grid.height;
-    TruthCache sources;
+    ReferenceCache sources;
     trace_sources(renderer, session.scene, session.settings, request, sources, tracing_workers());
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
-    std::vector<Dossier> found;
-    std::optional<CureTable> table;
-    std::shared_ptr<const TruthScene> casters;
-    if (options.truth && probe.hit) {
+    std::vector<PixelDiagnosis> found;
+    std::optional<FixTable> table;
+    std::shared_ptr<const ReferenceScene> casters;
+    if (options.reference && probe.hit) {
         casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
-        found = dossiers(probe, session.scene, session.settings, renderer.driver(), *casters);
+        found = diagnoses(probe, session.scene, session.settings, renderer.driver(), *casters);
     }
-    const auto find_cures = [&] {  // with the probe as it was made: the pixel of a pane
-        if (options.truth && probe.hit && options.section.empty()) table = cures(renderer, session, probe, found);
+    const auto find_fixes = [&] {  // with the probe as it was made: the pixel of a pane
+        if (options.reference && probe.hit && options.section.empty()) table = fixes(renderer, session, probe, found);
     };
     Probe shown = probe;
     shown.x = x, shown.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
-        find_cures();
+        find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found);
-        if (probe.hit && options.truth && options.section.empty())
-            json["cures"] = table ? cures_json(*table) : nlohmann::ordered_json::array();
+        if (probe.hit && options.reference && options.section.empty())
+            json["cures"] = table ? fixes_json(*table) : nlohmann::ordered_json::array();
         fmt::print("{}", json_text(json));
     } else if (!probe.hit) {
         fmt::print("pixel {},{}: nothing there\n", x, y);
@@ -218,11 +219,11 @@ void run_probe(const ProbeOptions& options) {
                    probe.position_ws.y, probe.position_ws.z, probe.normal_ws.x, probe.normal_ws.y, probe.normal_ws.z);
         for (std::size_t i = 0; i < probe.lights.size(); ++i) {
             print_light(probe.lights[i], session.settings);
-            if (i < found.size()) print_dossier(probe.lights[i], found[i], session.settings);
+            if (i < found.size()) print_diagnosis(probe.lights[i], found[i], session.settings);
         }
         std::fflush(stdout);  // cures take a while
-        find_cures();
-        if (table) print_cures(*table, 8);
+        find_fixes();
+        if (table) print_fixes(*table, 8);
     }
     print_notes(session.notes);
     if (!options.section.empty()) {

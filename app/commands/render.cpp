@@ -51,11 +51,11 @@ MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settin
 /// @param preset of the other one; null: it is the truth
 double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
                      const Settings* preset, FrameResult& frame) {
-    TruthCache truths;
+    ReferenceCache references;
     Settings settings = session.settings;
     settings.view.panes = int(Panes::One);
     request.outputs.true_colour = preset == nullptr;
-    frame = render_with_truth(renderer, session.scene, settings, request, truths, tracing_workers());
+    frame = render_with_reference(renderer, session.scene, settings, request, references, tracing_workers());
     const ByteImage a = renderer.read_colour(frame.colour);
     ByteImage b;
     if (!preset) {
@@ -66,7 +66,7 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
         check_objects(session.scene, other, options.against, nullptr);
         request.outputs.true_colour = false;
         b = renderer.read_colour(
-            render_with_truth(renderer, session.scene, other, request, truths, tracing_workers()).colour);
+            render_with_reference(renderer, session.scene, other, request, references, tracing_workers()).colour);
     }
     write_png(options.output, options.difference   ? difference(a, b)
                               : options.swipe >= 0 ? swiped(a, b, options.swipe)

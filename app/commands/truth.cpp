@@ -15,8 +15,8 @@
 namespace si {
 namespace {
 
-nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& task, int light) {
-    const Truth& t = *traced.truth;
+nlohmann::ordered_json reference_json(const TracedReference& traced, const ReferenceTask& task, int light) {
+    const Reference& t = *traced.reference;
     const auto pixels = [&](PixelState s) { return t.pixels[std::size_t(s)]; };
     double sum = 0, hard = 0;
     for (std::size_t i = 0; i < t.state.size(); ++i)
@@ -45,7 +45,7 @@ nlohmann::ordered_json truth_json(const TracedTruth& traced, const TruthTask& ta
     if (task.query.options.area) {
         json["partly_lit"] = t.partial;
         json["samples"] = task.query.options.samples;
-        const nlohmann::ordered_json quality = truth_quality_json(t);
+        const nlohmann::ordered_json quality = reference_quality_json(t);
         for (const char* key : {"noise", "noise_unknown_px", "samples_used"}) json[key] = quality[key];
     }
     json["time_ms"] = {{"build", traced.build_ms}, {"place", traced.place_ms}, {"trace", traced.trace_ms}};
@@ -64,7 +64,7 @@ void require_true_shares(const FloatImage& visibility) {
 
 }  // namespace
 
-void run_truth(const TruthCommandOptions& options) {
+void run_reference(const ReferenceCommandOptions& options) {
     check_view_file({.key = "truth", .scalar = true}, options.output);
     require_writable(options.output);
     if (!options.report.empty()) require_writable(options.report);
@@ -74,15 +74,15 @@ void run_truth(const TruthCommandOptions& options) {
     Renderer renderer;
     const int light = session.settings.view.light;
     const FrameRequest request{.width = options.size.width, .height = options.size.height};
-    TruthOptions wanted = truth_options(session.settings);
-    wanted.as_rasterised = options.truth.as_rasterised;
-    const TruthTask task = truth_task(renderer, session.scene, session.settings, request, light, wanted);
-    TruthCache cache;
-    const TracedTruth traced = cache.trace(task, tracing_workers(options.threads));
-    const FloatImage& picture = traced.truth->visibility;
+    ReferenceOptions wanted = reference_options(session.settings);
+    wanted.as_rasterised = options.reference.as_rasterised;
+    const ReferenceTask task = reference_task(renderer, session.scene, session.settings, request, light, wanted);
+    ReferenceCache cache;
+    const TracedReference traced = cache.trace(task, tracing_workers(options.threads));
+    const FloatImage& picture = traced.reference->visibility;
     lower_extension(options.output) == ".pfm" ? write_pfm(options.output, picture)
                                               : write_grey_png(options.output, picture);
-    if (!options.report.empty()) write_file(options.report, json_text(truth_json(traced, task, light)));
+    if (!options.report.empty()) write_file(options.report, json_text(reference_json(traced, task, light)));
     print_notes(session.notes);
     if (options.check_numeric) {
         require_true_shares(picture);

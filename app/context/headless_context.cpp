@@ -216,12 +216,12 @@ HeadlessContext::HeadlessContext() {
         attempts += fmt::format("{}{}: {}", attempts.empty() ? "" : "; ", way.name, problem);
     }
     const char* asked = std::getenv("MESA_GL_VERSION_OVERRIDE");
-    const std::string remedy =
+    const std::string fix =
         !too_old ? "install libgl1-mesa-dri for the software renderer, or join the group that may open /dev/dri (often "
                    "'render')"
         : asked  ? fmt::format("MESA_GL_VERSION_OVERRIDE={} asks for less: unset it", asked)
                  : "update the driver, or use Mesa's software driver with LIBGL_ALWAYS_SOFTWARE=1";
-    throw Error(fmt::format("no OpenGL 4.5 without a display: {}; {}", attempts, remedy));
+    throw Error(fmt::format("no OpenGL 4.5 without a display: {}; {}", attempts, fix));
 }
 
 HeadlessContext::~HeadlessContext() = default;

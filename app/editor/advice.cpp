@@ -12,7 +12,7 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
             AdviceFound out = about;
             const HeadlessContext context;
             Renderer renderer;
-            TruthCache cache;
+            ReferenceCache cache;
             const auto tell = [&](double share, const std::string& what) { report({what, share}); };
             if (!wish.most_error && !wish.most_ms) {
                 out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = wish.cost}, cache,

@@ -54,7 +54,7 @@ void EditorAgainst::clear() {
     hide();
     other_.reset();
     other_scene_ = 0;
-    other_truth_.reset();
+    other_reference_.reset();
     other_traced_.clear();
     other_light_maps_.clear();
 }
@@ -74,7 +74,7 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
     Settings settings = other_settings(state.settings, comparison->settings);
     settings.view.panes = int(Panes::One);
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
-                      other_height_ == request.height && other_truth_ == request.truth &&
+                      other_height_ == request.height && other_reference_ == request.reference &&
                       other_traced_ == request.traced && other_light_maps_ == request.light_maps &&
                       (facts_->picture.texture || !other_problem_.empty());
     if (same) {
@@ -84,13 +84,13 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
     if (!other_) other_ = std::make_unique<Renderer>();
     FrameRequest wanted{.width = request.width,
                         .height = request.height,
-                        .truth = request.truth,
+                        .reference = request.reference,
                         .traced = request.traced,
                         .light_maps = request.light_maps};
     other_drawn_ = settings;
     other_scene_ = scene.id;
     other_width_ = request.width, other_height_ = request.height;
-    other_truth_ = request.truth;
+    other_reference_ = request.reference;
     other_traced_ = request.traced;
     other_light_maps_ = request.light_maps;
     facts_->picture = facts_->difference = {};  // what fails leaves none, not even the one before
@@ -128,15 +128,15 @@ bool EditorAgainst::update(Renderer& renderer, const Scene& scene, const Picture
             clear();
         return had;
     }
-    const std::string label = state.against.truth ? "ray-traced truth" : reference_label(state.compare);
+    const std::string label = state.against.reference ? "ray-traced truth" : reference_label(state.compare);
     if (!had || facts_->label != label) {
-        if (state.against.truth) other_.reset();
+        if (state.against.reference) other_.reset();
         facts_ = AgainstFacts{.label = label};
     }
     const unsigned before = facts_->picture.texture;
     const bool known = before != 0;
     facts_->problem.clear();
-    if (state.against.truth)
+    if (state.against.reference)
         facts_->picture = frame.true_colour;
     else
         draw_other(scene, state, request, comparison);

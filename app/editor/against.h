@@ -37,8 +37,8 @@ private:
     Settings other_drawn_;
     std::uint64_t other_scene_ = 0;
     int other_width_ = 0, other_height_ = 0;
-    std::shared_ptr<const TruthPicture> other_truth_;
-    std::vector<std::shared_ptr<const TruthPicture>> other_traced_;
+    std::shared_ptr<const ReferencePicture> other_reference_;
+    std::vector<std::shared_ptr<const ReferencePicture>> other_traced_;
     std::vector<std::shared_ptr<const LightMap>> other_light_maps_;
     std::string other_problem_;  ///< why there is no other picture
 };

@@ -11,15 +11,16 @@ constexpr std::size_t kMostSpots = 100;  ///< nobody goes through more
 
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   const FrameRequest& request, const ArtefactWish& wish) {
-    FrameRequest judged = request;
-    judged.outputs = {.colour = false, .judged = true};
-    judged.timing = judged.force = false;
-    const FrameResult frame = renderer.render(scene, settings, judged);
-    const MeasuredError measured = read_judged(renderer, frame, *request.truth, settings.view.light);
+    FrameRequest classified = request;
+    classified.outputs = {.colour = false, .classified = true};
+    classified.timing = classified.force = false;
+    const FrameResult frame = renderer.render(scene, settings, classified);
+    const MeasuredError measured = read_classified(renderer, frame, *request.reference, settings.view.light);
     const Receivers& receivers = *measured.traced.receivers;
-    const int step = request.truth->step;
+    const int step = request.reference->step;
     ArtefactSpots out{.number = wish.number, .spots = {}, .camera = frame.camera, .height = request.height};
-    for (const ArtefactCluster& found : artefact_clusters(measured.judged, receivers.width, wish.cause, kMostSpots)) {
+    for (const ArtefactCluster& found :
+         artefact_clusters(measured.classified, receivers.width, wish.cause, kMostSpots)) {
         ArtefactSpot spot{found};
         const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
         spot.position_ws = middle.position_ws, spot.normal_ws = middle.normal_ws;

@@ -16,7 +16,7 @@ bool BackgroundWork::poll_found(auto& search) {
 
 bool BackgroundWork::poll(const Scene* scene) {
     const bool tuned = poll_tuning(scene);
-    const bool cured = poll_found(cures_);
+    const bool cured = poll_found(fixes_);
     const bool advised = poll_found(advice_);
     const bool compared = poll_found(pipelines_);
     const bool shimmered = poll_found(shimmer_);
@@ -53,13 +53,13 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
     return true;
 }
 
-void BackgroundWork::start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers,
-                                 const CureWish& wish) {
-    std::vector<CureIdea> own;
+void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
+                                 const FixWish& wish) {
+    std::vector<FixCandidate> own;
     const auto light = std::size_t(std::max(state_.settings.view.light, 0));
-    if (wish.pixel && light < dossiers.size() && dossiers[light].remedy)
-        own.push_back(idea_of(*dossiers[light].remedy, state_.settings));
-    cures_.start(scene, state_.settings, size.x, size.y, wish.pixel, std::move(own));
+    if (wish.pixel && light < diagnoses.size() && diagnoses[light].fix)
+        own.push_back(idea_of(*diagnoses[light].fix, state_.settings));
+    fixes_.start(scene, state_.settings, size.x, size.y, wish.pixel, std::move(own));
 }
 
 void BackgroundWork::take_sweep_base() {
@@ -71,7 +71,7 @@ void BackgroundWork::take_sweep_base() {
     state_.settings.view.light = light;
 }
 
-bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
                             const EditorActions& actions) {
     bool changed = false;
     const auto wish = [&](bool wished, const auto& what) {
@@ -81,9 +81,9 @@ bool BackgroundWork::fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<
     wish(actions.tune.has_value(),
          [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *actions.tune); });
     if (actions.cancel_tune) tuner_.cancel();
-    wish(actions.find_cures.has_value(), [&] { start_cures(scenes.require(), size, dossiers, *actions.find_cures); });
-    if (actions.cancel_cures) cures_.cancel();
-    wish(actions.forget_cures, [&] { cures_.forget(); });
+    wish(actions.find_fixes.has_value(), [&] { start_fixes(scenes.require(), size, diagnoses, *actions.find_fixes); });
+    if (actions.cancel_fixes) fixes_.cancel();
+    wish(actions.forget_fixes, [&] { fixes_.forget(); });
     wish(actions.find_advice.has_value(),
          [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *actions.find_advice); });
     if (actions.cancel_advice) advice_.cancel();
@@ -122,7 +122,7 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
         f.tuned = tuned_->families;
         f.tuned_current = tuned_->is_about(state_.settings, size.x, size.y);
     }
-    f.cures = cures_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
+    f.fixes = fixes_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
     saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     const LabOf present{scene ? scene->id : 0, state_.settings, size.x, size.y};

@@ -26,7 +26,7 @@ public:
     bool poll(const Scene* scene);
     /// Does what was wished for; errors go to the log. Returns whether anything was.
     /// @param size of the scene's picture, pixels @param dossiers of the probed pixel
-    bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const Dossier> dossiers,
+    bool fulfil(const SceneDesk& scenes, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
                 const EditorActions& actions);
     /// Measures what savings are worth, as wished for. Returns whether anything was. @param request of the frame shown
     bool fulfil_saved(const SceneDesk& scenes, const FrameRequest& request, const EditorActions& actions);
@@ -36,29 +36,30 @@ public:
     void fill(EditorFrame& frame, const Scene* scene, glm::ivec2 size) const;
 
     bool busy() const {
-        return sweep_.busy() || tuner_.running() || cures_.running() || saved_.running() || advice_.running() ||
+        return sweep_.busy() || tuner_.running() || fixes_.running() || saved_.running() || advice_.running() ||
                pipelines_.running() || shimmer_.running();
     }
     bool moved() const {
-        return sweep_.moved() || tuner_.moved() || cures_.moved() || saved_.moved() || advice_.moved() ||
+        return sweep_.moved() || tuner_.moved() || fixes_.moved() || saved_.moved() || advice_.moved() ||
                pipelines_.moved() || shimmer_.moved();
     }
     void finish() const {
-        sweep_.wait(), tuner_.wait(), cures_.wait(), saved_.wait(), advice_.wait(), pipelines_.wait(), shimmer_.wait();
+        sweep_.wait(), tuner_.wait(), fixes_.wait(), saved_.wait(), advice_.wait(), pipelines_.wait(), shimmer_.wait();
     }
 
 private:
     bool poll_tuning(const Scene* scene);
     /// Of cures, of savings, and of advice.
     bool poll_found(auto& search);
-    void start_cures(const Scene& scene, glm::ivec2 size, std::span<const Dossier> dossiers, const CureWish& wish);
+    void start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
+                     const FixWish& wish);
     void take_sweep_base();
 
     EditorState& state_;
     EditorSweep sweep_;
     EditorTuner tuner_;
     std::optional<TuningOutcome> tuned_;  ///< the last that tried families of biases
-    EditorCures cures_;
+    EditorFixes fixes_;
     EditorSaved saved_;
     EditorAdvice advice_;
     EditorPipelines pipelines_;

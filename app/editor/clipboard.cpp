@@ -14,10 +14,10 @@ extern char** environ;
 namespace si {
 namespace {
 
-enum class Ran { Well, Badly, NotThere };
+enum class Drawn { Well, Badly, NotThere };
 
 /// Runs a program with a file as its input and waits until it has read it.
-Ran run(std::vector<std::string> words, const std::filesystem::path& input) {
+Drawn run(std::vector<std::string> words, const std::filesystem::path& input) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
@@ -28,14 +28,14 @@ Ran run(std::vector<std::string> words, const std::filesystem::path& input) {
     pid_t child = -1;
     const int problem = posix_spawnp(&child, arguments[0], &files, nullptr, arguments.data(), environ);
     posix_spawn_file_actions_destroy(&files);
-    if (problem != 0) return problem == ENOENT ? Ran::NotThere : Ran::Badly;
+    if (problem != 0) return problem == ENOENT ? Drawn::NotThere : Drawn::Badly;
     int status = 0;
     while (waitpid(child, &status, 0) < 0)
-        if (errno != EINTR) return Ran::Badly;
-    return !WIFEXITED(status)           ? Ran::Badly
-           : WEXITSTATUS(status) == 127 ? Ran::NotThere
-           : WEXITSTATUS(status) == 0   ? Ran::Well
-                                        : Ran::Badly;
+        if (errno != EINTR) return Drawn::Badly;
+    return !WIFEXITED(status)           ? Drawn::Badly
+           : WEXITSTATUS(status) == 127 ? Drawn::NotThere
+           : WEXITSTATUS(status) == 0   ? Drawn::Well
+                                        : Drawn::Badly;
 }
 
 }  // namespace
@@ -48,12 +48,12 @@ std::string copy_png(const std::filesystem::path& png) {
     if (!set("DISPLAY") && !set("WAYLAND_DISPLAY")) return "there is no display";
     const std::vector<std::string> xclip{"xclip", "-selection", "clipboard", "-target", "image/png", "-in"},
         wl_copy{"wl-copy", "--type", "image/png"};
-    Ran ran = Ran::NotThere;
+    Drawn ran = Drawn::NotThere;
     if (set("WAYLAND_DISPLAY")) ran = run(wl_copy, png);
-    if (ran == Ran::NotThere && set("DISPLAY")) ran = run(xclip, png);
-    if (ran == Ran::NotThere)
+    if (ran == Drawn::NotThere && set("DISPLAY")) ran = run(xclip, png);
+    if (ran == Drawn::NotThere)
         return set("WAYLAND_DISPLAY") ? "install wl-clipboard to copy pictures" : "install xclip to copy pictures";
-    return ran == Ran::Well ? "" : "the display took no picture";
+    return ran == Drawn::Well ? "" : "the display took no picture";
 }
 
 }  // namespace si

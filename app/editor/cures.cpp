@@ -6,11 +6,11 @@
 
 namespace si {
 
-void EditorCures::start(const Scene& scene, const Settings& settings, int width, int height,
-                        std::optional<glm::ivec2> pixel, std::vector<CureIdea> own) {
+void EditorFixes::start(const Scene& scene, const Settings& settings, int width, int height,
+                        std::optional<glm::ivec2> pixel, std::vector<FixCandidate> own) {
     found_.reset();
-    CureOptions options{.pixel = pixel, .time = true, .more = std::move(own)};
-    if (!pixel) options.truth = truth_options(settings);  // a dossier speaks of a light without size
+    FixOptions options{.pixel = pixel, .time = true, .more = std::move(own)};
+    if (!pixel) options.reference = reference_options(settings);  // a dossier speaks of a light without size
     about_ = {.table = {},
               .problem = {},
               .scene = scene.id,
@@ -21,11 +21,11 @@ void EditorCures::start(const Scene& scene, const Settings& settings, int width,
     job_.start(
         [copy = std::make_shared<const Scene>(scene), about = about_, options](const Workers& workers,
                                                                                const auto& report) {
-            CureOutcome out = about;
+            FixOutcome out = about;
             const HeadlessContext context;
             Renderer renderer;
-            TruthCache cache;
-            out.table = find_cures(renderer, *copy, out.settings, out.width, out.height, options, cache, workers,
+            ReferenceCache cache;
+            out.table = find_fixes(renderer, *copy, out.settings, out.width, out.height, options, cache, workers,
                                    [&](double share, const std::string& what) {
                                        report({what, share});
                                    });
@@ -34,8 +34,8 @@ void EditorCures::start(const Scene& scene, const Settings& settings, int width,
         {"the present settings", 0});
 }
 
-CureSearch EditorCures::facts(std::uint64_t scene, const Settings& settings, int width, int height) const {
-    CureSearch f;
+FixSearch EditorFixes::facts(std::uint64_t scene, const Settings& settings, int width, int height) const {
+    FixSearch f;
     f.running = job_.progress();
     if (!found_ || found_->scene != scene) return f;
     f.table = &found_->table;

@@ -7,8 +7,8 @@
 
 namespace si {
 
-struct CureOutcome {
-    CureTable table;
+struct FixOutcome {
+    FixTable table;
     std::string problem;  ///< why there is no table
     std::uint64_t scene = 0;
     Settings settings;  ///< that it is about
@@ -16,20 +16,20 @@ struct CureOutcome {
     std::optional<glm::ivec2> pixel;
 };
 
-class EditorCures : public EditorSearch<CureOutcome> {
+class EditorFixes : public EditorSearch<FixOutcome> {
 public:
-    EditorCures() : EditorSearch("The search for cures was cancelled") {}
+    EditorFixes() : EditorSearch("The search for cures was cancelled") {}
     /// In place of a search that is under way. @param pixel that the table is to speak of, or none: of the picture
     /// @param own a change that is tried besides, such as a dossier's remedy
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
-               std::vector<CureIdea> own);
+               std::vector<FixCandidate> own);
     void forget() { found_.reset(); }
     /// @param scene Scene::id @param settings of the editor, which the table may no longer be about, nor about the
     /// picture's size
-    CureSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
+    FixSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:
-    CureOutcome about_;  ///< what is searched for, and not yet what was found
+    FixOutcome about_;  ///< what is searched for, and not yet what was found
 };
 
 }  // namespace si

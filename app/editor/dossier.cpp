@@ -2,29 +2,29 @@
 
 namespace si {
 
-bool EditorDossier::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                           const DriverInfo& driver) {
-    const bool changed = update_truth(probe, fresh, scene, settings, driver);
+bool EditorDiagnosis::update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                             const DriverInfo& driver) {
+    const bool changed = update_reference(probe, fresh, scene, settings, driver);
     if (changed || fresh) sections_.reset();
     return changed;
 }
 
-bool EditorDossier::update_sections(const Probe* probe, const Settings& settings, bool shown) {
+bool EditorDiagnosis::update_sections(const Probe* probe, const Settings& settings, bool shown) {
     if (!shown || sections_ || !probe || !probe->hit) return false;
     std::vector<Section> out;
     for (std::size_t i = 0; i < probe->lights.size(); ++i)
-        out.push_back(section_of(*probe, i, dossiers_, settings, casters_.get()));
+        out.push_back(section_of(*probe, i, diagnoses_, settings, casters_.get()));
     sections_ = std::make_shared<const std::vector<Section>>(std::move(out));
     return true;
 }
 
-bool EditorDossier::update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                                 const DriverInfo& driver) {
+bool EditorDiagnosis::update_reference(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                                       const DriverInfo& driver) {
     if (!probe || !probe->hit) {
         building_.drop();
         casters_.reset();
-        const bool had = !dossiers_.empty();
-        dossiers_.clear();
+        const bool had = !diagnoses_.empty();
+        diagnoses_.clear();
         return had;
     }
     if (auto built = building_.poll()) {
@@ -32,8 +32,8 @@ bool EditorDossier::update_truth(const Probe* probe, bool fresh, const Scene& sc
         if (built->value) casters_ = *built->value, fresh = true;
     }
     if (!fresh) return false;
-    dossiers_.clear();
-    const std::uint64_t key = truth_geometry_key(scene, settings).value();
+    diagnoses_.clear();
+    const std::uint64_t key = reference_geometry_key(scene, settings).value();
     if (!casters_ || casters_->geometry().key != key) casters_ = ray_scenes().find(key);
     if (!casters_) {
         if (building_.wanted() && building_key_ == key) return true;
@@ -45,8 +45,8 @@ bool EditorDossier::update_truth(const Probe* probe, bool fresh, const Scene& sc
     }
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe->lights)
-        dossiers_.push_back(
-            explain(*probe, light, fragment_truth(*casters_, *probe, light, settings, traits), settings, driver));
+        diagnoses_.push_back(
+            explain(*probe, light, fragment_reference(*casters_, *probe, light, settings, traits), settings, driver));
     return true;
 }
 

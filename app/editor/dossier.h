@@ -12,13 +12,13 @@
 
 namespace si {
 
-class EditorDossier {
+class EditorDiagnosis {
 public:
     /// @param probe null: none. `fresh`: it is another one than at the last call. Returns whether dossiers came or
     /// went.
     /// @throws Error when the hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
-    std::span<const Dossier> dossiers() const { return dossiers_; }
+    std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
     /// Draws the probed pixel's test as cross-sections, one a light, after update() and by what is known by then: once
     /// while they are shown. Returns whether they are new.
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
@@ -29,12 +29,12 @@ public:
     void wait() const { building_.wait(); }
 
 private:
-    using Casters = std::shared_ptr<const TruthScene>;
+    using Casters = std::shared_ptr<const ReferenceScene>;
 
-    bool update_truth(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
-                      const DriverInfo& driver);
+    bool update_reference(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
+                          const DriverInfo& driver);
 
-    std::vector<Dossier> dossiers_;
+    std::vector<PixelDiagnosis> diagnoses_;
     Sections sections_;  ///< null: of what is known now, none were drawn
     Casters casters_;
     std::uint64_t building_key_ = 0;

@@ -205,11 +205,11 @@ bool FrameDesk::poll() {
 
 bool FrameDesk::update(const Scene& scene, const EditorActions& actions, const ComparisonFacts* comparison) {
     bool changed = poll();
-    missed_.cancel_truth |= actions.cancel_truth;
+    missed_.cancel_reference |= actions.cancel_reference;
     if (actions.save_error) missed_.save_error = actions.save_error;
     if (under_way()) return changed;
     EditorActions wished = actions;
-    wished.cancel_truth = std::exchange(missed_.cancel_truth, false);
+    wished.cancel_reference = std::exchange(missed_.cancel_reference, false);
     wished.save_error = std::exchange(missed_.save_error, {});
     const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();

@@ -8,7 +8,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.probe = readings.probe.get();
     f.anchor_place = readings.anchor_place;
     f.loupe = readings.loupe.get();
-    f.dossiers = readings.dossiers;
+    f.diagnoses = readings.diagnoses;
     f.sections = readings.sections;
     f.tracing_probe = readings.tracing_probe;
     f.map_values = readings.map_values.get();
@@ -19,7 +19,7 @@ void FrameFacts::fill(EditorFrame& f) const {
     f.frozen_usage = readings.frozen_usage.get();
     f.overlay_values = readings.overlay_values.get();
     f.lost_casters = readings.lost_casters;
-    f.truth = truth;
+    f.reference = reference;
     f.error = driver ? result.error.get() : nullptr;
     f.against = against;
     f.effects = effects;

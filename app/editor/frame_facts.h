@@ -19,9 +19,9 @@ struct ReadingFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
     std::shared_ptr<const LoupeFacts> loupe;
-    std::vector<Dossier> dossiers;  ///< of the probed pixel
-    Sections sections;              ///< of it, while the panel is shown
-    bool tracing_probe = false;     ///< they will follow
+    std::vector<PixelDiagnosis> diagnoses;  ///< of the probed pixel
+    Sections sections;                      ///< of it, while the panel is shown
+    bool tracing_probe = false;             ///< they will follow
     std::shared_ptr<const FloatImage> map_values, map_coordinates, overlay_values;
     std::optional<MapFacts> map_facts;
     std::shared_ptr<const TexelUsage> usage, frozen_usage;
@@ -34,7 +34,7 @@ struct FrameFacts {
     FrameResult result;
     FrameRequest request;
     ReadingFacts readings;
-    std::optional<TruthFacts> truth;
+    std::optional<ReferenceFacts> reference;
     std::optional<AgainstFacts> against;
     std::vector<Effect> effects;                  ///< empty unless asked for
     std::shared_ptr<const NumericHealth> health;  ///< null: not asked for, or not there yet

@@ -23,7 +23,7 @@ FrameFacts FrameLoop::facts() const {
         if (result_.smooth.texture != 0 && !against_.facts() && !pinned_)  // the other side is not smooth
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
-        f.truth = truth_.facts(result_, drawn_settings_.view.light);
+        f.reference = reference_.facts(result_, drawn_settings_.view.light);
     }
     f.request = request_;
     f.readings = readings_.facts();
@@ -40,7 +40,7 @@ FrameFacts FrameLoop::facts() const {
 void FrameLoop::clear() {
     drawn_ = false;
     readings_.clear();
-    truth_.clear();
+    reference_.clear();
     against_.clear();
     frame_effects_.clear(), effects_.clear();
     health_.reset();
@@ -61,7 +61,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
     if (!drawn) news_.changed |= smooth(scene, state, actions);
     news_.changed |= follow_readings(scene, state, actions, drawn);
     try {
-        news_.changed |= follow_truth(scene, state, actions, drawn, comparison);
+        news_.changed |= follow_reference(scene, state, actions, drawn, comparison);
     } catch (const std::exception& e) {
         report(e.what());
         news_.changed = true;
@@ -97,7 +97,7 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
     std::vector<Effect> effects = frame_effects_;
     for (Effect& effect : panel_effects(state, actions)) effects.push_back(std::move(effect));
     effects.push_back(artefact_effect(state.artefacts, artefacts_, artefacts_found_));
-    effects.push_back(truth_effect(truth_.facts(result_, drawn_settings_.view.light)));
+    effects.push_back(reference_effect(reference_.facts(result_, drawn_settings_.view.light)));
     if (effects == effects_) return false;
     effects_ = std::move(effects);
     return true;
@@ -117,20 +117,20 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.outputs.texels_read = actions.want_exact_texels;
     wanted.outputs.error = actions.want_error;
     wanted.outputs.health = actions.want_health || actions.search_all;
-    wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.truth;
+    wanted.outputs.true_colour = state.against.view != AgainstView::Off && state.against.reference;
     wanted.timing = actions.want_timing;
     wanted.forced = state.effects.forced;
     if (state.frozen) wanted.map_camera = MapCamera{state.frozen->camera, state.frozen->seen_m};
-    wanted.truth = truth_.picture(state.settings.view.light);
-    wanted.traced = truth_.pictures();
-    wanted.light_maps = truth_.light_maps();
+    wanted.reference = reference_.picture(state.settings.view.light);
+    wanted.traced = reference_.pictures();
+    wanted.light_maps = reference_.light_maps();
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
     if (state.against.view != AgainstView::Off) settings.view.panes = int(Panes::One);
     const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
                       wanted.height == request_.height && wanted.outputs == request_.outputs &&
                       wanted.timing == request_.timing && wanted.forced == request_.forced &&
-                      wanted.truth == request_.truth && wanted.traced == request_.traced &&
+                      wanted.reference == request_.reference && wanted.traced == request_.traced &&
                       wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !actions.want_map)) return false;
@@ -207,7 +207,7 @@ void FrameLoop::foresee_programs(const Scene& scene) {
     if (!rehearsals_) return;
     if (!foreseen_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
     // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.
-    Rehearsal next{.scene = {}, .settings = drawn_settings_, .request = request_};
+    Warmup next{.scene = {}, .settings = drawn_settings_, .request = request_};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
     next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
     rehearsals_->foresee(std::move(next));
@@ -228,22 +228,22 @@ bool FrameLoop::follow_readings(const Scene& scene, const PictureState& state, c
     }
 }
 
-bool FrameLoop::follow_truth(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
-                             const ComparisonFacts* comparison) {
+bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, const EditorActions& actions,
+                                 bool drawn, const ComparisonFacts* comparison) {
     if (!drawn_) {
-        truth_.clear();
+        reference_.clear();
         against_.clear();
         return false;
     }
-    const EditorTruth::Wishes wishes{actions.cancel_truth, actions.save_error};
-    bool changed = truth_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
+    const EditorReference::Wishes wishes{actions.cancel_reference, actions.save_error};
+    bool changed = reference_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, wishes);
     if (drawn) artefacts_found_ = false;
-    if (state.artefacts.number != artefacts_.number && result_.error && result_.truth.met && request_.truth) {
+    if (state.artefacts.number != artefacts_.number && result_.error && result_.reference.met && request_.reference) {
         artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
         artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
         artefacts_found_ = changed = true;
     }
-    if (const std::string remark = truth_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
+    if (const std::string remark = reference_.take_remark(); !remark.empty()) news_.remarks.push_back({.text = remark});
     changed |= against_.update(renderer_, scene, state, request_, result_, drawn, comparison);
     return changed;
 }

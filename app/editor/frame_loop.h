@@ -42,7 +42,7 @@ public:
     void clear();
     /// Nothing is drawn for a while.
     void rest() {
-        truth_.rest();
+        reference_.rest();
         renderer_.give_back_memory();
     }
     FrameFacts facts() const;
@@ -55,9 +55,9 @@ public:
     bool probe_moved() const { return readings_.has_news(); }
     void finish_probe() const { readings_.finish_tracing(); }
     /// Rays of the picture are being traced, or something is made of them; update() has news of it.
-    bool tracing() const { return truth_.busy(); }
-    bool tracing_moved() const { return truth_.moved(); }
-    void finish_tracing() const { truth_.wait(); }
+    bool tracing() const { return reference_.busy(); }
+    bool tracing_moved() const { return reference_.moved(); }
+    void finish_tracing() const { reference_.wait(); }
     /// Null: nothing is foreseen.
     const Rehearsals* rehearsals() const { return rehearsals_.get(); }
 
@@ -72,8 +72,8 @@ private:
     void foresee_programs(const Scene& scene);
     bool follow_readings(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn);
     /// Traces and compares what is shown.
-    bool follow_truth(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
-                      const ComparisonFacts* comparison);
+    bool follow_reference(const Scene& scene, const PictureState& state, const EditorActions& actions, bool drawn,
+                          const ComparisonFacts* comparison);
     /// Searches the frame's numbers while a panel shows what is found.
     bool follow_health();
     /// Searches the frame just drawn, and waits for it.
@@ -93,7 +93,7 @@ private:
     int smoothed_ = 0;  ///< shadings that the smooth picture of the frame drawn last is made of
     std::string problem_, shader_log_;
     EditorReadings readings_;
-    EditorTruth truth_;
+    EditorReference reference_;
     EditorAgainst against_;
     std::shared_ptr<const NumericHealth> health_;  ///< of the frame drawn last; null: not asked for, or not there yet
     ArtefactSpots artefacts_;                      ///< of the last wish that was fulfilled

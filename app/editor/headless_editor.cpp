@@ -30,9 +30,9 @@ std::unique_ptr<Canvas> make_canvas(int width, int height) {
 }
 
 /// A truth was asked for that is still to be traced.
-bool lacks_truth(const EditorFrame& f) {
-    if (!f.truth || !f.truth->wanted || !f.truth->problem.empty()) return false;
-    return !f.truth->current;
+bool lacks_reference(const EditorFrame& f) {
+    if (!f.reference || !f.reference->wanted || !f.reference->problem.empty()) return false;
+    return !f.reference->current;
 }
 
 }  // namespace
@@ -94,7 +94,7 @@ void HeadlessEditor::settle() {
             model_->finish_measuring();
             frame(), frame();
         }
-    } while (model_->finish_drawing() || model_->busy() || lacks_truth(model_->facts()));
+    } while (model_->finish_drawing() || model_->busy() || lacks_reference(model_->facts()));
 }
 
 ByteImage HeadlessEditor::picture() const {

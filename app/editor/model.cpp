@@ -108,7 +108,7 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
     attempt(state, [&] {
         const std::filesystem::path folder = std::filesystem::path(state.preset_path).parent_path();
         std::string svg;
-        if (const Section* const section = judged_section(); wish.of == Shot::Drawing && section)
+        if (const Section* const section = classified_section(); wish.of == Shot::Drawing && section)
             svg = section_svg(*section);
         const auto path = save_screenshot(cut_out(window, wish.rect, pixels), wish.of, state.scene_name, folder, svg);
         std::error_code error;
@@ -122,14 +122,14 @@ void EditorModel::save_shot(const ShotWish& wish, const ByteImage& window, float
     });
 }
 
-const Section* EditorModel::judged_section() const {
+const Section* EditorModel::classified_section() const {
     const Sections& sections = frames_.facts().readings.sections;
     const auto light = std::size_t(std::max(state.settings.view.light, 0));
     return sections && light < sections->size() ? &(*sections)[light] : nullptr;
 }
 
 bool EditorModel::save_drawing(const ShotWish& wish, ImGuiSession& imgui) {
-    const Section* const section = judged_section();
+    const Section* const section = classified_section();
     if (wish.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
     const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
@@ -185,7 +185,7 @@ bool EditorModel::fulfil(const EditorActions& asked) {
     wish(actions.discard_lost, [&] { memory_.forget_lost(); });
     wish(actions.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     wish(scenes_.has_step(), [&] { scenes_.follow_step(); });
-    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.dossiers, actions);
+    changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, actions);
     changed |= work_.fulfil_saved(scenes_, frames_.facts().request, actions);
     wish(actions.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *actions.save_map); });
     wish(actions.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });

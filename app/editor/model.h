@@ -95,7 +95,7 @@ public:
 private:
     void copy_command_line();
     /// Of the probed pixel, under view.light; null: there is none.
-    const Section* judged_section() const;
+    const Section* classified_section() const;
     /// Of the scene, in pixels.
     glm::ivec2 picture_size() const;
 

@@ -65,7 +65,7 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorActions
     for (const PanelRow& row : kPanels) {
         const bool wanted = row.wanted(state, actions);
         out.push_back({.name = std::string(row.name),
-                       .state = wanted ? EffectState::Simulated : EffectState::NotCalledFor,
+                       .state = wanted ? EffectState::Drawn : EffectState::NotNeeded,
                        .reason = std::string(wanted ? row.why : row.why_not)});
     }
     return out;
@@ -78,7 +78,7 @@ Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, boo
     } else if (wish.number != found.number) {
         effect.reason = "It was asked for, and waits for the truth of the picture.";
     } else {
-        effect.state = now ? EffectState::Simulated : EffectState::Reused;
+        effect.state = now ? EffectState::Drawn : EffectState::Cached;
         effect.reason = fmt::format("{} cluster{} of wrong pixels: looked for {}.", found.spots.size(),
                                     found.spots.size() == 1 ? "" : "s",
                                     now ? "once, as it was asked for" : "when it was asked for, and not meanwhile");
@@ -86,16 +86,16 @@ Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, boo
     return effect;
 }
 
-Effect truth_effect(const TruthFacts& truth) {
+Effect reference_effect(const ReferenceFacts& reference) {
     Effect effect{.name = "rays of the truth"};
-    if (!truth.wanted)
+    if (!reference.wanted)
         effect.reason = "Neither a panel, an overlay nor a light's source asks for rays.";
-    else if (!truth.doing.empty())
-        effect.state = EffectState::Simulated, effect.reason = sentence(truth.doing + " in the background");
-    else if (truth.current)
-        effect.state = EffectState::Reused, effect.reason = "They were traced, and nothing they depend on changed.";
+    else if (!reference.doing.empty())
+        effect.state = EffectState::Drawn, effect.reason = sentence(reference.doing + " in the background");
+    else if (reference.current)
+        effect.state = EffectState::Cached, effect.reason = "They were traced, and nothing they depend on changed.";
     else
-        effect.reason = truth.problem.empty() ? "They wait until the picture rests." : sentence(truth.problem);
+        effect.reason = reference.problem.empty() ? "They wait until the picture rests." : sentence(reference.problem);
     return effect;
 }
 

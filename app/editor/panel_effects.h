@@ -15,6 +15,6 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorActions
 Effect artefact_effect(const ArtefactWish& wish, const ArtefactSpots& found, bool now);
 
 /// Rays that are traced in the background, or were.
-Effect truth_effect(const TruthFacts& truth);
+Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si

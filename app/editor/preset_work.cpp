@@ -68,7 +68,7 @@ bool PresetWork::compare() {
     const bool unsaved = scene && (known ? !desk_.holds(state_.preset_path, state_.scene_name, state_.settings)
                                          : state_.settings != scenes_.given());
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
-    const bool against = state_.against.view != AgainstView::Off && !state_.against.truth;
+    const bool against = state_.against.view != AgainstView::Off && !state_.against.reference;
     const bool shown = scene && (state_.tab == BottomTab::Compare || against);
     comparison_ =
         shown ? &desk_.compare(state_.compare, base_settings(*scene), state_.scene_name, state_.pinned) : nullptr;

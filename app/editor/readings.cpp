@@ -39,15 +39,15 @@ void EditorReadings::clear() {
 }
 
 bool EditorReadings::finish_tracing() const {
-    dossier_.wait();
-    return dossier_.ready();
+    diagnosis_.wait();
+    return diagnosis_.ready();
 }
 
 ReadingFacts EditorReadings::facts() const {
     ReadingFacts out = facts_;
-    out.dossiers.assign(dossier_.dossiers().begin(), dossier_.dossiers().end());
-    out.sections = facts_.probe ? dossier_.sections() : nullptr;
-    out.tracing_probe = facts_.probe && dossier_.tracing();
+    out.diagnoses.assign(diagnosis_.diagnoses().begin(), diagnosis_.diagnoses().end());
+    out.sections = facts_.probe ? diagnosis_.sections() : nullptr;
+    out.tracing_probe = facts_.probe && diagnosis_.tracing();
     return out;
 }
 
@@ -66,8 +66,8 @@ bool EditorReadings::update(Renderer& renderer, const Scene& scene, const Pictur
     for (const auto& image : {facts_.map_values, facts_.map_coordinates, facts_.overlay_values})
         if (image) bytes += array_bytes(image->data);
     if (bytes != held_.bytes()) held_ = HeldMemory("numbers read back", bytes);
-    changed |= dossier_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
-    changed |= dossier_.update_sections(facts_.probe.get(), state.settings, state.tab == BottomTab::Probe);
+    changed |= diagnosis_.update(facts_.probe.get(), probed, scene, state.settings, renderer.driver());
+    changed |= diagnosis_.update_sections(facts_.probe.get(), state.settings, state.tab == BottomTab::Probe);
     return changed || probed;
 }
 

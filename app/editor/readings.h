@@ -26,7 +26,7 @@ public:
     /// There is no frame.
     void clear();
     /// The truth of the probed pixel is there: update() has news.
-    bool has_news() const { return dossier_.ready(); }
+    bool has_news() const { return diagnosis_.ready(); }
     /// Waits for it.
     bool finish_tracing() const;
     ReadingFacts facts() const;
@@ -50,7 +50,7 @@ private:
                   lost_of_ = 0, loupe_of_ = 0;  ///< frames they belong to
     int overlay_pane_ = 0, loupe_pane_ = 0;
     ReadingFacts facts_;  ///< but what the dossiers' work knows
-    EditorDossier dossier_;
+    EditorDiagnosis diagnosis_;
     std::optional<glm::ivec2> probed_pixel_;
     HeldMemory held_;           ///< what the numbers take
     Settings frozen_settings_;  ///< that the frozen camera's texels were found under, as far as they depend on them

@@ -33,12 +33,12 @@ void give_way() {
 /// too, of what a context drew last, which may be maps of a gigabyte.
 struct Rehearsals::Stage {
     HeadlessContext context;
-    void play(const Rehearsal& r) {
+    void play(const Warmup& r) {
         Renderer renderer;
         FrameRequest request = r.request;
         request.width = kWidth, request.height = kHeight;
         request.force = true, request.timing = false;
-        request.truth.reset(), request.traced.clear(), request.light_maps.clear();
+        request.reference.reset(), request.traced.clear(), request.light_maps.clear();
         renderer.render(*r.scene, r.settings, request);
         // Once more with the maps kept, of which look-ups may then know more; another size, as nothing else is kept.
         request.force = false, ++request.width;
@@ -47,7 +47,7 @@ struct Rehearsals::Stage {
         renderer.take_gl_messages();
     }
     /// Of the background little is asked.
-    static void probe(Renderer& renderer, const Rehearsal& r, const FrameRequest& request) {
+    static void probe(Renderer& renderer, const Warmup& r, const FrameRequest& request) {
         for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
             for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)
                 if (renderer.probe(*r.scene, r.settings, request, x, y).hit) return;
@@ -57,10 +57,10 @@ struct Rehearsals::Stage {
 Rehearsals::Rehearsals() : thread_([this](const std::stop_token& end) { run(end); }) {}
 Rehearsals::~Rehearsals() = default;
 
-void Rehearsals::foresee(Rehearsal rehearsal) {
+void Rehearsals::foresee(Warmup warmup) {
     {
         const std::lock_guard lock(mutex_);
-        foreseen_.push_back(std::move(rehearsal));
+        foreseen_.push_back(std::move(warmup));
         ++asked_;
         if (foreseen_.size() > kMostForeseen) foreseen_.pop_front();
     }
@@ -82,14 +82,14 @@ std::size_t Rehearsals::done() const {
     return done_;
 }
 
-std::unique_ptr<Rehearsal> Rehearsals::take(const std::stop_token& end) {
+std::unique_ptr<Warmup> Rehearsals::take(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
         if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
         const std::size_t before = asked_;
         if (changed_.wait_for(lock, end, kStill, [&] { return asked_ != before; }) || foreseen_.empty()) continue;
         if (end.stop_requested()) break;
-        auto next = std::make_unique<Rehearsal>(std::move(foreseen_.back()));  // what was shown last
+        auto next = std::make_unique<Warmup>(std::move(foreseen_.back()));  // what was shown last
         foreseen_.pop_back();
         working_ = true;
         return next;

@@ -15,7 +15,7 @@
 namespace si {
 
 /// A frame whose programs are wanted, those for probed pixels too.
-struct Rehearsal {
+struct Warmup {
     std::shared_ptr<const Scene> scene;  ///< stand_in() of the frame's
     Settings settings;
     FrameRequest request;
@@ -28,7 +28,7 @@ public:
     ~Rehearsals();
 
     /// When nothing was foreseen for a while, the last first.
-    void foresee(Rehearsal rehearsal);
+    void foresee(Warmup warmup);
     /// Those of another scene or other shader files are no longer those meant.
     void forget();
     /// Until none is foreseen.
@@ -39,11 +39,11 @@ public:
 private:
     struct Stage;
     void run(const std::stop_token& end);
-    std::unique_ptr<Rehearsal> take(const std::stop_token& end);
+    std::unique_ptr<Warmup> take(const std::stop_token& end);
 
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::deque<Rehearsal> foreseen_;
+    std::deque<Warmup> foreseen_;
     std::size_t done_ = 0, asked_ = 0;
     bool working_ = false;
     std::jthread thread_;  ///< last: ends before what it uses

@@ -15,7 +15,7 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
             unforced.forced = {};  // what is forced is named by no effect
             const FrameResult frame = renderer.render(*copy, settings, unforced);
             const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
-            const std::vector<Saving> named = named_savings(effects);
+            const std::vector<Optimisation> named = named_optimisations(effects);
             out.times =
                 measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
                     report({"frames in turns", share});

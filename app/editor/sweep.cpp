@@ -254,7 +254,7 @@ EditorSweep::Earlier EditorSweep::earlier(const EditorState& state) const {
     const auto comparable_with_now = [&](const Finished& f) {
         const Settings &a = f.of.settings, &b = now.settings;
         return f.of.scene->id == now.scene->id && f.of.width == now.width && f.of.height == now.height &&
-               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
+               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.reference == b.reference &&
                !differing_settings(comparable(a), comparable(b)).empty();
     };
     Earlier found;

@@ -15,7 +15,7 @@
 namespace si {
 namespace {
 
-struct LightNeed : TruthNeed {
+struct LightNeed : ReferenceNeed {
     int light = 0;
     bool light_map = false;  ///< else it is a truth
 };
@@ -24,51 +24,51 @@ struct LightNeed : TruthNeed {
 /// maps.
 std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
     std::vector<LightNeed> out;
-    if (frame.truth.key != 0) out.push_back({frame.truth, shown_light});
+    if (frame.reference.key != 0) out.push_back({frame.reference, shown_light});
     for (std::size_t i = 0; i < frame.traced.size(); ++i)
         if (frame.traced[i].key != 0) out.push_back({frame.traced[i], int(i)});
     for (std::size_t i = 0; i < frame.light_maps.size(); ++i)
         if (const LightMapNeed& n = frame.light_maps[i]; n.key != 0)
-            out.push_back({TruthNeed{n.key, n.met}, int(i), true});
+            out.push_back({ReferenceNeed{n.key, n.met}, int(i), true});
     return out;
 }
 
 nlohmann::ordered_json saved_error(const MeasuredError& measured) {
-    const Truth& truth = *measured.traced.truth;
+    const Reference& reference = *measured.traced.reference;
     nlohmann::ordered_json json = {{"format", "shadow-inspector-measurement"},
                                    {"version", 1},
                                    {"light", measured.light},
                                    {"width", measured.picture.x},
                                    {"height", measured.picture.y},
                                    {"map_resolution", measured.map_resolution},
-                                   {"area", truth.is_area()},
-                                   {"step", truth.step},
-                                   {"truth_noise", truth.noise}};
-    json["truth"] = truth_quality_json(truth);
+                                   {"area", reference.is_area()},
+                                   {"step", reference.step},
+                                   {"truth_noise", reference.noise}};
+    json["truth"] = reference_quality_json(reference);
     json["error"] = error_json(measured.metrics);
     return json;
 }
 
 }  // namespace
 
-void EditorTruth::clear() {
+void EditorReference::clear() {
     job_.drop();
     pictures_.clear();
     light_maps_.clear();
 }
 
-void EditorTruth::rest() {
+void EditorReference::rest() {
     if (job_.busy()) return;  // the cache is the job's
     const bool shown =
         std::ranges::any_of(pictures_, [&](const auto& p) { return p && p->traced.receivers == cache_.receivers(); });
     if (!shown) cache_.clear();
 }
 
-std::shared_ptr<const TruthPicture> EditorTruth::picture(int light) const {
+std::shared_ptr<const ReferencePicture> EditorReference::picture(int light) const {
     return light >= 0 && std::size_t(light) < pictures_.size() ? pictures_[std::size_t(light)] : nullptr;
 }
 
-bool EditorTruth::poll() {
+bool EditorReference::poll() {
     auto outcome = job_.poll();
     if (!outcome) return false;
     if (auto& found = outcome->value) {
@@ -92,17 +92,17 @@ bool EditorTruth::poll() {
     return true;
 }
 
-void EditorTruth::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
-                              const FrameRequest& request, int light) {
-    auto task =
-        std::make_shared<TruthTask>(truth_task(renderer, scene, settings, request, light, truth_options(settings)));
+void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const Settings& settings,
+                                  const FrameRequest& request, int light) {
+    auto task = std::make_shared<ReferenceTask>(
+        reference_task(renderer, scene, settings, request, light, reference_options(settings)));
     doing_ = "Tracing rays", doing_key_ = task->key;
     job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
-        return Found{light, truth_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
+        return Found{light, reference_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
     });
 }
 
-void EditorTruth::start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light) {
+void EditorReference::start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light) {
     auto task = std::make_shared<LightMapTask>(light_map_task(scene, settings, frame, light));
     doing_ = "Baking the light map", doing_key_ = task->key;
     job_.start([light, task = std::move(task)](const Workers& workers, const auto&) {
@@ -110,15 +110,16 @@ void EditorTruth::start_bake(const Scene& scene, const Settings& settings, const
     });
 }
 
-void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Settings& settings,
-                             const FrameRequest& request, const std::string& path) {
+void EditorReference::start_save(Renderer& renderer, const Scene& scene, const Settings& settings,
+                                 const FrameRequest& request, const std::string& path) {
     require_writable(path);
-    FrameRequest judged = request;
-    judged.outputs = {.colour = false, .judged = true};
-    judged.timing = judged.force = false;
-    const FrameResult frame = renderer.render(scene, settings, judged);
-    auto measured = std::make_shared<MeasuredError>(read_judged(renderer, frame, *request.truth, settings.view.light));
-    doing_ = "Measuring", doing_key_ = request.truth->key;
+    FrameRequest classified = request;
+    classified.outputs = {.colour = false, .classified = true};
+    classified.timing = classified.force = false;
+    const FrameResult frame = renderer.render(scene, settings, classified);
+    auto measured =
+        std::make_shared<MeasuredError>(read_classified(renderer, frame, *request.reference, settings.view.light));
+    doing_ = "Measuring", doing_key_ = request.reference->key;
     job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
         sum_up(*measured);
         write_file(path, json_text(saved_error(*measured)));
@@ -126,8 +127,8 @@ void EditorTruth::start_save(Renderer& renderer, const Scene& scene, const Setti
     });
 }
 
-bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                         const FrameResult& frame, bool drawn, const Wishes& wishes) {
+bool EditorReference::update(Renderer& renderer, const Scene& scene, const Settings& settings,
+                             const FrameRequest& request, const FrameResult& frame, bool drawn, const Wishes& wishes) {
     const bool changed = poll();
     const std::vector<LightNeed> needs = needs_of(frame, settings.view.light);
     const auto wants = [&](std::uint64_t key) {
@@ -163,10 +164,10 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     }
     // A picture that was found just now is drawn before it is judged what is missing.
     const auto shown = picture(settings.view.light);
-    if (drawn || changed || (shown && request.truth != shown) || request.traced != pictures_ ||
+    if (drawn || changed || (shown && request.reference != shown) || request.traced != pictures_ ||
         request.light_maps != light_maps_)
         return changed;
-    if (save_next_ && frame.truth.met) {
+    if (save_next_ && frame.reference.met) {
         start_save(renderer, scene, settings, request, *std::exchange(save_next_, {}));
     } else if (next != needs.end() && !given_up_.contains(next->key)) {
         if (next->light_map)
@@ -182,8 +183,8 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
     return true;
 }
 
-TruthFacts EditorTruth::facts(const FrameResult& frame, int shown_light) const {
-    TruthFacts f;
+ReferenceFacts EditorReference::facts(const FrameResult& frame, int shown_light) const {
+    ReferenceFacts f;
     const std::vector<LightNeed> needs = needs_of(frame, shown_light);
     f.wanted = !needs.empty();
     f.current = f.wanted && std::all_of(needs.begin(), needs.end(), [](const LightNeed& n) { return n.met; });
@@ -196,10 +197,10 @@ TruthFacts EditorTruth::facts(const FrameResult& frame, int shown_light) const {
     for (const LightNeed& n : needs)
         if (!known) known = picture(n.light);
     if (known) {
-        const TracedTruth& t = known->traced;
+        const TracedReference& t = known->traced;
         f.build_ms = t.build_ms, f.place_ms = t.place_ms, f.trace_ms = t.trace_ms;
-        f.rays = t.truth->rays, f.noise = noise_text(*t.truth);
-        f.width = t.truth->width, f.height = t.truth->height;
+        f.rays = t.reference->rays, f.noise = noise_text(*t.reference);
+        f.width = t.reference->width, f.height = t.reference->height;
     }
     return f;
 }

@@ -15,12 +15,12 @@
 namespace si {
 
 /// One job computes at a time. All calls from the renderer's thread.
-class EditorTruth {
+class EditorReference {
 public:
     /// What was last traced of a light, for FrameRequest::truth; null: nothing.
-    std::shared_ptr<const TruthPicture> picture(int light) const;
+    std::shared_ptr<const ReferencePicture> picture(int light) const;
     /// The same of all lights, for FrameRequest::traced.
-    const std::vector<std::shared_ptr<const TruthPicture>>& pictures() const { return pictures_; }
+    const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
 
     /// What was last baked of each light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
@@ -39,7 +39,7 @@ public:
     /// Lets go of what it keeps for views that are no longer shown.
     void rest();
 
-    TruthFacts facts(const FrameResult& frame, int shown_light) const;
+    ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
     /// Something is done: update() has news; or its progress is to be drawn anew.
     bool moved() const { return job_.moved(); }
@@ -51,7 +51,7 @@ public:
 private:
     struct Found {
         int light = 0;
-        std::shared_ptr<const TruthPicture> picture;  ///< of the light; null: as it was
+        std::shared_ptr<const ReferencePicture> picture;  ///< of the light; null: as it was
         std::string remark;
         std::shared_ptr<const LightMap> light_map;  ///< of the light; null: as it was
     };
@@ -63,10 +63,10 @@ private:
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 
-    TruthCache cache_;                                           ///< used by the job while there is one
-    std::vector<std::shared_ptr<const TruthPicture>> pictures_;  ///< by light; of no longer wanted ones null
-    std::vector<std::shared_ptr<const LightMap>> light_maps_;    ///< the same
-    std::set<std::uint64_t> given_up_;                           ///< keys of what failed or was cancelled
+    ReferenceCache cache_;                                           ///< used by the job while there is one
+    std::vector<std::shared_ptr<const ReferencePicture>> pictures_;  ///< by light; of no longer wanted ones null
+    std::vector<std::shared_ptr<const LightMap>> light_maps_;        ///< the same
+    std::set<std::uint64_t> given_up_;                               ///< keys of what failed or was cancelled
     std::string problem_, remark_;
     std::optional<std::string> save_next_;
     const char* doing_ = "";

@@ -22,7 +22,7 @@ Settings other_settings(const Settings& shown, const Settings& other) {
     out.scene = shown.scene;
     out.camera = shown.camera;
     out.view = shown.view;
-    out.truth = shown.truth;
+    out.reference = shown.reference;
     return out;
 }
 

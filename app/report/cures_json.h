@@ -9,9 +9,9 @@
 namespace si {
 
 /// One object a row, in the table's order.
-nlohmann::ordered_json cures_json(const CureTable& table);
+nlohmann::ordered_json fixes_json(const FixTable& table);
 
 /// @param rows at most so many; what was not tried is left out
-void print_cures(const CureTable& table, std::size_t rows);
+void print_fixes(const FixTable& table, std::size_t rows);
 
 }  // namespace si

@@ -13,8 +13,8 @@ std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Sc
                                                     FrameRequest request, const Workers& workers) {
     request.outputs.health = true;
     request.timing = false;
-    TruthCache truths;
-    trace_sources(renderer, scene, settings, request, truths, workers);
+    ReferenceCache references;
+    trace_sources(renderer, scene, settings, request, references, workers);
     return renderer.numeric_health(renderer.render(scene, settings, request));
 }
 

@@ -56,7 +56,7 @@ const char* state_key(PixelState state) {
     return kStates[std::size_t(state)];
 }
 
-Json truth_quality_json(const Truth& t) {
+Json reference_quality_json(const Reference& t) {
     Json json = {{"area", t.is_area()},
                  {"step", t.step},
                  {"noise", t.noise},

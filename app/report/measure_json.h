@@ -16,7 +16,7 @@ nlohmann::ordered_json time_json(const TimeMeasurement& time);
 const char* state_key(PixelState state);
 /// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not
 /// known.
-nlohmann::ordered_json truth_quality_json(const Truth& truth);
+nlohmann::ordered_json reference_quality_json(const Reference& reference);
 /// What the shares and causes of an error mean; rows of different meanings are not to be compared.
 /// 1: by distance to a true edge. 2: by the change that puts a pixel right.
 /// 3: as 2, with polygon offset and contact shadows as causes of their own.

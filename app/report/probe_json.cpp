@@ -109,16 +109,16 @@ Json per_light_json(const Probe::PerLight& p) {
     return json;
 }
 
-Json dossier_json(const Dossier& d) {
+Json diagnosis_json(const PixelDiagnosis& d) {
     Json json = {{"verdict", d.verdict},
                  {"right", d.right},
                  {"artefact", "none"},
                  {"truth",
-                  {{"state", state_key(d.truth.state)},
-                   {"lit", d.truth.lit},
-                   {"area_share", d.truth.share},
-                   {"area_noise", d.truth.noise},
-                   {"gap_m", d.truth.gap_m}}},
+                  {{"state", state_key(d.reference.state)},
+                   {"lit", d.reference.lit},
+                   {"area_share", d.reference.share},
+                   {"area_noise", d.reference.noise},
+                   {"gap_m", d.reference.gap_m}}},
                  {"window",
                   {{"least", amount_json(d.least)},
                    {"occluder", amount_json(d.occluder)},
@@ -126,11 +126,11 @@ Json dossier_json(const Dossier& d) {
                    {"opening_resolution", d.opening_resolution}}},
                  {"remedy", nullptr}};
     for (const ArtefactStyle& style : artefact_styles())
-        if (style.artefact == d.truth.cause.artefact) json["artefact"] = style.key;
-    if (d.remedy) {
-        const auto& [key, value] = d.remedy->settings.front();
-        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.remedy->text}, {"settings", Json::object()}};
-        for (const auto& [k, v] : d.remedy->settings) json["remedy"]["settings"][k] = v;
+        if (style.artefact == d.reference.cause.artefact) json["artefact"] = style.key;
+    if (d.fix) {
+        const auto& [key, value] = d.fix->settings.front();
+        json["remedy"] = {{"key", key}, {"value", value}, {"text", d.fix->text}, {"settings", Json::object()}};
+        for (const auto& [k, v] : d.fix->settings) json["remedy"]["settings"][k] = v;
     }
     json["also"] = Json::array();
     for (const ArtefactStyle& style : artefact_styles())
@@ -141,7 +141,7 @@ Json dossier_json(const Dossier& d) {
 
 }  // namespace
 
-Json probe_json(const Probe& probe, std::span<const Dossier> dossiers) {
+Json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses) {
     Json json = {{"hit", probe.hit}, {"x", probe.x}, {"y", probe.y}};
     if (!probe.hit) return json;
     json["object"] = probe.object;
@@ -150,8 +150,8 @@ Json probe_json(const Probe& probe, std::span<const Dossier> dossiers) {
     json["lights"] = Json::array();
     for (const auto& light : probe.lights) {
         json["lights"].push_back(per_light_json(light));
-        for (const Dossier& d : dossiers)
-            if (d.light == light.light) json["lights"].back()["dossier"] = dossier_json(d);
+        for (const PixelDiagnosis& d : diagnoses)
+            if (d.light == light.light) json["lights"].back()["dossier"] = diagnosis_json(d);
     }
     return json;
 }

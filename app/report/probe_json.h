@@ -9,6 +9,6 @@
 namespace si {
 
 /// @param dossiers one for each light of the probe, or none where no truth was asked for
-nlohmann::ordered_json probe_json(const Probe& probe, std::span<const Dossier> dossiers);
+nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses);
 
 }  // namespace si

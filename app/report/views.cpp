@@ -138,9 +138,9 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     const int width = request.width, height = request.height;
     const PaneGrid grid = picture_grid(settings, width, height);
     if (grid.count() > 1) request.width = grid.width, request.height = grid.height;
-    TruthCache truths;
+    ReferenceCache references;
     // The renderer's frame may lack what overlays judge by.
-    const FrameResult result = render_with_truth(renderer, scene, settings, request, truths, workers);
+    const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);
     if (frame) *frame = result;
     if (depth) {
         if (view.key == "shadow-map") require_map(settings, result);

@@ -210,9 +210,9 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
             bench.measurer = std::make_unique<Measurer>(bench.renderer, p.width, p.height);
         bench.width = p.width, bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
-        const Judgement judged = bench.measurer->judge(*p.scene, p.settings);
-        numbers.error = {judged.error, judged.truth->noise};
-        numbers.cost = judged.cost;
+        const Judgement classified = bench.measurer->judge(*p.scene, p.settings);
+        numbers.error = {classified.error, classified.reference->noise};
+        numbers.cost = classified.cost;
         publish(numbers, "", false);
         numbers.time = bench.measurer->time(*p.scene, p.settings, p.cost);
         publish(numbers, "", true);

@@ -15,15 +15,16 @@ RunInfo RenderedCases::run() {
 CaseFacts RenderedCases::facts(const SweepCase& c) {
     CaseFacts facts;
     CaseSessions::Prepared prepared = sessions_.prepare(c.values);
-    const Judgement judged = measurer_.judge(prepared.scene, prepared.settings);
+    const Judgement classified = measurer_.judge(prepared.scene, prepared.settings);
     facts.notes = std::move(prepared.notes);
-    facts.error = {judged.error, judged.truth->noise};
-    if (judged.truth->noise_unknown > 0) facts.notes.push_back("the truth: " + noise_text(*judged.truth));
-    facts.cost = judged.cost;
-    if (judged.map_resolution < prepared.settings.map.resolution) facts.map_resolution = judged.map_resolution;
-    facts.notes.insert(facts.notes.end(), judged.notes.begin(), judged.notes.end());
-    facts.picture_jpg = jpg_bytes(shrunk(judged.picture, kThumbnailWidth));
-    facts.artefacts_png = png_bytes(shrunk(judged.artefacts, kArtefactsWidth));
+    facts.error = {classified.error, classified.reference->noise};
+    if (classified.reference->noise_unknown > 0)
+        facts.notes.push_back("the truth: " + noise_text(*classified.reference));
+    facts.cost = classified.cost;
+    if (classified.map_resolution < prepared.settings.map.resolution) facts.map_resolution = classified.map_resolution;
+    facts.notes.insert(facts.notes.end(), classified.notes.begin(), classified.notes.end());
+    facts.picture_jpg = jpg_bytes(shrunk(classified.picture, kThumbnailWidth));
+    facts.artefacts_png = png_bytes(shrunk(classified.artefacts, kArtefactsWidth));
     return facts;
 }
 

@@ -31,8 +31,8 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
     TuneGoals goals = job.goals;
     goals.most_resolution = std::min(goals.most_resolution, renderer.driver().max_texture_size);
     Tuner tuner(start, goals);
-    TruthCache cache;
-    const TruthOptions truth = truth_options(start);
+    ReferenceCache cache;
+    const ReferenceOptions reference = reference_options(start);
     Measurer clock(renderer, job.width, job.height);
     while (tuner.ask() != Tuner::Ask::Nothing) {
         report(tuner);
@@ -43,8 +43,8 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
             continue;
         }
         const MeasuredError measured =
-            measure_error(renderer, scene, s, request, start.view.light, truth, cache, workers);
-        tuner.judged(judge_bias(measured, s, renderer.driver()));
+            measure_error(renderer, scene, s, request, start.view.light, reference, cache, workers);
+        tuner.classified(measure_bias_trial(measured, s, renderer.driver()));
     }
     return tuner;
 }

@@ -15,7 +15,7 @@ struct EffectFacts {
     const Scene& scene;
     Settings settings;  ///< repaired
     const FrameResult& frame;
-    SavingSet forced;
+    OptimisationSet forced;
     int casters = 0, masked_casters = 0;  ///< objects
 
     const Filter& filter() const { return filter_of(settings); }
@@ -25,14 +25,14 @@ struct EffectFacts {
 using Effects = std::vector<Effect>;
 
 constexpr EffectState state_of(PassState state) {
-    return state == PassState::Ran      ? EffectState::Simulated
-           : state == PassState::Reused ? EffectState::Reused
-                                        : EffectState::NotCalledFor;
+    return state == PassState::Drawn    ? EffectState::Drawn
+           : state == PassState::Cached ? EffectState::Cached
+                                        : EffectState::NotNeeded;
 }
 
 /// An effect that is a part of a pass: where the pass does its work and `reason` is empty, the pass's own state.
-Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::string_view reason,
-               std::optional<Saving> saving = {});
+Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_view reason,
+               std::optional<Optimisation> saving = {});
 
 /// "light.2.size".
 std::string light_key(std::size_t light, std::string_view setting);

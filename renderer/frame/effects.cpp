@@ -72,14 +72,14 @@ void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
         out.push_back({.name = name, .state = state, .reason = std::move(reason), .pass = pass.name, .part = true});
     };
     if (p.drawn > 0)
-        add("pages drawn", EffectState::Simulated,
+        add("pages drawn", EffectState::Drawn,
             fmt::format("{} of {} pages that look-ups may read are drawn for this frame.", p.drawn, p.wanted));
     if (p.kept > 0)
-        add("pages kept", EffectState::Reused,
+        add("pages kept", EffectState::Cached,
             fmt::format("{} of {} pages that look-ups may read were drawn before, and nothing in them changed.", p.kept,
                         p.wanted));
     if (unread > 0)
-        add("pages that nothing reads", EffectState::NotCalledFor,
+        add("pages that nothing reads", EffectState::NotNeeded,
             fmt::format("{} of {} pages are within no visible pixel's kernel.", unread, maps * side * side));
     out.push_back(part_of(pass, "alpha test in pages", f.masked_casters > 0, masks_text(f)));
 }
@@ -113,8 +113,8 @@ bool skips(const EffectFacts& f, std::string_view name) {
     return !pass || pass->state == PassState::Skipped;
 }
 
-std::string truth_unasked(const EffectFacts& f) {
-    return f.frame.truth.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+std::string reference_unrequested(const EffectFacts& f) {
+    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
 }
 
 std::string viewer_unasked(const EffectFacts& f) {
@@ -174,17 +174,19 @@ const EffectRow kRows[] = {
     {.pass = "truth uploaded",
      .name = "truth on the GPU",
      .why = SI_WHY("something shown needs the traced truth"),
-     .unasked = truth_unasked},
-    {.pass = "pixels compared", .why = SI_WHY("somebody asks which pixels are wrong"), .unasked = truth_unasked},
-    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = truth_unasked},
+     .unasked = reference_unrequested},
+    {.pass = "pixels compared",
+     .why = SI_WHY("somebody asks which pixels are wrong"),
+     .unasked = reference_unrequested},
+    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = reference_unrequested},
     {.pass = "errors summed up",
      .name = "metrics",
      .why = SI_WHY("somebody asks for the picture's errors"),
-     .unasked = truth_unasked},
+     .unasked = reference_unrequested},
     {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
     {.pass = "shading by the truth",
      .why = SI_WHY("the picture is compared with the one lit by the truth"),
-     .unasked = truth_unasked},
+     .unasked = reference_unrequested},
     {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
     {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
@@ -237,12 +239,12 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
     effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
     const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
-    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Saving::Fused)) &&
+    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
-        effect.saving = Saving::Fused;
+        effect.saving = Optimisation::Fused;
     const bool waits_for_maps = pass.reason.starts_with("the maps are drawn anew");
-    if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Saving::EarlyOut)))
-        effect.saving = Saving::EarlyOut;
+    if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
+        effect.saving = Optimisation::EarlyOut;
     out.push_back(std::move(effect));
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
@@ -255,17 +257,17 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
 }
 
 /// Keeping what rests apart is told of by the maps' passes once something has moved.
-void add_resting(const EffectFacts& f, int animation, Effects& out) {
+void add_static(const EffectFacts& f, int animation, Effects& out) {
     for (const PassInfo& pass : f.frame.passes)
         for (const PartInfo& part : pass.parts)
-            if (part.by == Saving::Resting) return;
+            if (part.by == Optimisation::Static) return;
     const auto has_map = [](const FittedLight& light) { return light.casts; };
     std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
     else if (!moves(f.scene, animation))
         why = "nothing moves here: maps are kept as they are, or drawn whole";
-    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Saving::Resting});
+    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::Static});
 }
 
 void count_casters(EffectFacts& f) {
@@ -279,12 +281,12 @@ void count_casters(EffectFacts& f) {
 
 }  // namespace
 
-Effect part_of(const PassInfo& pass, std::string name, bool called_for, std::string_view reason,
-               std::optional<Saving> saving) {
+Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_view reason,
+               std::optional<Optimisation> saving) {
     const bool lives = pass.state != PassState::Skipped;
     Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
-    effect.state = called_for ? state_of(pass.state) : EffectState::NotCalledFor;
-    effect.reason = sentence(lives || !called_for ? reason : std::string_view(pass.reason));
+    effect.state = needed ? state_of(pass.state) : EffectState::NotNeeded;
+    effect.reason = sentence(lives || !needed ? reason : std::string_view(pass.reason));
     return effect;
 }
 
@@ -295,10 +297,10 @@ std::string light_key(std::size_t light, std::string_view setting) {
 }
 
 std::string_view state_name(EffectState state) {
-    return state == EffectState::Simulated ? "simulated" : state == EffectState::Reused ? "reused" : "not called for";
+    return state == EffectState::Drawn ? "simulated" : state == EffectState::Cached ? "reused" : "not called for";
 }
 
-Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool anew) {
+Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again) {
     Effect effect{.name = "posing"};
     if (!scene.rig || scene.rig->animations.empty()) {
         effect.reason = "Nothing moves: the scene has no animation.";
@@ -307,10 +309,10 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool ane
     } else {
         const auto skins =
             std::count_if(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.deformer; });
-        effect.state = anew ? EffectState::Simulated : EffectState::Reused;
+        effect.state = again ? EffectState::Drawn : EffectState::Cached;
         effect.reason =
             fmt::format("The scene is posed at {:.4g} s, with {} skinned or morphed mesh{}, {}.", settings.time, skins,
-                        skins == 1 ? "" : "es", anew ? "once for all passes and rays" : "as before");
+                        skins == 1 ? "" : "es", again ? "once for all passes and rays" : "as before");
     }
     return effect;
 }
@@ -330,18 +332,18 @@ std::string sentence(std::string_view text) {
 }
 
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
-                                  SavingSet forced) {
+                                  OptimisationSet forced) {
     EffectFacts facts{.scene = scene, .settings = settings, .frame = frame, .forced = forced};
     sanitise(facts.settings);
     count_casters(facts);
     Effects out;
     for (const PassInfo& pass : frame.passes) add_pass(facts, pass, out);
-    add_resting(facts, settings.scene.animation, out);
+    add_static(facts, settings.scene.animation, out);
     for (const EffectRow& row : kRows) {
         const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
         if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
         out.push_back({.name = std::string(row.name.empty() ? row.pass : row.name),
-                       .state = EffectState::NotCalledFor,
+                       .state = EffectState::NotNeeded,
                        .reason = sentence(row.absent(facts))});
     }
     return out;

@@ -13,20 +13,20 @@
 namespace si {
 
 enum class EffectState {
-    Simulated,    ///< this frame computed it
-    Reused,       ///< what an earlier frame computed still holds
-    NotCalledFor  ///< nothing that is looked at depends on it
+    Drawn,     ///< this frame computed it
+    Cached,    ///< what an earlier frame computed still holds
+    NotNeeded  ///< nothing that is looked at depends on it
 };
 /// "simulated", "reused", "not called for": also what files call it.
 std::string_view state_name(EffectState state);
 
 struct Effect {
     std::string name;  ///< "map of light 0, cascade 2"
-    EffectState state = EffectState::NotCalledFor;
-    std::string reason;            ///< one sentence or more, with their ends
-    std::optional<Saving> saving;  ///< that spares it, wholly or in part; forced, it is simulated
-    std::string pass;              ///< PassInfo::name of what does it; empty: no pass of the frame does
-    bool part = false;             ///< one of several things that the pass does: its time is not this one's alone
+    EffectState state = EffectState::NotNeeded;
+    std::string reason;                  ///< one sentence or more, with their ends
+    std::optional<Optimisation> saving;  ///< that spares it, wholly or in part; forced, it is simulated
+    std::string pass;                    ///< PassInfo::name of what does it; empty: no pass of the frame does
+    bool part = false;                   ///< one of several things that the pass does: its time is not this one's alone
     bool operator==(const Effect&) const = default;
 };
 
@@ -35,11 +35,11 @@ struct Effect {
 /// @param settings that it was drawn under, repaired or not
 /// @param forced FrameRequest::forced of the frame
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
-                                  SavingSet forced = {});
+                                  OptimisationSet forced = {});
 
 /// Moving the scene's nodes, skins and morph targets, which is done before a frame, by the CPU.
 /// @param anew the scene was posed since the frame before
-Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool anew);
+Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again);
 
 /// How many of `effects`, one of which is `effect`, share its saving: what was measured of that is of all together.
 std::size_t saved_together(std::span<const Effect> effects, const Effect& effect);

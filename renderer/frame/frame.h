@@ -21,10 +21,10 @@
 
 namespace si {
 
-struct TruthPicture;  // renderer/reference/truth_picture.h
-struct LightMap;      // renderer/reference/light_map.h
-struct LiveError;     // renderer/reference/live_error.h
-struct Precision;     // renderer/inspect/precision.h
+struct ReferencePicture;  // renderer/reference/reference_picture.h
+struct LightMap;          // renderer/reference/light_map.h
+struct LiveError;         // renderer/reference/live_error.h
+struct Precision;         // renderer/inspect/precision.h
 namespace gl {
 struct Target;
 }
@@ -38,10 +38,10 @@ struct Outputs {
     bool surface_ids = false;      ///< the object and triangle behind each pixel
     bool map_coordinates = false;  ///< where in the map of view.light each pixel's kernel is centred
     bool texels_read = false;      ///< which texels of the shown map the kernels of all pixels fetch
-    bool error = false;      ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
-    bool judged = false;     ///< the same pixel by pixel; needs FrameRequest::truth
-    bool precision = false;  ///< how far look-ups are off by single precision: FrameResult::precision
-    bool evidence = false;   ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
+    bool error = false;       ///< what is wrong with the shadows of view.light, in numbers; needs FrameRequest::truth
+    bool classified = false;  ///< the same pixel by pixel; needs FrameRequest::truth
+    bool precision = false;   ///< how far look-ups are off by single precision: FrameResult::precision
+    bool evidence = false;  ///< all trials of every pixel (CauseEvidence); takes FrameRequest::truth where it is there
     bool unfiltered_map = false;  ///< what trials of a probed pixel read is up to date
     bool true_colour = false;     ///< the picture as the truth lights it; needs FrameRequest::truth
     bool health = false;          ///< whether all its numbers are sound: Renderer::numeric_health()
@@ -72,21 +72,21 @@ struct FrameRequest {
     Outputs outputs;
     bool timing = false;                   ///< measure each pass (costs time itself)
     bool force = false;                    ///< run every pass even when its result is cached
-    SavingSet forced;                      ///< savings not to make: the same picture by more work
+    OptimisationSet forced;                ///< savings not to make: the same picture by more work
     std::optional<bool> blocks_as_images;  ///< how shaders read numbers (Blocks); nothing: DriverInfo::blocks_as_images
     std::optional<MapOfLight> emptied;     ///< left as if nothing cast into it: what does it show? Not of virtual maps
     std::optional<MapCamera> map_camera;   ///< nothing: the picture's own
     int smoothed = 0;  ///< shadings beside the picture that a smooth one is made of so far: FrameResult::smooth
     /// What rays found for this very view and light; another one's is left unused. See FrameResult::truth.
-    std::shared_ptr<const TruthPicture> truth;
+    std::shared_ptr<const ReferencePicture> reference;
     /// The same by light, for those whose source is ray traced; may end early, and hold none for others.
-    std::vector<std::shared_ptr<const TruthPicture>> traced;
+    std::vector<std::shared_ptr<const ReferencePicture>> traced;
     /// By light, for those whose source is a light map; may end early, and hold none for others. Those of another
     /// scene, light or setting are left unused: see FrameResult::light_maps.
     std::vector<std::shared_ptr<const LightMap>> light_maps;
 };
 
-enum class PassState { Ran, Reused, Skipped };
+enum class PassState { Drawn, Cached, Skipped };
 
 /// What a pass's time is booked under.
 enum class PassCategory {
@@ -101,9 +101,9 @@ struct PartInfo {
     PassState state = PassState::Skipped;
     std::string reason;
     std::uint64_t draws = 0, triangles = 0;
-    std::uint64_t left_out = 0;  ///< of what `unit` names, by `by`
-    std::string_view unit;       ///< "casters", "triangles", "taps"
-    std::optional<Saving> by;    ///< the saving that spared it, wholly or in part; nothing: none did
+    std::uint64_t left_out = 0;      ///< of what `unit` names, by `by`
+    std::string_view unit;           ///< "casters", "triangles", "taps"
+    std::optional<Optimisation> by;  ///< the saving that spared it, wholly or in part; nothing: none did
 };
 
 struct PassInfo {
@@ -129,12 +129,12 @@ struct Pane {
     Image values;     ///< RGBA32F, x is the value of scalar overlays, a is 0 where nothing was drawn; empty: no overlay
     int overlay = 0;  ///< 0 none, else row of the overlay table + 1
     float overlay_min = 0, overlay_max = 1;  ///< the colour scale in use
-    bool lacks_truth = false;  ///< its overlay needs a truth that FrameRequest did not bring; it is not drawn
+    bool lacks_reference = false;  ///< its overlay needs a truth that FrameRequest did not bring; it is not drawn
 };
 
 /// What truth a frame asks for, and whether it had it.
-struct TruthNeed {
-    std::uint64_t key = 0;  ///< truth_key() of this frame; 0: nothing asks for it, or there is no light
+struct ReferenceNeed {
+    std::uint64_t key = 0;  ///< reference_key() of this frame; 0: nothing asks for it, or there is no light
     bool met = false;       ///< FrameRequest::truth was the one
 };
 
@@ -193,11 +193,11 @@ struct FrameResult {
         texels_read;  ///< R32F, a value a texel of the map of view.light and view.face: 1 where some kernel fetches it
     Image surface_ids;                            ///< RG32UI, see SurfaceIds
     Image true_colour;                            ///< RGBA8, as `colour` without overlays
-    Image judged;                                 ///< RG32F, see judged_pixels()
+    Image classified;                             ///< RG32F, see classified_pixels()
     std::array<Image, kEvidenceImages> evidence;  ///< RGBA32F each, in the order of CauseEvidence
     bool mask_levels = false;                     ///< of the evidence's CauseContext
-    TruthNeed truth;
-    std::vector<TruthNeed> traced;               ///< by light, of those whose source is ray traced; empty where none is
+    ReferenceNeed reference;
+    std::vector<ReferenceNeed> traced;           ///< by light, of those whose source is ray traced; empty where none is
     std::vector<LightMapNeed> light_maps;        ///< by light, of those whose source that is; empty where none is
     std::shared_ptr<const LiveError> error;      ///< null unless asked for and truth.met
     std::shared_ptr<const Precision> precision;  ///< null unless asked for, or where view.light has no map

@@ -42,7 +42,7 @@ std::string no_size_text(std::span<const std::size_t> lights) {
 std::string search_text(const EffectFacts& f, const std::string& no_size) {
     const std::string kernel = f.kernel();
     const Search search = search_of(f.filter());
-    const bool forced = f.forced.contains(Saving::Blockers);
+    const bool forced = f.forced.contains(Optimisation::Blockers);
     if (search == Search::None)
         return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
                            kernel);
@@ -68,8 +68,8 @@ std::string search_text(const EffectFacts& f, const std::string& no_size) {
 
 /// @param looked_up the lights in whose maps the kernel looks
 void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const std::size_t> looked_up, Effects& out) {
-    const auto add = [&](const char* name, bool called_for, const std::string& reason) {
-        out.push_back(part_of(pass, name, called_for, reason));
+    const auto add = [&](const char* name, bool needed, const std::string& reason) {
+        out.push_back(part_of(pass, name, needed, reason));
     };
     if (looked_up.empty()) {
         const bool maps = std::ranges::any_of(f.frame.lights, &FittedLight::casts);
@@ -85,7 +85,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
         opens && !sizeless.empty() ? ". " + no_size_text(sizeless) + ": no penumbra opens there" : "";
     const Search search = search_of(f.filter());
     const bool all_the_same =
-        search == Search::Rays || (search == Search::Places && f.forced.contains(Saving::Blockers));
+        search == Search::Rays || (search == Search::Places && f.forced.contains(Optimisation::Blockers));
     add("blocker search", search != Search::None && (opens || all_the_same),
         search_text(f, no_size) + (search == Search::None ? "" : but));
     if (!f.filter().reads_light_size)
@@ -98,7 +98,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
 /// Why no texel of a light's maps is read, as what draws them found out; empty: some may be.
 std::string why_unread(const EffectFacts& f, const PassInfo& pass, std::size_t light) {
     // Forced, look-ups that cannot matter are made, and foreseen by nothing that leaves maps undrawn.
-    if (pass.state == PassState::Skipped || f.forced.contains(Saving::Facing)) return {};
+    if (pass.state == PassState::Skipped || f.forced.contains(Optimisation::Facing)) return {};
     std::string why;
     if (f.frame.pages && f.frame.pages->wanted == 0) why = "no pixel asks for a page";
     for (const PassInfo& map : f.frame.passes)
@@ -112,7 +112,8 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
     if (keeps_mips(f.settings))
         return fmt::format("kernel {} fetches {} texels at each place of each mip level that it reads", f.kernel(),
                            texels);
-    if (search_of(f.filter()) == Search::Places && spares_search(f, light) && !f.forced.contains(Saving::Blockers))
+    if (search_of(f.filter()) == Search::Places && spares_search(f, light) &&
+        !f.forced.contains(Optimisation::Blockers))
         texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
     return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
 }
@@ -121,12 +122,13 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
 /// forced.
 Effect lit_everywhere(const EffectFacts& f, const PassInfo& pass, std::string name, std::string reason, bool separate) {
     if (!separate) return part_of(pass, std::move(name), false, reason);
-    const bool forced = f.forced.contains(Saving::Uncalled);
-    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Saving::Uncalled);
+    const bool forced = f.forced.contains(Optimisation::Uncalled);
+    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Optimisation::Uncalled);
 }
 
 /// Work that a saving spares within a pass which is done anyway.
-Effect spared_part(const EffectFacts& f, const PassInfo& pass, std::string name, Saving saving, std::string_view why) {
+Effect spared_part(const EffectFacts& f, const PassInfo& pass, std::string name, Optimisation saving,
+                   std::string_view why) {
     const bool forced = f.forced.contains(saving);
     return part_of(pass, std::move(name), forced, forced ? "forced: it is done all the same" : why, saving);
 }
@@ -141,15 +143,15 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         from_maps |= light.casts;
         const std::string name = fmt::format("look-ups of light {}", i);
         const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
-        const bool forced = f.forced.contains(Saving::Uncalled);
+        const bool forced = f.forced.contains(Optimisation::Uncalled);
         if (!separate && light.shadowed && shades_nothing(light, f.settings)) {
-            out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Saving::Uncalled));
+            out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Optimisation::Uncalled));
             if (forced && light.casts) looked_up.push_back(i);
         } else if (!separate && !forced && never_shadows(light, f.settings)) {
-            out.push_back(part_of(pass, name, false, light.empty, Saving::Uncalled));
+            out.push_back(part_of(pass, name, false, light.empty, Optimisation::Uncalled));
         } else if (!light.shadowed) {
             out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
-        } else if (source.file.empty() && !source.needs.truth) {
+        } else if (source.file.empty() && !source.needs.reference) {
             out.push_back(lit_everywhere(f, pass, name, told, separate));
         } else if (!source.needs.map) {
             out.push_back(part_of(pass, name, true, told));
@@ -161,7 +163,7 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
     }
     search_parts(f, pass, looked_up, out);
     if (!from_maps) return;
-    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Saving::Facing,
+    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Optimisation::Facing,
                               "what is turned away from a light, beyond its range or outside of its cone is dark, "
                               "whatever its map holds"));
     const char* spared = search_of(f.filter()) == Search::Rays
@@ -169,7 +171,8 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
                              : "no penumbra opens, and all places of the search are one";
     for (const std::size_t i : looked_up)
         if (spares_search(f, f.frame.lights[i]))
-            out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i), Saving::Blockers,
+            out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i),
+                                      Optimisation::Blockers,
                                       fmt::format("{} is 0: {}", light_key(i, "size"), spared)));
 }
 
@@ -225,7 +228,7 @@ void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) 
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
-        out.push_back(spared_part(f, pass, "shading of what is hidden", Saving::Order,
+        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::Order,
                                   "what is near is drawn before what it hides, large meshes after small ones that they "
                                   "touch: the depth test drops most of what would be shaded and hidden again"));
     look_parts(f, pass, out);
@@ -243,9 +246,9 @@ std::string why_visibility(const EffectFacts& f, const PassInfo&) {
     }
     for (const Pane& pane : f.frame.panes)
         if (pane.overlay > 0 && (overlays()[std::size_t(pane.overlay - 1)].reads_visibility ||
-                                 overlays()[std::size_t(pane.overlay - 1)].reads_truth))
+                                 overlays()[std::size_t(pane.overlay - 1)].reads_reference))
             return fmt::format("overlay {} reads it", overlays()[std::size_t(pane.overlay - 1)].key);
-    return f.frame.truth.met ? "it is compared with the truth" : "it was asked for";
+    return f.frame.reference.met ? "it is compared with the truth" : "it was asked for";
 }
 
 }  // namespace si

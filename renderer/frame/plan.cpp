@@ -35,7 +35,7 @@ std::string_view result_name(Result result) {
             return "unfiltered map";
         case Result::SurfacesSeen:
             return "surfaces seen";
-        case Result::Truth:
+        case Result::Reference:
             return "truth";
         case Result::Compared:
             return "compared pixels";
@@ -98,13 +98,13 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         needed.insert(pass.reads.begin(), pass.reads.end());
         const bool held = pass.cached && *pass.cached == pass.key;
         if (!force && held && !pass.lacks) {
-            info.state = PassState::Reused;
+            info.state = PassState::Cached;
             info.reason = "nothing it depends on changed";
         } else if (pass.aid &&
                    std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
             info.reason = "nothing that it helps is made anew";
         } else {
-            info.state = PassState::Ran;
+            info.state = PassState::Drawn;
             read_now.insert(pass.reads.begin(), pass.reads.end());
             info.reason = !held ? "its inputs changed" : force ? "asked to run" : "more of it is called for";
         }

@@ -269,7 +269,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
-    for (gl::Define& d : lookup_saving_defines(f)) f.defines.push_back(std::move(d));
+    for (gl::Define& d : lookup_optimisation_defines(f)) f.defines.push_back(std::move(d));
     f.preamble = blocks_text(f.blocks_as_images()) + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
@@ -280,23 +280,24 @@ void choose_kernel(FrameState& f) {
 }
 
 /// What truth the frame needs, and whether the request brings it.
-void find_truth(FrameState& f) {
+void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
-    bool asked = o.error || o.true_colour || o.judged || o.evidence;
-    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_truth);
+    bool asked = o.error || o.true_colour || o.classified || o.evidence;
+    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_reference);
     if (!asked) return;
     const int light = f.settings.view.light;
-    f.truth.key =
-        truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
-                  f.request.truth && f.request.truth->options ? *f.request.truth->options : truth_options(f.settings));
-    if (f.truth.key == 0) {
+    f.reference.key =
+        reference_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, light,
+                      f.request.reference && f.request.reference->options ? *f.request.reference->options
+                                                                          : reference_options(f.settings));
+    if (f.reference.key == 0) {
         f.notes.push_back("there is no light to trace the truth of");
         return;
     }
-    const TruthPicture* truth = f.request.truth.get();
-    f.truth.met = truth && truth->key == f.truth.key;
-    if (!f.truth.met) return;
-    f.truth_content = truth->version;
+    const ReferencePicture* reference = f.request.reference.get();
+    f.reference.met = reference && reference->key == f.reference.key;
+    if (!f.reference.met) return;
+    f.reference_content = reference->version;
 }
 
 /// What lights need whose source is ray traced, and which of it the request brings.
@@ -304,16 +305,16 @@ void find_traced(FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     f.traced_pictures.assign(count, nullptr);
     for (std::size_t i = 0; i < count; ++i) {
-        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.truth) continue;
+        if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.reference) continue;
         f.traced.resize(count);
-        TruthNeed& need = f.traced[i];
-        need.key = truth_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, int(i),
-                             truth_options(f.settings));
-        const auto is_it = [&](const auto& truth) { return truth && truth->key == need.key; };
+        ReferenceNeed& need = f.traced[i];
+        need.key = reference_key(f.scene, f.settings, f.camera, f.request.width, f.request.height, f.gl.fitted, int(i),
+                                 reference_options(f.settings));
+        const auto is_it = [&](const auto& reference) { return reference && reference->key == need.key; };
         if (i < f.request.traced.size() && is_it(f.request.traced[i]))
             f.traced_pictures[i] = f.request.traced[i].get();
-        else if (is_it(f.request.truth))
-            f.traced_pictures[i] = f.request.truth.get();
+        else if (is_it(f.request.reference))
+            f.traced_pictures[i] = f.request.reference.get();
         need.met = f.traced_pictures[i] != nullptr;
         if (need.met)
             f.lights_key.add(i).add(f.traced_pictures[i]->version);
@@ -363,20 +364,20 @@ void find_light_maps(FrameState& f) {
 void arrange_panes(FrameState& f) {
     const std::vector<int> chosen = pane_overlays(f.settings.view);
     const Outputs& o = f.request.outputs;
-    find_truth(f);
+    find_reference(f);
     f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
-                            f.request.forced.contains(Saving::Fused) ||
-                            (f.truth.met && (o.error || o.judged || o.true_colour));
+                            f.request.forced.contains(Optimisation::Fused) ||
+                            (f.reference.met && (o.error || o.classified || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
     std::vector<int> shown;
     for (const int overlay : chosen) {
-        const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_truth && !f.truth.met;
+        const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_reference && !f.reference.met;
         shown.push_back(lacks ? 0 : overlay);
         const int slot = int(std::ranges::find(shown, shown.back()) - shown.begin());
         f.panes.push_back({shown.back(), slot, lacks});
         const Overlay* row = f.panes.back().row();
-        f.separate_visibility |= row && (row->reads_visibility || row->reads_truth) && (o.overlay || o.colour);
+        f.separate_visibility |= row && (row->reads_visibility || row->reads_reference) && (o.overlay || o.colour);
     }
     f.slabs_shown = f.settings.view.slabs != int(Slabs::None) && f.shown_view();
 }
@@ -422,7 +423,7 @@ FrameState Renderer::Impl::prepare(const Scene& scene, const Settings& settings,
     SeenDepths& seen = resources.seen;
     const std::uint64_t key = f.surfaces_key().value();
     if (seen.key == key && !request.force) {
-        seen.info.state = PassState::Reused;
+        seen.info.state = PassState::Cached;
         seen.info.reason = "nothing that the camera sees has changed";
         seen.info.cpu_ms = seen.info.gpu_ms = 0;
         f.seen_m = seen.span;

@@ -27,10 +27,10 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
     PassProgress* const progress = WatchPasses::current();
-    const auto of = std::size_t(std::ranges::count(infos, PassState::Ran, &PassInfo::state));
+    const auto of = std::size_t(std::ranges::count(infos, PassState::Drawn, &PassInfo::state));
     std::size_t done = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
-        if (infos[i].state != PassState::Ran) continue;
+        if (infos[i].state != PassState::Drawn) continue;
         if (progress) progress->set(plan[i].name, done++, of);
         const gl::DebugGroup group(plan[i].name);
         if (clock) clock->begin();
@@ -61,7 +61,7 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     if (o.surface_ids) wanted.push_back(Result::SurfaceIds);
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
-    if (o.judged) wanted.push_back(Result::Judged);
+    if (o.classified) wanted.push_back(Result::Judged);
     if (o.unfiltered_map) {
         wanted.push_back(Result::UnfilteredMap);
         for (const ResultRef& read : lookup_reads(f)) wanted.push_back(read);
@@ -90,7 +90,7 @@ void Renderer::watch_numbers(NumberWatcher watch) {
 
 FrameResult Renderer::render(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     const Outputs& o = request.outputs;
-    const bool of_picture = o.colour || o.overlay || o.visibility || o.error || o.judged;
+    const bool of_picture = o.colour || o.overlay || o.visibility || o.error || o.classified;
     if (!impl_->watch || request.timing || !of_picture) return impl_->render(scene, settings, request);
     FrameRequest searched = request;
     searched.outputs.health = true;
@@ -143,7 +143,7 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);
     for (std::size_t i = 0; i < infos.size(); ++i)
-        if (infos[i].state == PassState::Ran && !f.plan.passes()[i].aid) key.add(infos[i].name);
+        if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].aid) key.add(infos[i].name);
     std::uint32_t ways = 0;  // in which batches are drawn
     for (const Batch& b : f.gl.scene->batches()) ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * b.cull);
     return key.add(ways).value();
@@ -164,7 +164,7 @@ void plan_frame(FrameState& f) {
     add_light_map_pass(f);
     add_visibility_pass(f);
     add_unfiltered_map_pass(f);
-    add_truth_passes(f);
+    add_reference_passes(f);
     add_true_shade_pass(f);
     add_shade_pass(f);
     add_precision_pass(f);
@@ -177,11 +177,11 @@ void plan_frame(FrameState& f) {
 
 FrameResult Renderer::Impl::draw(FrameState& f) {
     FrameResult result;
-    result.passes =
-        plan_passes(f.plan.passes(), wanted_results(f), f.request.force, f.request.forced.contains(Saving::Uncalled));
+    result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
+                                f.request.forced.contains(Optimisation::Uncalled));
     f.plan.give_up_what_is_unused();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
-                                   [](const PassInfo& p) { return p.state == PassState::Ran; });
+                                   [](const PassInfo& p) { return p.state == PassState::Drawn; });
     if (draws) upload_blocks(f);
     try {
         run_passes(f, result.passes, f.request.timing ? &pass_clock() : nullptr);

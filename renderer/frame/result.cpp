@@ -19,7 +19,7 @@ Image image_of(const gl::Target& t) {
 void describe_panes(const FrameState& f, FrameResult& result) {
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
-        Pane pane{.overlay = shown.overlay, .lacks_truth = shown.lacks_truth};
+        Pane pane{.overlay = shown.overlay, .lacks_reference = shown.lacks_reference};
         if (o.colour) pane.picture = image_of(f.result(f.picture_of(shown)));
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.result(f.values_of(shown)));
@@ -73,21 +73,21 @@ void describe_frame(FrameState& f, FrameResult& result) {
         result.mask_levels = f.mask_levels;
     }
     put(Result::Smooth, result.smooth);
-    put(Result::Judged, result.judged);
+    put(Result::Judged, result.classified);
     put(Result::TruePicture, result.true_colour);
     put(Result::SurfaceIds, result.surface_ids);
     put(Result::TexelsRead, result.texels_read);
     put(Result::MapCoordinates, result.map_coordinates);
     if (f.paged && made.contains(Result::ShadowMaps)) {
         const PassInfo* pages = result.pass("pages of shadow maps");
-        result.pages = page_facts(f.gl, pages && pages->state == PassState::Ran);
+        result.pages = page_facts(f.gl, pages && pages->state == PassState::Drawn);
         if (result.pages->coarser > 0)
             f.notes.push_back(
                 fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "
                             "map.virtual_bias",
                             f.settings.map.page_pool, result.pages->coarser, result.pages->wanted));
     }
-    result.truth = f.truth;
+    result.reference = f.reference;
     result.traced = f.traced;
     result.light_maps = f.light_maps;
     result.camera = f.camera;

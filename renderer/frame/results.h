@@ -20,7 +20,7 @@ enum class Result {
     Visibility,      ///< a layer a light: 1 lit, 0 in shadow
     UnfilteredMap,   ///< the maps without polygon offset and with masks at their finest level
     SurfacesSeen,    ///< position and normals of every pixel
-    Truth,           ///< what rays found
+    Reference,       ///< what rays found
     Compared,        ///< which pixels differ from it
     Judged,          ///< and why
     Error,           ///< how far off the picture is, in numbers

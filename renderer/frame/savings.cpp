@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr SavingRow kRows[] = {
+constexpr OptimisationRow kRows[] = {
     {.key = "uncalled",
      .label = "What nothing calls for",
      .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere. "
@@ -70,23 +70,24 @@ constexpr SavingRow kRows[] = {
          "depth buffers without a fragment shader. Of the others it drops what rounding draws from beyond the map's "
          "range, which a flat side seen well from its front does not leave."},
 };
-static_assert(std::size(kRows) == kSavings);
+static_assert(std::size(kRows) == kOptimisations);
 
 }  // namespace
 
-std::span<const SavingRow> savings() {
+std::span<const OptimisationRow> savings() {
     return kRows;
 }
 
-const SavingRow& row_of(Saving saving) {
+const OptimisationRow& row_of(Optimisation saving) {
     return kRows[std::size_t(saving)];
 }
 
-Saving parse_saving(std::string_view key) {
-    const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const SavingRow& r) { return r.key == key; });
-    if (row != std::end(kRows)) return Saving(row - kRows);
+Optimisation parse_optimisation(std::string_view key) {
+    const auto row =
+        std::find_if(std::begin(kRows), std::end(kRows), [&](const OptimisationRow& r) { return r.key == key; });
+    if (row != std::end(kRows)) return Optimisation(row - kRows);
     std::string known;
-    for (const SavingRow& r : kRows) known += fmt::format("{}{}", known.empty() ? "" : ", ", r.key);
+    for (const OptimisationRow& r : kRows) known += fmt::format("{}{}", known.empty() ? "" : ", ", r.key);
     throw Error(fmt::format("there is no saving \"{}\"; known are {}", key, known));
 }
 

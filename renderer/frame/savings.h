@@ -11,7 +11,7 @@
 namespace si {
 
 /// In the order of savings().
-enum class Saving {
+enum class Optimisation {
     Uncalled,   ///< passes and look-ups that the scene does not call for
     Blockers,   ///< searches for what casts a penumbra, where none can open
     EarlyOut,   ///< taps, where the depths about a look-up answer it
@@ -22,45 +22,45 @@ enum class Saving {
     BackFaces,  ///< of closed casters
     Casters,    ///< of which nothing lies in a map
     Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
-    Resting,    ///< casters that did not move, where others did
+    Static,     ///< casters that did not move, where others did
     Fragments,  ///< work on fragments of casters that have no stray ones
     kCount
 };
-inline constexpr std::size_t kSavings = std::size_t(Saving::kCount);
+inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);
 
-struct SavingRow {
+struct OptimisationRow {
     std::string_view key, label;
     std::string_view help;  ///< what is left out, when, and why the picture cannot change; a sentence
 };
 
-std::span<const SavingRow> savings();
-const SavingRow& row_of(Saving saving);
+std::span<const OptimisationRow> savings();
+const OptimisationRow& row_of(Optimisation saving);
 /// @throws Error naming the known keys
-Saving parse_saving(std::string_view key);
+Optimisation parse_optimisation(std::string_view key);
 
 /// Some of them.
-class SavingSet {
+class OptimisationSet {
 public:
-    SavingSet() = default;
-    SavingSet(std::initializer_list<Saving> some) {
-        for (const Saving s : some) add(s);
+    OptimisationSet() = default;
+    OptimisationSet(std::initializer_list<Optimisation> some) {
+        for (const Optimisation s : some) add(s);
     }
-    static SavingSet all() {
-        SavingSet set;
+    static OptimisationSet all() {
+        OptimisationSet set;
         set.bits_.set();
         return set;
     }
-    SavingSet& add(Saving s) {
+    OptimisationSet& add(Optimisation s) {
         bits_.set(std::size_t(s));
         return *this;
     }
-    bool contains(Saving s) const { return bits_.test(std::size_t(s)); }
+    bool contains(Optimisation s) const { return bits_.test(std::size_t(s)); }
     bool empty() const { return bits_.none(); }
     std::uint64_t value() const { return bits_.to_ullong(); }  ///< for keys
-    bool operator==(const SavingSet&) const = default;
+    bool operator==(const OptimisationSet&) const = default;
 
 private:
-    std::bitset<kSavings> bits_;
+    std::bitset<kOptimisations> bits_;
 };
 
 }  // namespace si

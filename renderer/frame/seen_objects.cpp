@@ -34,9 +34,10 @@ void SeenObjects::learn_boxes(const FrameState& f) {
 void SeenObjects::arrange(const FrameState& f) {
     SceneGpu& gpu = *f.gl.scene;
     learn_boxes(f);
-    const bool all = f.request.forced.contains(Saving::InSight);
+    const bool all = f.request.forced.contains(Optimisation::InSight);
     // Depths that crowd at the far plane would put into one place what lies far apart.
-    const bool sorts = touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Saving::Order);
+    const bool sorts =
+        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::Order);
     const std::uint64_t key = Key(gpu.key()).add(f.camera_key.value()).add(all).add(sorts).value();
     if (of_seen_ == key) return;
     of_seen_ = key;

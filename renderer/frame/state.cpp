@@ -57,12 +57,12 @@ GLenum FrameState::map_format() const {
 }
 
 bool FrameState::shades_by(std::size_t light) const {
-    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Saving::Uncalled);
+    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
 }
 
 bool FrameState::takes_for_lit(std::size_t light) const {
     return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
-           !request.forced.contains(Saving::Uncalled);
+           !request.forced.contains(Optimisation::Uncalled);
 }
 
 bool FrameState::draws_unfiltered() const {

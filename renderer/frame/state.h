@@ -93,20 +93,20 @@ struct FrameState {
     struct ShownPane {
         int overlay = 0;  ///< as view.overlay
         int slot = 0;
-        bool lacks_truth = false;  ///< `overlay` is 0 for that
+        bool lacks_reference = false;  ///< `overlay` is 0 for that
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
-    bool slabs_shown = false;       ///< view.slabs has a map to show
-    TruthNeed truth;                ///< what the frame needs of a truth, and whether request.truth is it
-    std::vector<TruthNeed> traced;  ///< as FrameResult::traced
+    bool slabs_shown = false;           ///< view.slabs has a map to show
+    ReferenceNeed reference;            ///< what the frame needs of a truth, and whether request.truth is it
+    std::vector<ReferenceNeed> traced;  ///< as FrameResult::traced
     /// What rays found for a light whose source is ray traced; null: its source is another, or they are not traced yet.
-    std::vector<const TruthPicture*> traced_pictures;
+    std::vector<const ReferencePicture*> traced_pictures;
     std::vector<LightMapNeed> light_maps;  ///< as FrameResult::light_maps
     /// The baked one of a light whose source it is; null: its source is another, or it is not baked yet.
     std::vector<const LightMap*> light_map_of_light;
-    std::uint64_t truth_content = 0;  ///< key of what of it is used
-    Plan plan;                        ///< see plan_frame()
+    std::uint64_t reference_content = 0;  ///< key of what of it is used
+    Plan plan;                            ///< see plan_frame()
     /// What of each of the maps is drawn: of the rest nothing is read. Once their passes are planned.
     std::vector<MapCells> layers_held;
     Key maps_extent;                    ///< of what the maps hold of all that they could; the same
@@ -169,9 +169,9 @@ struct FrameState {
 };
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
-void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light);
+void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
 /// Defines for shaders that read the truth (lib/truth.glsl).
-std::vector<gl::Define> truth_defines(const FrameState& f);
+std::vector<gl::Define> reference_defines(const FrameState& f);
 /// What a pass reads that evaluates the kernel.
 std::vector<ResultRef> lookup_reads(const FrameState& f);
 
@@ -206,10 +206,10 @@ void add_seen_surfaces_pass(FrameState& f);
 /// Binds what draws those of other pixels.
 void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
 /// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
-void add_truth_passes(FrameState& f);
+void add_reference_passes(FrameState& f);
 std::shared_ptr<const LiveError> live_error(const FrameState& f);
 /// All trials of every pixel of a light into eight colour attachments, see CauseEvidence.
-void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info);
+void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 void add_true_shade_pass(FrameState& f);
 void add_shade_pass(FrameState& f);
 /// Holds where the shown light's map is looked up against double precision.

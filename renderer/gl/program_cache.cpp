@@ -11,7 +11,7 @@
 namespace si::gl {
 namespace {
 
-constexpr const char* kShaderRemedy =
+constexpr const char* kShaderFix =
     "; where this driver cannot build it, choose another kernel, bias, source or overlay, or a newer driver";
 
 /// A frame takes 5 to 40. On llvmpipe each takes some 4 MB, machine code and what it is made of (resident memory beside
@@ -46,7 +46,7 @@ GLuint compile(GLenum stage, const std::string& text, const std::vector<std::str
     if (!ok) {
         const std::string log = info_log(shader, false);
         glDeleteShader(shader);
-        throw Error(fmt::format("shader does not compile (files: {}): {}{}", numbered(files), log, kShaderRemedy));
+        throw Error(fmt::format("shader does not compile (files: {}): {}{}", numbered(files), log, kShaderFix));
     }
     return shader;
 }
@@ -73,7 +73,7 @@ Program ProgramCache::build(const std::string& vertex, const std::string& fragme
     glGetProgramiv(program.id(), GL_LINK_STATUS, &ok);
     if (!ok)
         throw Error(fmt::format("shader does not link (files: {}): {}{}", numbered(files), info_log(program.id(), true),
-                                kShaderRemedy));
+                                kShaderFix));
     return program;
 }
 

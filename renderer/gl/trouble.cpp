@@ -31,11 +31,11 @@ void forget_errors() {
     }
 }
 
-void require_memory(std::string_view what, std::string_view remedy) {
+void require_memory(std::string_view what, std::string_view fix) {
     const GLenum error = made_to_fail(Trouble::Memory, what) ? GLenum(GL_OUT_OF_MEMORY) : glGetError();
     if (error == GL_NO_ERROR) return;
     if (error == GL_CONTEXT_LOST) throw_lost("while it made room for " + std::string(what));
-    throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, remedy));
+    throw OutOfMemory(fmt::format("the driver has no memory for {}; {}", what, fix));
 }
 
 namespace {

@@ -47,7 +47,7 @@ void store_buffer(Buffer& buffer, std::string_view label, GLsizeiptr size, const
 void forget_errors();
 /// Of the calls since forget_errors(). @param what "the shadow maps (1024 x 1024 x 4)" @param remedy a clause
 /// @throws OutOfMemory, ContextLost
-void require_memory(std::string_view what, std::string_view remedy);
+void require_memory(std::string_view what, std::string_view fix);
 /// Whether the context still draws. @throws ContextLost
 void require_context();
 

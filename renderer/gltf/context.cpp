@@ -19,13 +19,12 @@ std::string Place::text() const {
 Context::Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings)
     : path_(path), options_(options), warnings_(warnings) {}
 
-void Context::fail(const Place& place, std::string_view what, std::string_view remedy) const {
-    throw Error(
-        fmt::format("{}: {}: {}; {}", printable(path_.string(), 300), place.text(), printable(what, 300), remedy));
+void Context::fail(const Place& place, std::string_view what, std::string_view fix) const {
+    throw Error(fmt::format("{}: {}: {}; {}", printable(path_.string(), 300), place.text(), printable(what, 300), fix));
 }
 
-void Context::fail(std::string_view what, std::string_view remedy) const {
-    throw Error(fmt::format("{}: {}; {}", printable(path_.string(), 300), printable(what, 300), remedy));
+void Context::fail(std::string_view what, std::string_view fix) const {
+    throw Error(fmt::format("{}: {}; {}", printable(path_.string(), 300), printable(what, 300), fix));
 }
 
 void Context::warn(const Place& place, std::string_view what) {

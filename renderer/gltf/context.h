@@ -29,8 +29,8 @@ public:
     Context(const std::filesystem::path& path, const GltfOptions& options, std::vector<std::string>& warnings);
 
     /// @throws Error "FILE: place: what; remedy", one line, made printable.
-    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view remedy) const;
-    [[noreturn]] void fail(std::string_view what, std::string_view remedy) const;
+    [[noreturn]] void fail(const Place& place, std::string_view what, std::string_view fix) const;
+    [[noreturn]] void fail(std::string_view what, std::string_view fix) const;
     /// Keeps the first hundred warnings and counts the others.
     void warn(const Place& place, std::string_view what);
     void warn(std::string_view what);

@@ -21,38 +21,39 @@ std::string texels(const DepthAmount& a) {
 
 class Explainer {
 public:
-    Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentTruth& truth, const Settings& settings,
-              const DriverInfo& driver)
-        : probe_(probe), p_(p), truth_(truth), settings_(settings), driver_(driver) {}
+    Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
+              const Settings& settings, const DriverInfo& driver)
+        : probe_(probe), p_(p), reference_(reference), settings_(settings), driver_(driver) {}
 
-    Dossier explain() {
+    PixelDiagnosis explain() {
         d_.light = p_.light;
-        d_.truth = truth_;
-        d_.right = (p_.visibility >= 0.5) == truth_.lit;
+        d_.reference = reference_;
+        d_.right = (p_.visibility >= 0.5) == reference_.lit;
         if (p_.casts) weigh();
         d_.verdict = sentence();
-        if (p_.casts && p_.fitted.is_cascaded() && truth_.state == PixelState::Counted) d_.verdict += "; by " + p_.view;
-        if (truth_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.remedy = remedy();
+        if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
+            d_.verdict += "; by " + p_.view;
+        if (reference_.state == PixelState::Counted && p_.casts && (!d_.right || faint_acne())) d_.fix = fix();
         return d_;
     }
 
 private:
     const Probe& probe_;
     const Probe::PerLight& p_;
-    const FragmentTruth& truth_;
+    const FragmentReference& reference_;
     const Settings& settings_;
     const DriverInfo& driver_;
-    Dossier d_;
+    PixelDiagnosis d_;
 
     const LightView& view() const { return p_.fitted.views[std::size_t(p_.face)]; }
     bool sees_surface() const { return p_.casts && p_.where != "behind"; }
     bool dark() const { return p_.visibility < 0.5; }
-    bool faint_acne() const { return truth_.cause.faint; }
+    bool faint_acne() const { return reference_.cause.faint; }
 
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
-        if (!std::isfinite(truth_.gap_m)) return kInfinite;
-        return p_.account.curve.depth_nearer(p_.own_m, truth_.gap_m * p_.account.receiver.axis_per_ray);
+        if (!std::isfinite(reference_.gap_m)) return kInfinite;
+        return p_.account.curve.depth_nearer(p_.own_m, reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
     void weigh() {
@@ -86,7 +87,7 @@ private:
     }
 
     std::string sentence() const {
-        switch (truth_.state) {
+        switch (reference_.state) {
             case PixelState::Background:
                 return "nothing there";
             case PixelState::NotReceiving:
@@ -104,14 +105,14 @@ private:
         if (!p_.casts) {
             const char* const is = dark() ? "in shadow" : "lit";
             return d_.right ? fmt::format("right: {}, as in truth; {}", is, p_.fitted.reason)
-                            : fmt::format("wrong: {}, should be {}; {}", is, truth_.lit ? "lit" : "in shadow",
+                            : fmt::format("wrong: {}, should be {}; {}", is, reference_.lit ? "lit" : "in shadow",
                                           p_.fitted.reason);
         }
         if (p_.where == "beyond shadows")
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
                        : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
-        if (truth_.evidence.place == CauseEvidence::kOutside)
+        if (reference_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", p_.where,
                                dark() ? "in shadow" : "lit",
                                d_.right ? "and so it is in truth"
@@ -120,7 +121,7 @@ private:
         if (d_.right) return right();
         std::string text = limits() + wrong();
         for (std::size_t a = 1; a < kArtefacts; ++a)
-            if (truth_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
+            if (reference_.cause.also >> a & 1) text += fmt::format("; {} too", also(Artefact(a)));
         return text;
     }
 
@@ -151,7 +152,7 @@ private:
     }
 
     std::string wrong() const {
-        switch (truth_.cause.artefact) {
+        switch (reference_.cause.artefact) {
             case Artefact::None:
                 break;
             case Artefact::Acne:
@@ -171,20 +172,20 @@ private:
                     "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} "
                     "it is in shadow, as in truth",
                     metres_text(p_.normal_offset_m),
-                    truth_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
+                    reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
                     "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset "
                     "and with {} it is lit, as in truth",
                     metres_text(p_.normal_offset_m),
-                    truth_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
+                    reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
                 return fmt::format(
                     "lost caster: should be in shadow of a surface {} nearer to the light, which {} left out of "
                     "the map",
-                    metres_text(truth_.blocker_m), leaves_out());
+                    metres_text(reference_.blocker_m), leaves_out());
             case Artefact::Leak:
-                if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered < 0.5f)
+                if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
                     return fmt::format(
                         "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
                         "blur (map.blur_texels) find shadow, as in truth",
@@ -195,7 +196,7 @@ private:
                     100 * p_.visibility, nearest_need(),
                     d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
-                if (p_.causes.unfiltered_differs() && truth_.evidence.unfiltered >= 0.5f)
+                if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
                         "filter: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
                         "are lit, as in truth",
@@ -205,7 +206,7 @@ private:
                     "it needs, is lit, as in truth",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
-                if (truth_.evidence.place == CauseEvidence::kLedOutside)
+                if (reference_.evidence.place == CauseEvidence::kLedOutside)
                     return "outside the map: the normal offset leads the look-up beyond its sides";
                 return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the "
                        "truth's answer there it is right";
@@ -243,7 +244,7 @@ private:
             case Artefact::Filter:
                 return "the kernel takes part in it";
             case Artefact::LostCaster:
-                if (truth_.evidence.gap_all > truth_.evidence.gap_drawn)
+                if (reference_.evidence.gap_all > reference_.evidence.gap_drawn)
                     return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it",
                                        leaves_out());
                 return "the masks' mip levels take part in it";
@@ -260,12 +261,12 @@ private:
         return fmt::format(
             "acne of a bent surface: the triangle's own plane needs {} of bias and has {}, but a surface within "
             "the kernel's reach rises above it; {} would light it",
-            texels(d_.least), texels(d_.has), texels(p_.account.amount(truth_.evidence.curing)));
+            texels(d_.least), texels(d_.has), texels(p_.account.amount(reference_.evidence.curing)));
     }
 
     /// The trial that made a lit pixel dark, of those with less bias.
     std::string less_bias() const {
-        const CauseEvidence& e = truth_.evidence;
+        const CauseEvidence& e = reference_.evidence;
         if (e.least_kept < 0.5f) return "with " + texels(d_.least);
         if (e.least_bare < 0.5f) return fmt::format("with {} and without the normal offset", texels(d_.least));
         if (p_.causes.raster_bias && e.unfiltered < 0.5f) return "without polygon offset";
@@ -285,10 +286,10 @@ private:
         if (p_.causes.mask_levels) out.push_back("coarser levels of masks");
         return fmt::format("{}", fmt::join(out, ", "));
     }
-    std::string nearest_need() const { return texels(p_.account.amount(truth_.evidence.least_nearest)); }
+    std::string nearest_need() const { return texels(p_.account.amount(reference_.evidence.least_nearest)); }
 
     std::string undersampled() const {
-        const CauseEvidence& e = truth_.evidence;
+        const CauseEvidence& e = reference_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
             return fmt::format(
                 "undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
@@ -299,7 +300,7 @@ private:
     }
     /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {
-        const double needed = probe_.map_resolution * p_.texel_m / std::max(double(truth_.evidence.run_m), 1e-300);
+        const double needed = probe_.map_resolution * p_.texel_m / std::max(double(reference_.evidence.run_m), 1e-300);
         return std::exp2(std::ceil(std::log2(needed * (1 - 1e-6))));
     }
     std::string sampling_text() const {
@@ -317,7 +318,7 @@ private:
     }
     bool fixes(const Settings& s) const {
         const BiasAccount a = under(s);
-        return a.clears() >= a.least.total() && (truth_.lit || a.lifts < d_.occluder.depth);
+        return a.clears() >= a.least.total() && (reference_.lit || a.lifts < d_.occluder.depth);
     }
 
     /// The settings of the bias, the one that acts first.
@@ -358,13 +359,13 @@ private:
         return value;
     }
 
-    Remedy set(std::string_view key, double value) const {
+    SuggestedFix set(std::string_view key, double value) const {
         const std::string text = fmt::format("{:g}", value);
         return {{{std::string(key), text}}, fmt::format("set {} to {} {}", key, text, unit_of(key))};
     }
     /// The same, and what the pixel's bias is worth with it.
-    Remedy set_to_be_worth(Settings s, std::string_view key, double value) const {
-        Remedy r = set(key, value);
+    SuggestedFix set_to_be_worth(Settings s, std::string_view key, double value) const {
+        SuggestedFix r = set(key, value);
         s.map.resolution = probe_.map_resolution;
         value_of(s, key) = value;
         const BiasAccount a = under(s);
@@ -372,11 +373,11 @@ private:
         return r;
     }
 
-    std::optional<Remedy> remedy() const {
-        switch (truth_.cause.artefact) {
+    std::optional<SuggestedFix> fix() const {
+        switch (reference_.cause.artefact) {
             case Artefact::LostCaster:
                 if (settings_.caster.cull != int(Cull::None))
-                    return Remedy{{{"caster.cull", "none"}}, "set caster.cull to none"};
+                    return SuggestedFix{{{"caster.cull", "none"}}, "set caster.cull to none"};
                 return {};
             case Artefact::PeterPanningOffset:
             case Artefact::OffsetShadow: {
@@ -386,7 +387,7 @@ private:
                     if (!acts(key) || (value_of(bare, key) <= 0 && key == "bias.slope")) continue;
                     const auto value = least_value(bare, key);
                     if (!value) continue;
-                    Remedy r = set_to_be_worth(bare, key, *value);
+                    SuggestedFix r = set_to_be_worth(bare, key, *value);
                     r.settings.insert(r.settings.begin(), {"bias.normal", "0"});
                     r.text = "set bias.normal to 0 and " + r.text.substr(4);
                     return r;
@@ -394,14 +395,14 @@ private:
                 return {};
             }
             case Artefact::PeterPanningRaster:
-                return Remedy{{{"bias.raster_slope", "0"}, {"bias.raster_units", "0"}},
-                              "set bias.raster_slope and bias.raster_units to 0"};
+                return SuggestedFix{{{"bias.raster_slope", "0"}, {"bias.raster_units", "0"}},
+                                    "set bias.raster_slope and bias.raster_units to 0"};
             case Artefact::Undersampled: {
-                const double n =
-                    truth_.evidence.run_m < truth_.evidence.texel_m ? sampling_resolution() : d_.opening_resolution;
+                const double n = reference_.evidence.run_m < reference_.evidence.texel_m ? sampling_resolution()
+                                                                                         : d_.opening_resolution;
                 if (!(n > probe_.map_resolution) || n > driver_.max_texture_size) return {};
-                return Remedy{{{"map.resolution", fmt::format("{:.0f}", n)}},
-                              fmt::format("set map.resolution to {:.0f}", n)};
+                return SuggestedFix{{{"map.resolution", fmt::format("{:.0f}", n)}},
+                                    fmt::format("set map.resolution to {:.0f}", n)};
             }
             case Artefact::None:
                 if (!faint_acne()) return {};
@@ -412,7 +413,7 @@ private:
             default:
                 return {};
         }
-        if (d_.has.depth >= d_.least.depth && truth_.lit) return dark() ? bent_remedy() : std::nullopt;
+        if (d_.has.depth >= d_.least.depth && reference_.lit) return dark() ? bent_fix() : std::nullopt;
         for (const std::string_view key : bias_keys()) {
             if (!d_.window_open()) break;
             if (const auto value = least_value(settings_, key)) return set_to_be_worth(settings_, key, *value);
@@ -421,13 +422,13 @@ private:
         Settings s = settings_;
         s.map.resolution = int(d_.opening_resolution);
         if (!fixes(s)) return {};
-        return Remedy{{{"map.resolution", fmt::format("{}", s.map.resolution)}},
-                      fmt::format("set map.resolution to {}", s.map.resolution)};
+        return SuggestedFix{{{"map.resolution", fmt::format("{}", s.map.resolution)}},
+                            fmt::format("set map.resolution to {}", s.map.resolution)};
     }
 
     /// More constant bias: by what is missing of what the trial found.
-    std::optional<Remedy> bent_remedy() const {
-        const double missing = truth_.evidence.curing - d_.has.depth;
+    std::optional<SuggestedFix> bent_fix() const {
+        const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasAccount& a = p_.account;
         const DepthAmount wanted = a.amount(std::max(a.constant, a.slope) + missing);
         const double value = rounded_up((settings_.bias.unit == int(BiasUnit::Texels)   ? wanted.texels
@@ -449,9 +450,9 @@ double rounded_up(double v) {
     return digits >= 0 ? std::ceil(v * unit * (1 - 1e-12)) / unit : std::ceil(v / unit * (1 - 1e-12)) * unit;
 }
 
-std::string fix_text(const Remedy& remedy, const Settings& settings) {
+std::string fix_text(const SuggestedFix& fix, const Settings& settings) {
     std::string text;
-    for (const auto& [key, value] : remedy.settings) {
+    for (const auto& [key, value] : fix.settings) {
         const SettingRef ref = *find_setting(key);
         text += fmt::format("{}{} {}", text.empty() ? "" : ", ", ref.param->label,
                             shown_value(settings, ref, parse_value(ref, value)));
@@ -459,14 +460,14 @@ std::string fix_text(const Remedy& remedy, const Settings& settings) {
     return text;
 }
 
-std::string fix_worth_text(const Remedy& remedy) {
-    if (!(remedy.worth_texels > 0) || !std::isfinite(remedy.worth_texels)) return {};
-    return fmt::format(" (worth {} of depth bias here)", texels_text(remedy.worth_texels));
+std::string fix_worth_text(const SuggestedFix& fix) {
+    if (!(fix.worth_texels > 0) || !std::isfinite(fix.worth_texels)) return {};
+    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.worth_texels));
 }
 
-Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,
-                const DriverInfo& driver) {
-    return Explainer(probe, light, truth, settings, driver).explain();
+PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                       const Settings& settings, const DriverInfo& driver) {
+    return Explainer(probe, light, reference, settings, driver).explain();
 }
 
 }  // namespace si

@@ -16,22 +16,22 @@ namespace si {
 double rounded_up(double v);
 
 /// Settings that put the pixel right, by what is known of its plane.
-struct Remedy {
+struct SuggestedFix {
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
     double worth_texels = 0;  ///< depth bias that the pixel has with it, where a bias is what it sets; 0: not known
 };
 
 /// What it sets by the names that are on the screen: "Slope bias 1.8 texels".
-std::string fix_text(const Remedy& remedy, const Settings& settings);
+std::string fix_text(const SuggestedFix& fix, const Settings& settings);
 /// " (worth 1.2 texels of depth bias here)"; empty where that is not known.
-std::string fix_worth_text(const Remedy& remedy);
+std::string fix_worth_text(const SuggestedFix& fix);
 
 /// A light's verdict about the pixel. The window of depth biases that are right for it is [least, occluder): less, and
 /// its surface shadows itself; as much or more, and the surface that keeps the light from it is lost.
-struct Dossier {
+struct PixelDiagnosis {
     int light = 0;
-    FragmentTruth truth;
+    FragmentReference reference;
     DepthAmount least;   ///< bias that the surface needs
     DepthAmount has;     ///< what all bias is worth against acne
     DepthAmount lifted;  ///< how far the bias moves the compared depth towards the light
@@ -40,17 +40,17 @@ struct Dossier {
                          std::numeric_limits<double>::infinity()};
     /// Whether some depth bias is right: always where nothing stands between surface and light.
     bool window_open() const { return least.depth < occluder.depth; }
-    Cause cause() const { return truth.cause; }
+    Cause cause() const { return reference.cause; }
     /// Least power of two of map.resolution at which the window opens; 0 when it is open, infinite when none does it as
     /// the format's steps alone are too coarse.
     double opening_resolution = 0;
     bool right = true;    ///< visibility and truth are on the same side of one half
     std::string verdict;  ///< a sentence
-    std::optional<Remedy> remedy;
+    std::optional<SuggestedFix> fix;
 };
 
 /// @param settings that were probed
-Dossier explain(const Probe& probe, const Probe::PerLight& light, const FragmentTruth& truth, const Settings& settings,
-                const DriverInfo& driver);
+PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                       const Settings& settings, const DriverInfo& driver);
 
 }  // namespace si

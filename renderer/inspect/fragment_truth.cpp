@@ -16,24 +16,24 @@ float depth_of_gap(const Probe::PerLight& p, double metres) {
 
 }  // namespace
 
-FragmentTruth fragment_truth(const TruthScene& scene, const Probe& probe, const Probe::PerLight& light,
-                             const Settings& settings, std::span<const ObjectTraits> traits) {
+FragmentReference fragment_reference(const ReferenceScene& scene, const Probe& probe, const Probe::PerLight& light,
+                                     const Settings& settings, std::span<const ObjectTraits> traits) {
     if (!probe.hit) throw Error("the probed pixel shows no surface");
     const Workers here{.threads = 1};
     const PixelRaster raster{probe.width, probe.height, 1, probe.around_at};
     const Receivers around = place_receivers(scene.geometry(), probe.camera, probe.around, raster, here);
-    TruthQuery query{emitter_of(light.fitted, settings.lights[std::size_t(light.light)]),
-                     {traits.begin(), traits.end()},
-                     light.fitted.views,
-                     light.fitted.chooser,
-                     {.nearest = false}};
-    const Truth neighbours = trace_visibility(scene, around, query, here);
+    ReferenceQuery query{emitter_of(light.fitted, settings.lights[std::size_t(light.light)]),
+                         {traits.begin(), traits.end()},
+                         light.fitted.views,
+                         light.fitted.chooser,
+                         {.nearest = false}};
+    const Reference neighbours = trace_visibility(scene, around, query, here);
     const ShadowRuns runs = shadow_runs(neighbours, around, probe.camera, raster, query, here);
     const glm::ivec2 at = glm::ivec2(probe.x, probe.y) - probe.around_at;
     query.options = {.area = true};
-    const Truth own = trace_visibility(scene, {1, 1, {around.at(at.x, at.y)}}, query, here);
+    const Reference own = trace_visibility(scene, {1, 1, {around.at(at.x, at.y)}}, query, here);
 
-    FragmentTruth out;
+    FragmentReference out;
     out.state = own.state[0];
     out.lit = own.hard().data[0] >= 0.5f;
     out.share = own.visibility.data[0];

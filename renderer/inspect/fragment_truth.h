@@ -8,7 +8,7 @@
 
 namespace si {
 
-struct FragmentTruth {
+struct FragmentReference {
     PixelState state = PixelState::Background;
     bool lit = true;   ///< by the light as a point or a direction
     double share = 1;  ///< of the light seen when it has its size (light.size)
@@ -23,7 +23,7 @@ struct FragmentTruth {
 
 /// @param traits object_traits() of the scene and settings that were probed
 /// @param scene of the same triangles. @throws Error when the probe hit nothing, or another scene's triangle
-FragmentTruth fragment_truth(const TruthScene& scene, const Probe& probe, const Probe::PerLight& light,
-                             const Settings& settings, std::span<const ObjectTraits> traits);
+FragmentReference fragment_reference(const ReferenceScene& scene, const Probe& probe, const Probe::PerLight& light,
+                                     const Settings& settings, std::span<const ObjectTraits> traits);
 
 }  // namespace si

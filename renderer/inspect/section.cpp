@@ -170,16 +170,16 @@ void add_moments(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
     s.moments = m;
 }
 
-void add_truth(Section& s, const Probe::PerLight& p, const Dossier& d) {
-    s.judged = true;
+void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d) {
+    s.classified = true;
     s.verdict = d.verdict;
-    s.true_lit = d.truth.lit;
+    s.true_lit = d.reference.lit;
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.cause().artefact) s.artefact = style.label;
-    if (d.truth.state != PixelState::Counted) return;
+    if (d.reference.state != PixelState::Counted) return;
     s.least = d.least, s.has = d.has, s.lifted = d.lifted;
-    s.occluder_in_map = std::isfinite(d.truth.gap_m);
-    const double gap = s.occluder_in_map ? d.truth.gap_m : d.truth.blocker_m;
+    s.occluder_in_map = std::isfinite(d.reference.gap_m);
+    const double gap = s.occluder_in_map ? d.reference.gap_m : d.reference.blocker_m;
     if (std::isfinite(gap)) {
         s.occluder = gap * s.light_ray;
         s.occluder_m = gap;
@@ -202,7 +202,7 @@ const Section::Step* Section::step_at(int texel) const {
     return nullptr;
 }
 
-SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Settings& settings, int resolution) {
+SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const Settings& settings, int resolution) {
     SectionCut cut;
     if (!p.casts || p.rows[0].empty() || resolution <= 0) return cut;
     const glm::dvec2 gradient = glm::abs(p.account.plane.gradient);
@@ -210,7 +210,7 @@ SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Setting
     // Whatever a bias makes of the pixel, the cut stays: along the plane's slope where the light sees the surface and
     // no edge of a shadow is near, else across the nearest edge.
     const int change[2] = {change_within(p.rows[0]), change_within(p.rows[1])};
-    const bool at_an_edge = !d || !d->truth.lit || std::min(change[0], change[1]) <= kEdgeShown;
+    const bool at_an_edge = !d || !d->reference.lit || std::min(change[0], change[1]) <= kEdgeShown;
     if (at_an_edge && change[0] != change[1]) cut.axis = change[1] < change[0] ? 1 : 0;
     // Moments are read of an area that their blur has gathered; other kernels say which texels they read.
     const int look_up = p.texel[cut.axis];
@@ -231,7 +231,7 @@ SectionCut section_cut(const Probe::PerLight& p, const Dossier* d, const Setting
     return cut;
 }
 
-std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLight& p, const SectionCut& cut,
+std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::PerLight& p, const SectionCut& cut,
                                     int resolution) {
     std::vector<TruePoint> out;
     if (cut.count <= 0) return out;
@@ -256,17 +256,17 @@ std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLig
     return out;
 }
 
-Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionCut& cut, int resolution,
+Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const SectionCut& cut, int resolution,
                       std::span<const TruePoint> profile) {
     Section s;
     s.cut = cut;
     s.light = p.fitted.type;
     s.visibility = p.visibility, s.lit = p.visibility >= 0.5;
     s.verdict = p.verdict;
-    s.tested = !d || d->truth.state == PixelState::Counted;
+    s.tested = !d || d->reference.state == PixelState::Counted;
     s.shadowed = cut.count > 0;
     if (!s.shadowed) {
-        if (d) s.judged = true, s.verdict = d->verdict, s.true_lit = d->truth.lit;
+        if (d) s.classified = true, s.verdict = d->verdict, s.true_lit = d->reference.lit;
         return s;
     }
     const BiasAccount& a = p.account;
@@ -299,21 +299,21 @@ Section cross_section(const Probe::PerLight& p, const Dossier* d, const SectionC
     add_steps(s, p, plane);
     add_terms(s, p, plane);
     add_moments(s, p, plane);
-    if (d) add_truth(s, p, *d);
+    if (d) add_reference(s, p, *d);
     std::vector<glm::dvec2> points;
     for (const TruePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
     s.profile = surfaces(points, s.texel_m);
     return s;
 }
 
-Section section_of(const Probe& probe, std::size_t light, std::span<const Dossier> dossiers, const Settings& settings,
-                   const TruthScene* casters) {
+Section section_of(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
+                   const Settings& settings, const ReferenceScene* casters) {
     const Probe::PerLight& p = probe.lights[light];
-    const Dossier* const dossier = light < dossiers.size() ? &dossiers[light] : nullptr;
-    const SectionCut cut = section_cut(p, dossier, settings, probe.map_resolution);
+    const PixelDiagnosis* const diagnosis = light < diagnoses.size() ? &diagnoses[light] : nullptr;
+    const SectionCut cut = section_cut(p, diagnosis, settings, probe.map_resolution);
     std::vector<TruePoint> profile;
-    if (casters && dossier) profile = true_profile(*casters, p, cut, probe.map_resolution);
-    return cross_section(p, dossier, cut, probe.map_resolution, profile);
+    if (casters && diagnosis) profile = true_profile(*casters, p, cut, probe.map_resolution);
+    return cross_section(p, diagnosis, cut, probe.map_resolution, profile);
 }
 
 }  // namespace si

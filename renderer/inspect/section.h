@@ -12,7 +12,7 @@
 
 namespace si {
 
-class TruthScene;
+class ReferenceScene;
 
 /// Which row of the map's texels is cut, and how much of it.
 struct SectionCut {
@@ -80,7 +80,7 @@ struct Section {
     std::vector<std::vector<glm::dvec2>> profile;  ///< what the light sees in truth, each surface a line
 
     // By the dossier, where there is one.
-    bool judged = false;
+    bool classified = false;
     std::string artefact;  ///< label; empty: nothing is wrong
     std::string verdict;   ///< a sentence
     bool true_lit = true;
@@ -106,20 +106,21 @@ struct Section {
 /// light faster, or, where an edge of shadow decides, in which that edge is nearer. A count of 0 where the light has no
 /// map or the point no place in it.
 /// @param dossier null: none @param resolution of the map
-SectionCut section_cut(const Probe::PerLight& light, const Dossier* dossier, const Settings& settings, int resolution);
+SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const Settings& settings,
+                       int resolution);
 
 /// What the light sees first along the cut, eight rays a texel.
-std::vector<TruePoint> true_profile(const TruthScene& scene, const Probe::PerLight& light, const SectionCut& cut,
+std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::PerLight& light, const SectionCut& cut,
                                     int resolution);
 
 /// @param dossier null: none, and nothing of the truth is known
 /// @param profile true_profile(), or empty
-Section cross_section(const Probe::PerLight& light, const Dossier* dossier, const SectionCut& cut, int resolution,
-                      std::span<const TruePoint> profile = {});
+Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
+                      int resolution, std::span<const TruePoint> profile = {});
 
 /// All of that of one of a probe's lights.
 /// @param dossiers of its lights, or fewer: of the others nothing of the truth is known @param casters null: no profile
-Section section_of(const Probe& probe, std::size_t light, std::span<const Dossier> dossiers, const Settings& settings,
-                   const TruthScene* casters);
+Section section_of(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
+                   const Settings& settings, const ReferenceScene* casters);
 
 }  // namespace si

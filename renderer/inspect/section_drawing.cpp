@@ -149,7 +149,7 @@ public:
         columns();
         steps();
         moments();
-        truth();
+        reference();
         window();
         ray();
         comparison();
@@ -287,7 +287,7 @@ private:
 
     double header(double margin) {
         std::string title = s_.lit ? "Lit" : "In shadow";
-        if (s_.judged) {
+        if (s_.classified) {
             title += s_.lit == s_.true_lit ? ", as in truth" : s_.true_lit ? ", lit in truth" : ", in shadow in truth";
             if (!s_.artefact.empty()) title += ": " + s_.artefact;
         }
@@ -432,7 +432,7 @@ private:
               Need::Bias);
     }
 
-    void truth() {
+    void reference() {
         const glm::dvec2 far = s_.surface_along * 4.0 * (near_.hi.x - near_.lo.x + near_.hi.y - near_.lo.y);
         double missed = std::numeric_limits<double>::infinity();
         if (const auto part = clipped(s_.surface_at - far, s_.surface_at + far, near_)) {

@@ -75,10 +75,10 @@ Severity severity_of(double share) {
 }
 
 /// What cures most of a cause without breaking more than it cures.
-const Cure* best_cure(const CureTable& cures, Artefact artefact) {
-    const Cure* best = nullptr;
-    const auto of = [&](const Cure& c) { return c.cured_of[std::size_t(artefact)]; };
-    for (const Cure& c : cures.rows)
+const MeasuredFix* best_fix(const FixTable& fixes, Artefact artefact) {
+    const MeasuredFix* best = nullptr;
+    const auto of = [&](const MeasuredFix& c) { return c.cured_of[std::size_t(artefact)]; };
+    for (const MeasuredFix& c : fixes.rows)
         if (c.untried.empty() && c.gain() > 0 && of(c) > 0 && (!best || of(c) > of(*best))) best = &c;
     return best;
 }
@@ -148,7 +148,7 @@ std::string_view severity_word(Severity severity) {
     return kWords[std::size_t(severity)];
 }
 
-std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cures) {
+std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes) {
     std::vector<Finding> out;
     if (facts.pixels == 0)
         out.push_back({Severity::Warning,
@@ -166,10 +166,10 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cure
                                     pixels == 1 ? "" : "s", digits_text(100 * share)),
                         {},
                         {}};
-        if (const Cure* cure = best_cure(cures, style.artefact)) {
-            finding.cure = fmt::format("{} puts {} of them right, and breaks {} others", cure->name,
-                                       cure->cured_of[std::size_t(style.artefact)], cure->broken);
-            finding.settings = cure->settings;
+        if (const MeasuredFix* fix = best_fix(fixes, style.artefact)) {
+            finding.fix = fmt::format("{} puts {} of them right, and breaks {} others", fix->name,
+                                      fix->cured_of[std::size_t(style.artefact)], fix->broken);
+            finding.settings = fix->settings;
         }
         out.push_back(std::move(finding));
     }
@@ -179,7 +179,7 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cure
 }
 
 AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, int height, const AdviceOptions& options,
-                           TruthCache& cache, const Workers& workers) {
+                           ReferenceCache& cache, const Workers& workers) {
     const auto stop = [&] {
         if (workers.stop.stop_requested()) throw Cancelled();
     };
@@ -189,10 +189,10 @@ AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, in
         stop();
         FrameRequest own = request;
         trace_sources(renderer, scene, s, own, cache, workers);
-        const MeasuredError m = measure_error(renderer, scene, s, own, light, truth_options(s), cache, workers);
+        const MeasuredError m = measure_error(renderer, scene, s, own, light, reference_options(s), cache, workers);
         own.force = true;
         const Metric& metric = *options.error;
-        return JudgedSettings{shortfall(metric.better, metric.value(m.metrics)), m.traced.truth->noise,
+        return JudgedSettings{shortfall(metric.better, metric.value(m.metrics)), m.traced.reference->noise,
                               work_cost(s, renderer.render(scene, s, own)), m.camera};
     };
     meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
@@ -205,7 +205,7 @@ AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, in
 }
 
 AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                         const AdviceOptions& options, TruthCache& cache, const Workers& workers,
+                         const AdviceOptions& options, ReferenceCache& cache, const Workers& workers,
                          const std::function<void(double, const std::string&)>& report) {
     constexpr double kLooking = 0.1, kCuring = 0.2;  // shares of the whole
     const auto tell = [&](double share, const std::string& what) {
@@ -222,12 +222,12 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
     out.before = meter.judge(base, base.view.light);
     out.time = Measurer(renderer, width, height, quiet)
                    .time(scene, base, options.cost, {.most = 15, .bursts = kLeastBursts, .over_s = 0.3});
-    CureTable cures;
-    if (options.cures)
-        cures = find_cures(renderer, scene, base, width, height, {.truth = truth_options(base)}, cache, quiet,
+    FixTable fixes;
+    if (options.fixes)
+        fixes = find_fixes(renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
                            [&](double share, const std::string& what) { tell(kLooking + kCuring * share, what); });
-    out.findings = findings_of(out.facts, cures);
-    const double begun = kLooking + (options.cures ? kCuring : 0);
+    out.findings = findings_of(out.facts, fixes);
+    const double begun = kLooking + (options.fixes ? kCuring : 0);
     for (TriedAdvice& t :
          try_advice(base, advice_ideas(base, out.facts), meter,
                     [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))

@@ -83,17 +83,17 @@ std::string_view severity_word(Severity severity);
 struct Finding {
     Severity severity = Severity::Hint;
     std::string text;                                           ///< a sentence
-    std::string cure;                                           ///< what helps; empty: nothing known
+    std::string fix;                                            ///< what helps; empty: nothing known
     std::vector<std::pair<std::string, std::string>> settings;  ///< that do
 };
 /// Remarks of the renderer, limits of the maps, and wrong pixels by their causes with what cures most of them; the
 /// worst first. Pure.
-std::vector<Finding> findings_of(const AdviceFacts& facts, const CureTable& cures);
+std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes);
 
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< one that has a better
     CostCase cost = kDefaultCost;
-    bool cures = true;  ///< findings come with cures, which are drawn and judged
+    bool fixes = true;  ///< findings come with cures, which are drawn and judged
 };
 
 struct AdviceReport {
@@ -107,11 +107,11 @@ struct AdviceReport {
 
 /// Measures as the renderer draws. Lives as long as what it is given.
 AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, int height, const AdviceOptions& options,
-                           TruthCache& cache, const Workers& workers);
+                           ReferenceCache& cache, const Workers& workers);
 
 /// On the renderer's thread. @throws Cancelled; Error when there is no light to judge
 AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                         const AdviceOptions& options, TruthCache& cache, const Workers& workers = {},
+                         const AdviceOptions& options, ReferenceCache& cache, const Workers& workers = {},
                          const std::function<void(double, const std::string&)>& report = {});
 
 }  // namespace si

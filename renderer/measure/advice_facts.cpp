@@ -30,30 +30,30 @@ double penumbra_m(const FittedLight& light, const glm::dvec3& at_ws, double gap_
     return room > 0 ? 2 * light.size * gap_m / room : std::numeric_limits<double>::infinity();
 }
 
-double shadowed_share(const Truth& truth) {
-    const FloatImage& hard = truth.hard();
+double shadowed_share(const Reference& reference) {
+    const FloatImage& hard = reference.hard();
     std::size_t counted = 0, dark = 0;
-    for (std::size_t i = 0; i < truth.state.size(); ++i)
-        if (truth.state[i] == PixelState::Counted) ++counted, dark += hard.data[i] < 0.5f;
+    for (std::size_t i = 0; i < reference.state.size(); ++i)
+        if (reference.state[i] == PixelState::Counted) ++counted, dark += hard.data[i] < 0.5f;
     return counted ? double(dark) / double(counted) : kUnknown;
 }
 
 /// Depths, texels and penumbrae: one pixel in seven says enough.
 void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
-    const Truth& truth = *m.traced.truth;
+    const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> texels, penumbrae;
     f.nearest_m = std::numeric_limits<double>::infinity(), f.farthest_m = 0;
-    for (std::size_t i = 0; i < truth.state.size(); ++i) {
-        if (truth.state[i] != PixelState::Counted) continue;
+    for (std::size_t i = 0; i < reference.state.size(); ++i) {
+        if (reference.state[i] != PixelState::Counted) continue;
         ++f.pixels;
         const Receiver& r = m.traced.receivers->pixels[i];
         const double depth_m = glm::dot(m.camera.eye - r.position_ws, m.camera.axes[2]);
         f.nearest_m = std::min(f.nearest_m, depth_m), f.farthest_m = std::max(f.farthest_m, depth_m);
-        if (i % 7 || light.views.empty() || m.judged[i].has(JudgedPixel::kOutside)) continue;
+        if (i % 7 || light.views.empty() || m.classified[i].has(JudgedPixel::kOutside)) continue;
         const double texel_m = account_of(m, settings, r, driver).receiver.texel_m;
         texels.push_back(texel_m / pixel_m(m.camera, depth_m, m.picture.y));
-        const double gap_m = truth.blocker_m.data.empty() ? kUnknown : double(truth.blocker_m.data[i]);
+        const double gap_m = reference.blocker_m.data.empty() ? kUnknown : double(reference.blocker_m.data[i]);
         if (std::isfinite(gap_m)) penumbrae.push_back(penumbra_m(light, r.position_ws, gap_m) / texel_m);
     }
     f.texel_px = quantile_of(std::move(texels), 0.5);
@@ -63,10 +63,11 @@ void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& sett
 }  // namespace
 
 AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& s, int width, int height,
-                         TruthCache& cache, const Workers& workers) {
+                         ReferenceCache& cache, const Workers& workers) {
     FrameRequest request{.width = width, .height = height};
     trace_sources(renderer, scene, s, request, cache, workers);
-    const MeasuredError m = measure_error(renderer, scene, s, request, s.view.light, truth_options(s), cache, workers);
+    const MeasuredError m =
+        measure_error(renderer, scene, s, request, s.view.light, reference_options(s), cache, workers);
     AdviceFacts f;
     f.error = m.metrics;
     f.lights = m.lights, f.light = m.light, f.map_resolution = m.map_resolution;
@@ -74,11 +75,11 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
     const FittedLight& light = m.lights[std::size_t(m.light)];
     if (light.casts) f.needs = bias_needs(m, s, renderer.driver());
     f.shadowed.assign(f.lights.size(), kUnknown);
-    f.shadowed[std::size_t(m.light)] = shadowed_share(*m.traced.truth);
+    f.shadowed[std::size_t(m.light)] = shadowed_share(*m.traced.reference);
     for (std::size_t i = 0; i < f.lights.size(); ++i) {
         if (int(i) == m.light || !f.lights[i].shadowed) continue;
-        const TruthTask task = truth_task(renderer, scene, s, request, int(i), {});
-        f.shadowed[i] = shadowed_share(*cache.trace(task, workers).truth);
+        const ReferenceTask task = reference_task(renderer, scene, s, request, int(i), {});
+        f.shadowed[i] = shadowed_share(*cache.trace(task, workers).reference);
     }
     request.outputs.texels_read = light.casts && light.views.size() == 1 && !s.map.paged;
     const FrameResult frame = renderer.render(scene, s, request);

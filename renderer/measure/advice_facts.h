@@ -26,6 +26,6 @@ struct AdviceFacts {
 
 /// Draws and traces. On the renderer's thread. @throws Cancelled, Error
 AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& measured, int width, int height,
-                         TruthCache& cache, const Workers& workers);
+                         ReferenceCache& cache, const Workers& workers);
 
 }  // namespace si

@@ -23,15 +23,15 @@ ArtefactCluster cluster_of(const std::vector<glm::ivec2>& members) {
 
 }  // namespace
 
-std::vector<ArtefactCluster> artefact_clusters(const std::vector<JudgedPixel>& judged, int width, Artefact cause,
+std::vector<ArtefactCluster> artefact_clusters(const std::vector<JudgedPixel>& classified, int width, Artefact cause,
                                                std::size_t most) {
     std::vector<ArtefactCluster> out;
-    const int height = width > 0 ? int(judged.size() / std::size_t(width)) : 0;
+    const int height = width > 0 ? int(classified.size() / std::size_t(width)) : 0;
     const auto index = [&](glm::ivec2 p) { return std::size_t(p.y) * std::size_t(width) + std::size_t(p.x); };
-    std::vector<bool> taken(judged.size(), false);
+    std::vector<bool> taken(classified.size(), false);
     const auto takes = [&](glm::ivec2 p) {
         if (p.x < 0 || p.y < 0 || p.x >= width || p.y >= height) return false;
-        if (judged[index(p)].artefact != cause || taken[index(p)]) return false;
+        if (classified[index(p)].artefact != cause || taken[index(p)]) return false;
         taken[index(p)] = true;
         return true;
     };

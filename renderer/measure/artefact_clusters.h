@@ -17,7 +17,7 @@ struct ArtefactCluster {
 
 /// Largest first; those of one size row by row. @param judged top row first, `width` of them a row
 /// @param most so many are returned
-std::vector<ArtefactCluster> artefact_clusters(const std::vector<JudgedPixel>& judged, int width, Artefact cause,
+std::vector<ArtefactCluster> artefact_clusters(const std::vector<JudgedPixel>& classified, int width, Artefact cause,
                                                std::size_t most);
 
 }  // namespace si

@@ -30,7 +30,7 @@ std::span<const ArtefactStyle> artefact_styles() {
     return kStyles;
 }
 
-ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& judged, int step) {
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& classified, int step) {
     ByteImage out = picture;
     const auto width = std::size_t(out.width), every = std::size_t(std::max(step, 1));
     const std::size_t columns = (width + every - 1) / every;
@@ -40,7 +40,7 @@ ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPix
         const double grey = 40 + 0.7 * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
         std::fill_n(p, 3, std::uint8_t(grey));
         const std::size_t at = i / width / every * columns + i % width / every;
-        const Artefact artefact = at < judged.size() ? judged[at].artefact : Artefact::None;
+        const Artefact artefact = at < classified.size() ? classified[at].artefact : Artefact::None;
         if (artefact != Artefact::None) std::copy_n(kStyles[std::size_t(artefact) - 1].rgb.begin(), 3, p);
         p[3] = 255;
     }

@@ -21,7 +21,7 @@ struct ArtefactStyle {
 std::span<const ArtefactStyle> artefact_styles();
 
 /// The picture in grey, what is wrong in colour. @param judged one per pixel of the truth, top row first
-/// @param step pixels of the picture per pixel of the truth (TruthOptions::step)
-ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& judged, int step = 1);
+/// @param step pixels of the picture per pixel of the truth (ReferenceOptions::step)
+ByteImage artefact_picture(const ByteImage& picture, const std::vector<JudgedPixel>& classified, int step = 1);
 
 }  // namespace si

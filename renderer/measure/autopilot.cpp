@@ -20,7 +20,7 @@ using AxisChoice = std::vector<std::size_t>;
 constexpr double kClose = 0.1;  ///< shares of the least time: those are timed against each other
 constexpr std::size_t kFinalists = 3;
 // Shares of the time: judging ends with the first; the second is left for pricing what was dropped.
-constexpr double kJudging = 0.6, kPricing = 0.15;
+constexpr double kMeasuringShare = 0.6, kTimingShare = 0.15;
 
 std::string value_of(const Settings& s, const std::string& key) {
     const SettingRef ref = *find_setting(key);
@@ -41,7 +41,7 @@ public:
         for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
-            known_[at_] = {.at = at_, .settings = start_, .judged = out.before, .ms = out.before_ms};
+            known_[at_] = {.at = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
         if (out.combinations <= goals_.most_combinations) {
             search_block(all_axes());
         } else {
@@ -69,9 +69,9 @@ private:
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.most_seconds; }
     /// What is left is for pricing what was dropped.
-    bool late_to_search() const { return spent_s() > (1 - kPricing) * goals_.most_seconds; }
+    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.most_seconds; }
     /// What is left is for timing what was judged.
-    bool late_to_judge() const { return spent_s() > kJudging * goals_.most_seconds; }
+    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.most_seconds; }
     void tell(const std::string& what) const {
         if (report_) report_(std::min(spent_s() / goals_.most_seconds, 0.99), what);
     }
@@ -99,16 +99,18 @@ private:
         return text.empty() ? "the present settings" : text;
     }
 
-    AutopilotCase* judged(const AxisChoice& at) {
+    AutopilotCase* classified(const AxisChoice& at) {
         if (const auto it = known_.find(at); it != known_.end()) return &it->second;
-        if (late_to_judge()) return nullptr;
+        if (out_of_measuring_time()) return nullptr;
         tell(name_of(at));
-        AutopilotCase c{.at = at, .settings = settings_at(at), .judged = {}, .ms = {}};
-        c.judged = meter_.judge(c.settings, start_.view.light);
+        AutopilotCase c{.at = at, .settings = settings_at(at), .classified = {}, .ms = {}};
+        c.classified = meter_.judge(c.settings, start_.view.light);
         return &known_.emplace(at, std::move(c)).first->second;
     }
 
-    bool accurate(const AutopilotCase& c) const { return !goals_.most_error || c.judged.error <= *goals_.most_error; }
+    bool accurate(const AutopilotCase& c) const {
+        return !goals_.most_error || c.classified.error <= *goals_.most_error;
+    }
     /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
     bool time_it(AutopilotCase& c) {
         if (!c.ms) {
@@ -128,7 +130,8 @@ private:
         };
         return std::any_of(others.begin(), others.end(), [&](const AutopilotCase* o) {
             return o->settings.filter == c.settings.filter &&
-                   o->judged.work.bytes_touched < c.judged.work.bytes_touched && no_more(o->judged.work, c.judged.work);
+                   o->classified.work.bytes_touched < c.classified.work.bytes_touched &&
+                   no_more(o->classified.work, c.classified.work);
         });
     }
 
@@ -139,15 +142,15 @@ private:
         return stride;
     }
 
-    double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.judged.error; }
+    double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.classified.error; }
 
     /// Of these the best that holds the bounds; null: none does.
     AutopilotCase* best_of(std::vector<AutopilotCase*> cases) {
         std::erase_if(cases, [&](const AutopilotCase* c) { return !accurate(*c); });
         // Without a bound on the error the first that is fast enough is the most accurate.
         const auto order = [&](const AutopilotCase* a, const AutopilotCase* b) {
-            return goals_.most_error ? a->judged.work.bytes_touched < b->judged.work.bytes_touched
-                                     : a->judged.error < b->judged.error;
+            return goals_.most_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
+                                     : a->classified.error < b->classified.error;
         };
         std::stable_sort(cases.begin(), cases.end(), order);
         AutopilotCase* best = nullptr;
@@ -197,7 +200,7 @@ private:
         }
         std::vector<AutopilotCase*> cases;
         for (std::size_t i = 0; i < choices.size(); ++i)
-            if (AutopilotCase* found = judged(choices[i * stride_over(choices.size()) % choices.size()]))
+            if (AutopilotCase* found = classified(choices[i * stride_over(choices.size()) % choices.size()]))
                 cases.push_back(found);
             else
                 unjudged_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
@@ -210,7 +213,7 @@ private:
     /// What comes nearest to the bounds, where nothing holds them.
     const AutopilotCase* nearest(const std::vector<AutopilotCase*>& cases) const {
         const auto missed = [&](const AutopilotCase* c) {
-            const double error = goals_.most_error ? std::max(c->judged.error / *goals_.most_error, 1.0) : 1;
+            const double error = goals_.most_error ? std::max(c->classified.error / *goals_.most_error, 1.0) : 1;
             const double ms = goals_.most_ms && c->ms ? std::max(*c->ms / *goals_.most_ms, 1.0) : 1;
             // One that was not timed, as it is too far off, is nearer than none.
             return std::pair(goals_.most_ms && !c->ms ? 1 : 0, error * ms);
@@ -296,7 +299,7 @@ private:
         const std::string ms =
             out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), row_of(goals_.cost).when) : "";
         const std::string found =
-            fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.judged.error, ms);
+            fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.classified.error, ms);
         if (!out.held) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
         return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
     }
@@ -341,7 +344,7 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
 }
 
 AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, TruthCache& cache,
+                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
                               const Workers& workers, const std::function<void(double, const std::string&)>& report) {
     const auto tell = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();

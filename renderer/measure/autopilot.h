@@ -31,7 +31,7 @@ struct AutopilotMeter : AdviceMeter {
 struct AutopilotCase {
     std::vector<std::size_t> at;  ///< a value of each axis
     Settings settings;
-    JudgedSettings judged;
+    JudgedSettings classified;
     std::optional<double> ms;  ///< of a frame, where it was needed
     bool holds = false;        ///< the bounds, as far as it was timed
 };
@@ -64,7 +64,7 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
 /// As the renderer draws, on its thread, with axes of the facts unless some are given. @throws Cancelled; Error when
 /// there is no light to judge
 AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, TruthCache& cache,
+                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
                               const Workers& workers = {},
                               const std::function<void(double, const std::string&)>& report = {});
 

@@ -67,11 +67,11 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 /// Calls `use` with the number and receiver of each pixel that counts, is lit in truth and lies in the map.
 template <class Use>
 void each_lit_receiver(const MeasuredError& measured, Use use) {
-    const Truth& truth = *measured.traced.truth;
-    const FloatImage& hard = truth.hard();
-    for (std::size_t i = 0; i < truth.state.size(); ++i)
-        if (truth.state[i] == PixelState::Counted && hard.data[i] >= 0.5f &&
-            !measured.judged[i].has(JudgedPixel::kOutside))
+    const Reference& reference = *measured.traced.reference;
+    const FloatImage& hard = reference.hard();
+    for (std::size_t i = 0; i < reference.state.size(); ++i)
+        if (reference.state[i] == PixelState::Counted && hard.data[i] >= 0.5f &&
+            !measured.classified[i].has(JudgedPixel::kOutside))
             use(i, measured.traced.receivers->pixels[i]);
 }
 
@@ -147,11 +147,11 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
                          contact_gap(a.receiver.texel_m / a.receiver.axis_per_ray, a.theta_rad)});
         gaps.push_back(a.contact_gap_m());
         shifts.push_back(a.receiver.normal_offset_m * std::tan(std::min(a.theta_rad, 1.57)));
-        if (!measured.judged[i].has(JudgedPixel::kAnyAcne)) return;
+        if (!measured.classified[i].has(JudgedPixel::kAnyAcne)) return;
         if (a.clears() >= a.least.total())
-            out.folds += measured.judged[i].visibility >= 0.5f;
+            out.folds += measured.classified[i].visibility >= 0.5f;
         else
-            out.faint_acne += measured.judged[i].visibility >= 0.5f;
+            out.faint_acne += measured.classified[i].visibility >= 0.5f;
     });
     out.pixels = needs.size();
     if (needs.empty()) return out;

@@ -24,7 +24,7 @@ std::size_t BiasTrial::wrong() const {
     return std::accumulate(error.artefacts.begin() + 1, error.artefacts.end(), std::size_t(0));
 }
 
-BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
+BiasTrial measure_bias_trial(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver) {
     return {measured.metrics, bias_needs(measured, settings, driver)};
 }
 

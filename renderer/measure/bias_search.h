@@ -4,7 +4,7 @@
 //     BiasSearch search(settings);
 //     while (!search.done()) {
 //         const MeasuredError measured = measure_error(renderer, scene, search.next(), request, light, {}, cache);
-//         search.report(judge_bias(measured, search.next(), driver));
+//         search.report(measure_bias_trial(measured, search.next(), driver));
 //     }
 //     search.best()->bias
 #pragma once
@@ -31,7 +31,7 @@ struct BiasTrial {
 };
 
 /// What was measured, as a search takes it. @param settings that were measured
-BiasTrial judge_bias(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
+BiasTrial measure_bias_trial(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 struct BiasFound {
     BiasFamily family = BiasFamily::Constant;

@@ -30,14 +30,14 @@ double power_of_two_above(double v) {
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> wanted;
-    for (std::size_t i = 0; i < m.judged.size(); ++i) {
-        if (m.judged[i].artefact != Artefact::Undersampled) continue;
+    for (std::size_t i = 0; i < m.classified.size(); ++i) {
+        if (m.classified[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
         const BiasAccount a = account_of(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
-        const double gap_m = m.traced.truth->blocker_m.data[i];
+        const double gap_m = m.traced.reference->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
             const double kappa = std::max(reach_under(settings, light, m.map_resolution).bias, 0.5);
@@ -72,7 +72,7 @@ void cast_from_both_sides(Settings& s) {
 
 /// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
 template <class Idea>
-void add_fits(const Settings& base, const CureFacts& f, Idea idea) {
+void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
     const auto light = std::size_t(f.light);
     const FittedLight& fitted = f.lights[light];
     const bool sun = fitted.type == LightType::Directional;
@@ -104,7 +104,7 @@ public:
     Stopwatch(Renderer& renderer, const Scene& scene, FrameRequest request, int frames)
         : renderer_(renderer), scene_(scene), request_(std::move(request)), frames_(frames) {
         request_.timing = request_.force = true;
-        request_.truth.reset();
+        request_.reference.reset();
         request_.outputs = {};
     }
 
@@ -141,7 +141,7 @@ private:
         std::set<std::string> out;
         const auto draw = [&](const Settings& s) {
             for (const PassInfo& pass : renderer_.render(scene_, s, quiet).passes)
-                if (pass.state == PassState::Ran) out.insert(pass.name);
+                if (pass.state == PassState::Drawn) out.insert(pass.name);
         };
         draw(before);
         out.clear();  // whatever was drawn last
@@ -193,8 +193,8 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
     return out;
 }
 
-CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
-    CureFacts f;
+FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
+    FixFacts f;
     f.needs = bias_needs(measured, settings, driver);
     f.lights = measured.lights, f.light = measured.light;
     f.map_resolution = measured.map_resolution, f.max_resolution = driver.max_texture_size;
@@ -207,8 +207,8 @@ CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, co
     return f;
 }
 
-std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
-    std::vector<CureIdea> out;
+std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
+    std::vector<FixCandidate> out;
     const auto idea = [&](std::string name, auto&& change, std::string untried = {}) {
         Settings s = base;
         change(s);
@@ -281,12 +281,10 @@ std::vector<CureIdea> cure_ideas(const Settings& base, const CureFacts& f) {
     return out;
 }
 
-CureIdea idea_of(const Remedy& remedy, const Settings& settings) {
-    CureIdea idea{.name = remedy.text,
-                  .settings = settings,
-                  .untried = {},
-                  .label = fix_text(remedy, settings) + fix_worth_text(remedy)};
-    for (const auto& [key, value] : remedy.settings) set_setting(idea.settings, key, value);
+FixCandidate idea_of(const SuggestedFix& fix, const Settings& settings) {
+    FixCandidate idea{
+        .name = fix.text, .settings = settings, .untried = {}, .label = fix_text(fix, settings) + fix_worth_text(fix)};
+    for (const auto& [key, value] : fix.settings) set_setting(idea.settings, key, value);
     return idea;
 }
 
@@ -301,9 +299,9 @@ std::string map_bytes_text(long long bytes) {
     return fmt::format("{:+.0f} {}", double(bytes) / (large ? 1 << 20 : 1 << 10), large ? "MiB" : "KiB");
 }
 
-CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                     const CureOptions& options, TruthCache& cache, const Workers& workers,
-                     const std::function<void(double, const std::string&)>& report) {
+FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                    const FixOptions& options, ReferenceCache& cache, const Workers& workers,
+                    const std::function<void(double, const std::string&)>& report) {
     const Settings base = measured_settings(settings);
     const FrameRequest request{.width = width, .height = height};
     const int light = base.view.light;
@@ -313,7 +311,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
     };
     tell(0, "the present settings");
     const auto measure = [&](const Settings& s) {
-        return measure_error(renderer, scene, s, request, light, options.truth, cache, workers.part(0, 0));
+        return measure_error(renderer, scene, s, request, light, options.reference, cache, workers.part(0, 0));
     };
     const auto bytes = [](const Settings& s, const MeasuredError& measured) {
         FrameResult maps;
@@ -321,28 +319,28 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
         return (long long)work_cost(s, maps).map_bytes;
     };
     const MeasuredError before = measure(base);
-    const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.judged[i].artefact != Artefact::None; };
-    CureTable table;
+    const auto wrong = [](const MeasuredError& m, std::size_t i) { return m.classified[i].artefact != Artefact::None; };
+    FixTable table;
     for (std::size_t a = 1; a < kArtefacts; ++a) table.wrong += table.wrong_of[a] = before.metrics.artefacts[a];
     if (table.wrong == 0) return table;
     std::optional<std::size_t> pixel;
     if (options.pixel) {
-        const glm::ivec2 at = *options.pixel / std::max(options.truth.step, 1);
-        pixel = std::size_t(at.y) * std::size_t(before.traced.truth->width) + std::size_t(at.x);
+        const glm::ivec2 at = *options.pixel / std::max(options.reference.step, 1);
+        pixel = std::size_t(at.y) * std::size_t(before.traced.reference->width) + std::size_t(at.x);
     }
-    std::vector<CureIdea> ideas = cure_ideas(base, cure_facts(before, base, renderer.driver()));
-    for (const CureIdea& more : options.more) {
-        CureIdea own = more;
+    std::vector<FixCandidate> ideas = fix_ideas(base, fix_facts(before, base, renderer.driver()));
+    for (const FixCandidate& more : options.more) {
+        FixCandidate own = more;
         own.settings = measured_settings(own.settings);
         const bool known =
-            std::any_of(ideas.begin(), ideas.end(), [&](const CureIdea& i) { return i.settings == own.settings; });
+            std::any_of(ideas.begin(), ideas.end(), [&](const FixCandidate& i) { return i.settings == own.settings; });
         if (!known && !(own.settings == base)) ideas.insert(ideas.begin(), std::move(own));
     }
     const long long bytes_before = bytes(base, before);
     Stopwatch stopwatch(renderer, scene, request, options.frames);
     for (std::size_t k = 0; k < ideas.size(); ++k) {
-        const CureIdea& idea = ideas[k];
-        Cure row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
+        const FixCandidate& idea = ideas[k];
+        MeasuredFix row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
         row.label = idea.label;
         if (row.untried.empty()) {
             tell((double(k) + 1) / (double(ideas.size()) + 1), row.shown_name());
@@ -360,9 +358,9 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
                 table.rows.push_back(std::move(row));
                 continue;
             }
-            for (std::size_t i = 0; i < before.judged.size(); ++i) {
+            for (std::size_t i = 0; i < before.classified.size(); ++i) {
                 const bool was = wrong(before, i), is = wrong(after, i);
-                if (was && !is) ++row.cured, ++row.cured_of[std::size_t(before.judged[i].artefact)];
+                if (was && !is) ++row.cured, ++row.cured_of[std::size_t(before.classified[i].artefact)];
                 if (!was && is) ++row.broken;
             }
             if (pixel) row.pixel_right = !wrong(after, *pixel);
@@ -371,7 +369,7 @@ CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& set
         }
         table.rows.push_back(std::move(row));
     }
-    std::stable_sort(table.rows.begin(), table.rows.end(), [](const Cure& a, const Cure& b) {
+    std::stable_sort(table.rows.begin(), table.rows.end(), [](const MeasuredFix& a, const MeasuredFix& b) {
         if (a.untried.empty() != b.untried.empty()) return a.untried.empty();
         if (a.pixel_right != b.pixel_right) return a.pixel_right.value_or(false);
         if (a.gain() != b.gain()) return a.gain() > b.gain();

@@ -1,6 +1,6 @@
 // What would put wrong pixels right: changes of settings, each drawn and judged before it is offered.
 //
-//     CureTable table = find_cures(renderer, scene, settings, 1280, 720, {.pixel = glm::ivec2(640, 360)}, cache);
+//     FixTable table = find_fixes(renderer, scene, settings, 1280, 720, {.pixel = glm::ivec2(640, 360)}, cache);
 //     table.rows.front().cured                       // apply its settings, measure: exactly so many
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace si {
 
 /// A change that may put pixels right.
-struct CureIdea {
+struct FixCandidate {
     std::string name;        ///< "least bias, constant alone"
     Settings settings;       ///< with the change
     std::string untried;     ///< why it is not drawn; empty: it is
@@ -24,7 +24,7 @@ struct CureIdea {
 };
 
 /// What ideas depend on beside the settings.
-struct CureFacts {
+struct FixFacts {
     BiasNeeds needs;
     std::vector<FittedLight> lights;
     int light = 0, map_resolution = 0, max_resolution = 0;
@@ -34,7 +34,7 @@ struct CureFacts {
     /// The least bias of each row of the bias table that no family of `needs` spends.
     std::vector<std::pair<const Bias*, BiasSettings>> least_of_rows;
 };
-CureFacts cure_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
+FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver);
 
 /// The least bias of a family that clears what is seen, a little above what theory says.
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family);
@@ -45,10 +45,10 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
 std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with);
 
 /// A dossier's remedy, to be tried like the others.
-CureIdea idea_of(const Remedy& remedy, const Settings& settings);
+FixCandidate idea_of(const SuggestedFix& fix, const Settings& settings);
 
 /// All that may help under these settings; changes that change nothing are left out. Pure.
-std::vector<CureIdea> cure_ideas(const Settings& settings, const CureFacts& facts);
+std::vector<FixCandidate> fix_ideas(const Settings& settings, const FixFacts& facts);
 
 struct CostChange {
     double value = 0, noise = 0;  ///< milliseconds, noise of the difference; below it there is none
@@ -60,7 +60,7 @@ std::string time_text(const std::optional<CostChange>& ms);
 /// "+12 MiB", or "same".
 std::string map_bytes_text(long long bytes);
 
-struct Cure {
+struct MeasuredFix {
     std::string name;  ///< in files
     std::vector<std::pair<std::string, std::string>>
         settings;                       ///< key and value of what changes, as set_setting() takes them
@@ -75,25 +75,25 @@ struct Cure {
     long long gain() const { return (long long)cured - (long long)broken; }
 };
 
-struct CureTable {
-    std::vector<Cure>
+struct FixTable {
+    std::vector<MeasuredFix>
         rows;  ///< by cured - broken, then milliseconds; with a pixel those first that put it right; untried last
     std::size_t wrong = 0;  ///< pixels before
     std::array<std::size_t, kArtefacts> wrong_of{};
 };
 
-struct CureOptions {
+struct FixOptions {
     std::optional<glm::ivec2> pixel;  ///< of the picture, from the top left
     bool time = false;
     int frames = 7;  ///< timed, of each side; fewer, but two at least, of frames that take long
-    TruthOptions truth;
-    std::vector<CureIdea> more;  ///< tried besides
+    ReferenceOptions reference;
+    std::vector<FixCandidate> more;  ///< tried besides
 };
 
 /// Draws, judges and times every idea. On the renderer's thread. `report` hears of the share done and what is tried.
 /// @throws Cancelled, Error
-CureTable find_cures(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                     const CureOptions& options, TruthCache& cache, const Workers& workers = {},
-                     const std::function<void(double, const std::string&)>& report = {});
+FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
+                    const FixOptions& options, ReferenceCache& cache, const Workers& workers = {},
+                    const std::function<void(double, const std::string&)>& report = {});
 
 }  // namespace si

@@ -70,8 +70,8 @@ bool dominates(const Dot& a, const Dot& b) {
     if (!finite(a) || !finite(b)) return false;
     const double cost_noise = std::max(a.cost_noise, b.cost_noise),
                  error_noise = std::max(a.error_noise, b.error_noise);
-    const bool no_worse = a.cost <= b.cost + std::min(cost_noise, kMostAlike * b.cost) &&
-                          a.error <= b.error + std::min(error_noise, kMostAlike * b.error);
+    const bool no_worse = a.cost <= b.cost + std::min(cost_noise, kMaxTieNoise * b.cost) &&
+                          a.error <= b.error + std::min(error_noise, kMaxTieNoise * b.error);
     const bool better = a.cost < b.cost - cost_noise || a.error < b.error - error_noise;
     return no_worse && better;
 }

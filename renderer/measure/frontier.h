@@ -36,9 +36,9 @@ struct Dot {
 };
 
 /// As alike as what has settled may be: noise beyond this share of a value is ignorance, which speaks for no dot.
-inline constexpr double kMostAlike = 0.03;
+inline constexpr double kMaxTieNoise = 0.03;
 
-/// How `a` stands to `b`: better when it is no worse on either axis beyond noise (up to kMostAlike) and better on one
+/// How `a` stands to `b`: better when it is no worse on either axis beyond noise (up to kMaxTieNoise) and better on one
 /// beyond noise.
 bool dominates(const Dot& a, const Dot& b);
 

@@ -8,29 +8,29 @@ namespace si {
 Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
     const Settings measured = measured_settings(settings);
     FrameRequest request{.width = width_, .height = height_, .force = true};
-    trace_sources(renderer_, scene, measured, request, truths_, workers_);
-    Judgement judged;
+    trace_sources(renderer_, scene, measured, request, references_, workers_);
+    Judgement classified;
     const FrameResult frame = renderer_.render(scene, measured, request);
-    judged.cost = work_cost(measured, frame);
-    judged.map_resolution = frame.map_resolution;
-    judged.pages = frame.pages;
-    judged.picture = renderer_.read_colour(frame.colour);
-    judged.notes = frame.notes;
+    classified.cost = work_cost(measured, frame);
+    classified.map_resolution = frame.map_resolution;
+    classified.pages = frame.pages;
+    classified.picture = renderer_.read_colour(frame.colour);
+    classified.notes = frame.notes;
     request.force = false;
-    const TruthOptions truth = truth_options(measured);
+    const ReferenceOptions reference = reference_options(measured);
     const MeasuredError error =
-        measure_error(renderer_, scene, measured, request, measured.view.light, truth, truths_, workers_);
-    judged.error = error.metrics;
-    judged.truth = error.traced.truth;
-    judged.artefacts = artefact_picture(judged.picture, error.judged, truth.step);
-    return judged;
+        measure_error(renderer_, scene, measured, request, measured.view.light, reference, references_, workers_);
+    classified.error = error.metrics;
+    classified.reference = error.traced.reference;
+    classified.artefacts = artefact_picture(classified.picture, error.classified, reference.step);
+    return classified;
 }
 
 TimedFrames::TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request,
-                         CostCase cost, TruthCache& truths, const Workers& workers)
+                         CostCase cost, ReferenceCache& references, const Workers& workers)
     : renderer_(renderer), scene_(scene) {
     for (Settings& s : scripted_frames(scene, measured, double(request.width) / request.height, cost)) {
-        trace_sources(renderer, scene, s, request, truths, workers);
+        trace_sources(renderer, scene, s, request, references, workers);
         frames_.push_back({std::move(s), request});
         time_as(frames_.back().request, cost);
     }
@@ -48,8 +48,8 @@ void TimedFrames::warm_up() {
 }
 
 TimedFrames Measurer::frames(const Scene& scene, const Settings& settings, CostCase cost) {
-    return {renderer_, scene,   measured_settings(settings), {.width = width_, .height = height_}, cost,
-            truths_,   workers_};
+    return {renderer_,   scene,   measured_settings(settings), {.width = width_, .height = height_}, cost,
+            references_, workers_};
 }
 
 TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int frames, CostCase cost) {

@@ -11,7 +11,7 @@ namespace si {
 /// A frame held against the truth about view.light.
 struct Judgement {
     ErrorMetrics error;
-    std::shared_ptr<const Truth> truth;  ///< that it was held against
+    std::shared_ptr<const Reference> reference;  ///< that it was held against
     WorkCost cost;
     int map_resolution = 0;          ///< as drawn
     std::optional<PageFacts> pages;  ///< of virtual maps, all drawn anew
@@ -25,7 +25,7 @@ class TimedFrames {
 public:
     /// Traces what the sources of visibility ask for. @param scene that lives longer @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
-                TruthCache& truths, const Workers& workers);
+                ReferenceCache& references, const Workers& workers);
     FrameResult next();
     /// After another setting was drawn: what these frames keep is there again.
     void warm_up();
@@ -64,7 +64,7 @@ private:
     Renderer& renderer_;
     int width_, height_;
     Workers workers_;
-    TruthCache truths_;
+    ReferenceCache references_;
 };
 
 }  // namespace si

@@ -23,13 +23,13 @@ Spread spread_of_differences(std::vector<double> values) {
 double total_ms(const FrameResult& frame) {
     double total = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Ran) total += pass.gpu_ms;
+        if (pass.state == PassState::Drawn) total += pass.gpu_ms;
     return total;
 }
 
 }  // namespace
 
-const Spread* SavedTimes::of(Saving saving) const {
+const Spread* SavedTimes::of(Optimisation saving) const {
     for (const SavedTime& time : savings)
         if (time.saving == saving) return &time.ms;
     return nullptr;
@@ -37,14 +37,14 @@ const Spread* SavedTimes::of(Saving saving) const {
 
 const Spread* SavedTimes::of(const Effect& effect) const {
     if (effect.saving) return of(*effect.saving);
-    if (effect.state != EffectState::Reused || effect.part) return nullptr;
+    if (effect.state != EffectState::Cached || effect.part) return nullptr;
     for (const PassTime& pass : frame.passes)
         if (pass.name == effect.pass) return &pass.gpu_ms;
     return nullptr;
 }
 
-std::vector<SavedTime> saved_in_turns(std::span<const Saving> savings, int rounds,
-                                      const std::function<double(SavingSet)>& draw_ms,
+std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int rounds,
+                                      const std::function<double(OptimisationSet)>& draw_ms,
                                       const std::function<void(double)>& report) {
     std::vector<std::vector<double>> differences(savings.size());
     for (int round = 0; round < rounds; ++round)
@@ -63,15 +63,15 @@ std::vector<SavedTime> saved_in_turns(std::span<const Saving> savings, int round
     return out;
 }
 
-KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Saving saving)
-    : scene_(scene), placement_(scene.placement), request_(request), time_goes_on_(saving == Saving::Resting) {
+KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving)
+    : scene_(scene), placement_(scene.placement), request_(request), time_goes_on_(saving == Optimisation::Static) {
     request_.force = false;
     const double aspect = double(request.width) / request.height;
     moments_ =
         time_goes_on_ ? std::vector<Settings>{settings} : scripted_frames(scene, settings, aspect, CostCase::Camera);
 }
 
-FrameResult KeptFrames::draw(SavingSet forced) {
+FrameResult KeptFrames::draw(OptimisationSet forced) {
     if (drawn_ % 2 == 0) move_on();
     request_.forced = forced;
     return (forced.empty() ? keeps_ : draws_all_)
@@ -88,59 +88,59 @@ void KeptFrames::move_on() {
 }
 
 SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Saving> savings, int rounds, const Workers& workers,
+                         std::span<const Optimisation> savings, int rounds, const Workers& workers,
                          const std::function<void(double)>& report) {
     request.force = request.timing = true;
     TimeSamples samples;
     const auto require_going_on = [&] {
         if (workers.stop.stop_requested()) throw Cancelled();
     };
-    const auto draw = [&](SavingSet forced, bool counts) {
+    const auto draw = [&](OptimisationSet forced, bool counts) {
         require_going_on();
         request.forced = forced;
         const FrameResult frame = renderer.render(scene, settings, request);
         if (counts && forced.empty()) samples.add(frame);
         return total_ms(frame);
     };
-    std::vector<Saving> anew, kept;
-    for (const Saving saving : savings)
-        if (saving == Saving::Resting || saving == Saving::EarlyOut)
+    std::vector<Optimisation> again, kept;
+    for (const Optimisation saving : savings)
+        if (saving == Optimisation::Static || saving == Optimisation::EarlyOut)
             kept.push_back(saving);
         else
-            anew.push_back(saving);
-    if (!moves(scene, settings.scene.animation)) std::erase(kept, Saving::Resting);
-    const double parts = double(anew.size() + kept.size());
+            again.push_back(saving);
+    if (!moves(scene, settings.scene.animation)) std::erase(kept, Optimisation::Static);
+    const double parts = double(again.size() + kept.size());
     const auto report_part = [&](double from, double count, double share) {
         if (report) report(parts > 0 ? (from + count * share) / parts : share);
     };
     draw({}, false);  // compiles programs and touches memory
-    for (const Saving saving : anew) draw({saving}, false);
+    for (const Optimisation saving : again) draw({saving}, false);
     SavedTimes saved{.rounds = rounds};
     saved.savings = saved_in_turns(
-        anew, rounds, [&](SavingSet forced) { return draw(forced, true); },
-        [&](double share) { report_part(0, double(anew.size()), share); });
-    for (int i = 0; anew.empty() && i < rounds; ++i) {
+        again, rounds, [&](OptimisationSet forced) { return draw(forced, true); },
+        [&](double share) { report_part(0, double(again.size()), share); });
+    for (int i = 0; again.empty() && i < rounds; ++i) {
         draw({}, true);
         if (kept.empty()) report_part(0, 1, double(i + 1) / rounds);
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
         KeptFrames frames(scene, settings, request, kept[i]);
-        const auto draw_moment = [&](SavingSet forced) {
+        const auto draw_moment = [&](OptimisationSet forced) {
             require_going_on();
             return total_ms(frames.draw(forced));
         };
-        const Saving one[] = {kept[i]};
+        const Optimisation one[] = {kept[i]};
         saved_in_turns(one, 4, draw_moment);  // until what is kept is there
         saved.savings.push_back(saved_in_turns(one, rounds, draw_moment, [&](double share) {
-                                    report_part(double(anew.size() + i), 1, share);
+                                    report_part(double(again.size() + i), 1, share);
                                 }).front());
     }
     saved.frame = summary(samples);
     return saved;
 }
 
-std::vector<Saving> named_savings(std::span<const Effect> effects) {
-    std::vector<Saving> out;
+std::vector<Optimisation> named_optimisations(std::span<const Effect> effects) {
+    std::vector<Optimisation> out;
     for (const Effect& effect : effects)
         if (effect.saving && std::find(out.begin(), out.end(), *effect.saving) == out.end())
             out.push_back(*effect.saving);

@@ -20,7 +20,7 @@ namespace si {
 /// Differences of neighbours in time: a frame that does the work less the one that spares it, in milliseconds. Noise
 /// may make them negative; an interval that holds 0 tells no saving.
 struct SavedTime {
-    Saving saving;
+    Optimisation saving;
     Spread ms;
 };
 
@@ -29,7 +29,7 @@ struct SavedTimes {
     TimeMeasurement frame;  ///< of frames that make all savings, every pass run
     int rounds = 0;
 
-    const Spread* of(Saving saving) const;
+    const Spread* of(Optimisation saving) const;
     /// What an effect's being left out, kept or made cheaper saves: by its saving, which others may share, else the
     /// time of its pass where that was reused. Null where that is not known.
     const Spread* of(const Effect& effect) const;
@@ -38,8 +38,8 @@ struct SavedTimes {
 /// What each saving is worth by frames that `draw_ms` draws and times.
 /// @param draw_ms of one frame with these savings forced, milliseconds
 /// @param report hears of the share done
-std::vector<SavedTime> saved_in_turns(std::span<const Saving> savings, int rounds,
-                                      const std::function<double(SavingSet)>& draw_ms,
+std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int rounds,
+                                      const std::function<double(OptimisationSet)>& draw_ms,
                                       const std::function<void(double)>& report = {});
 
 inline constexpr int kSavedRounds = 15;
@@ -49,7 +49,7 @@ inline constexpr int kSavedRounds = 15;
 /// @param request of the frames; forced and timed here
 /// @throws Error, Cancelled
 SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Saving> savings, int rounds = kSavedRounds, const Workers& workers = {},
+                         std::span<const Optimisation> savings, int rounds = kSavedRounds, const Workers& workers = {},
                          const std::function<void(double)>& report = {});
 
 /// Frames in each of which something has moved, for savings that live by what an earlier frame left: time goes on
@@ -57,10 +57,10 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
 class KeptFrames {
 public:
     /// @param saving Resting only of a scene that moves()
-    KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Saving saving);
+    KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving);
     /// Each moment is drawn twice, one after the other. @param forced those that force nothing are one sequence of
     /// frames, by a renderer of its own, those that do are another
-    FrameResult draw(SavingSet forced);
+    FrameResult draw(OptimisationSet forced);
 
 private:
     Scene scene_;
@@ -75,6 +75,6 @@ private:
 };
 
 /// The savings that these effects name, each once.
-std::vector<Saving> named_savings(std::span<const Effect> effects);
+std::vector<Optimisation> named_optimisations(std::span<const Effect> effects);
 
 }  // namespace si

@@ -28,7 +28,7 @@ void TimeSamples::add(const FrameResult& frame) {
     clock = frame.clock;
     double total = 0, maps = 0;
     for (const PassInfo& info : frame.passes) {
-        if (info.state != PassState::Ran) continue;
+        if (info.state != PassState::Drawn) continue;
         Pass& pass = pass_of(*this, info.name);
         pass.gpu_ms.push_back(info.gpu_ms);
         pass.cpu_ms.push_back(info.cpu_ms);
@@ -150,7 +150,7 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     cost.bytes_touched = cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
     cost.bytes_touched += light_maps * pixels * 4;  // four texels of a byte
     for (const PassInfo& pass : frame.passes) {
-        if (pass.state != PassState::Ran) continue;
+        if (pass.state != PassState::Drawn) continue;
         cost.draws += pass.draws;
         cost.triangles += pass.triangles;
     }

@@ -66,7 +66,7 @@ void Tuner::close_candidate(bool try_finer) {
     open_candidate();
 }
 
-void Tuner::judge_done() {
+void Tuner::finish_measured_run() {
     TuneCandidate& c = candidates_.back();
     const BiasFound* found = search_->best() ? search_->best() : search_->nearest();
     c.clear = search_->best() != nullptr;
@@ -88,7 +88,7 @@ void Tuner::judge_done() {
     close_candidate(!(goals_.most_error && c.meets));
 }
 
-void Tuner::judged(const BiasTrial& trial) {
+void Tuner::classified(const BiasTrial& trial) {
     ++trials_;
     if (!search_) {
         first_.report(trial);
@@ -100,14 +100,14 @@ void Tuner::judged(const BiasTrial& trial) {
         return;
     }
     search_->report(trial);
-    if (search_->done()) judge_done();
+    if (search_->done()) finish_measured_run();
 }
 
 void Tuner::timed(double ms) {
     TuneCandidate& c = candidates_.back();
     c.ms = ms;
     if (c.trial) {
-        judge_done();
+        finish_measured_run();
     } else if (goals_.most_ms && ms > *goals_.most_ms) {
         close_candidate(false);  // and finer maps cost more
     } else {

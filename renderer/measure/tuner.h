@@ -43,7 +43,7 @@ public:
     /// What to do next with settings(), until Nothing.
     Ask ask() const { return ask_; }
     Settings settings() const;
-    void judged(const BiasTrial& trial);
+    void classified(const BiasTrial& trial);
     void timed(double ms);
 
     double progress() const;
@@ -66,7 +66,7 @@ private:
 
     void open_candidate();
     void close_candidate(bool try_finer);
-    void judge_done();
+    void finish_measured_run();
 
     Settings start_;
     TuneGoals goals_;

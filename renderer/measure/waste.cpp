@@ -43,7 +43,7 @@ struct Trial {
 std::uint64_t map_triangles(const FrameResult& frame) {
     std::uint64_t n = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Ran &&
+        if (pass.state == PassState::Drawn &&
             (pass.name.starts_with("shadow map ") || pass.name == "pages of shadow maps"))
             n += pass.triangles;
     return n;
@@ -52,7 +52,7 @@ std::uint64_t map_triangles(const FrameResult& frame) {
 double time_of_maps(const FrameResult& frame) {
     double ms = 0;
     for (const PassInfo& pass : frame.passes)
-        if (pass.state == PassState::Ran && pass.category == PassCategory::Maps) ms += pass.gpu_ms;
+        if (pass.state == PassState::Drawn && pass.category == PassCategory::Maps) ms += pass.gpu_ms;
     return ms;
 }
 
@@ -148,7 +148,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
     std::vector<Trial> out;
     for (std::size_t pane = 0; pane < shown.panes.size(); ++pane) {
         // Where the truth is lacking there is nothing over it.
-        if (shown.panes[pane].overlay == 0 || shown.panes[pane].lacks_truth) continue;
+        if (shown.panes[pane].overlay == 0 || shown.panes[pane].lacks_reference) continue;
         const std::string_view key = overlays()[std::size_t(shown.panes[pane].overlay - 1)].key;
         Trial& trial = out.emplace_back(shown.panes.size() > 1 ? fmt::format("overlay {} in pane {}", key, pane + 1)
                                                                : fmt::format("overlay {}", key),
@@ -157,7 +157,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
         trial.by = ComparedBy::Shown;
     }
     const auto has_slabs = [](const PassInfo& p) {
-        return p.state == PassState::Ran && p.name.starts_with("texel slabs");
+        return p.state == PassState::Drawn && p.name.starts_with("texel slabs");
     };
     if (std::ranges::any_of(shown.passes, has_slabs)) {
         Trial& trial = out.emplace_back("stored-depth quads", settings);

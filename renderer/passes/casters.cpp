@@ -165,9 +165,9 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Saving::Casters)),
+          skips_(!seen && !f.request.forced.contains(Optimisation::Casters)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Saving::Fragments)),
+                 !f.request.forced.contains(Optimisation::Fragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
@@ -178,7 +178,7 @@ public:
         finish(run);
     }
 
-    SparedCasters spared;
+    SkippedCasters spared;
 
 private:
     struct Run {
@@ -205,11 +205,11 @@ private:
             ++spared.beside;
             return finish(run);
         }
-        if (which_.called && !covers_called(box_of(instance))) {
+        if (which_.called && !covers_needed(box_of(instance))) {
             ++spared.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? called_of(instance) : Seen::Whole;
+        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? needed_part_of(instance) : Seen::Whole;
         if (what == Seen::Parts && parts_.empty()) {
             ++spared.unread;
             return finish(run);
@@ -234,14 +234,14 @@ private:
     }
 
     /// Of an instance of which something is called for. Large meshes are drawn in runs.
-    Seen called_of(GLuint instance) {
+    Seen needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
         if (runs.empty()) return Seen::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
         for (std::size_t k = 0; k < runs.size(); ++k)
-            if (covers_called({runs[k], object.world}))
+            if (covers_needed({runs[k], object.world}))
                 add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         return Seen::Parts;
     }
@@ -255,7 +255,7 @@ private:
         return rect;
     }
 
-    bool covers_called(const SkewBox& box) const {
+    bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
         return !rect || which_.called->meets(*rect);
     }
@@ -318,7 +318,7 @@ private:
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
-        if (run.fronts_alone && f_.request.forced.contains(Saving::BackFaces)) draw_backs(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Optimisation::BackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
 
@@ -372,7 +372,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     }
 }
 
-SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
     const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -400,8 +400,8 @@ SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& 
     return drawer.spared;
 }
 
-SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info, const CasterChoice& which) {
+SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                            const LightView& view, PassInfo& info, const CasterChoice& which) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);

@@ -50,7 +50,7 @@ bool draws_into_maps(const FrameState& f, const Batch& batch);
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
 /// What drawing left out.
-struct SparedCasters {
+struct SkippedCasters {
     std::uint64_t beside = 0;  ///< instances of which nothing lies in the map
     std::uint64_t unread = 0;  ///< instances that cover nothing of what is called for
     std::uint64_t closed = 0;  ///< instances that were drawn by their front faces alone
@@ -58,9 +58,9 @@ struct SparedCasters {
 };
 
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
-SparedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
 /// Draws what of a light's casters lies in its view into the framebuffer of a whole map.
-SparedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                           const LightView& view, PassInfo& info, const CasterChoice& which = {});
+SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
+                            const LightView& view, PassInfo& info, const CasterChoice& which = {});
 
 }  // namespace si

@@ -21,20 +21,20 @@ std::string_view type_name(LightType type) {
 }
 
 /// What of a light is drawn apart from what moves.
-struct RestingOfLight {
-    RestingCasters casters;
+struct StaticOfLight {
+    StaticCasters casters;
     std::uint64_t geometry = 0;  ///< that was drawn last
     std::uint64_t views = 0;     ///< key of that map but for its casters
 };
 
 struct DrawnMaps {
     gl::Target maps, unfiltered;                   ///< a layer a view
-    gl::Target resting;                            ///< the same of the casters that rest; none where nothing moves
+    gl::Target static_casters;                     ///< the same of the casters that rest; none where nothing moves
     gl::Target depth;                              ///< beside a colour map, of one view
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
     /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
     std::array<std::vector<MapCells>, kMaxLights> held;
-    std::array<RestingOfLight, kMaxLights> at_rest;
+    std::array<StaticOfLight, kMaxLights> at_rest;
 };
 
 /// @returns whether what they held is lost
@@ -44,8 +44,8 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
 
 /// @param map one of the DrawnMaps
 /// @param emptied nothing is drawn into it
-SparedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight& light, const LightView& view,
-                        int layer, PassInfo& info, const CasterChoice& which = {}, bool emptied = false) {
+SkippedCasters draw_view(FrameState& f, const gl::Target& map, const FittedLight& light, const LightView& view,
+                         int layer, PassInfo& info, const CasterChoice& which = {}, bool emptied = false) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
@@ -67,17 +67,17 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
 }
 
 /// Draws one of a light's views, and says what was left out of it.
-SparedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
+SkippedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, const MapCells& called, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SparedCasters spared =
+    const SkippedCasters spared =
         draw_view(f, f.gl.owned.get<DrawnMaps>().maps, l, l.views[view], f.first_view[light] + int(view), info,
                   {.called = &called}, f.request.emptied == MapOfLight{int(light), int(view)});
-    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Ran};
+    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
     part.left_out = spared.beside + spared.unread, part.unit = "casters";
-    if (spared.beside > 0) part.by = Saving::Casters;
-    if (spared.unread > 0) part.by = Saving::Views;
+    if (spared.beside > 0) part.by = Optimisation::Casters;
+    if (spared.unread > 0) part.by = Optimisation::Views;
     const char* plural = spared.unread == 1 ? "" : "s";
     const char* cover = spared.unread == 1 ? "covers" : "cover";
     if (spared.unread == 0)
@@ -95,19 +95,19 @@ SparedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, cons
 /// A view that is not drawn.
 PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
     PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
-    part.state = kept ? PassState::Reused : PassState::Skipped;
+    part.state = kept ? PassState::Cached : PassState::Skipped;
     part.reason = kept ? "what is called for of it was drawn before"
                        : "nothing that the camera sees is looked up in it: it is not drawn";
-    if (!kept) part.by = Saving::Views;
+    if (!kept) part.by = Optimisation::Views;
     return part;
 }
 
 /// @param closed casters, each counted once a view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
     PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
-    const bool forced = f.request.forced.contains(Saving::BackFaces);
-    part.by = Saving::BackFaces;
-    part.state = forced ? PassState::Ran : PassState::Skipped;
+    const bool forced = f.request.forced.contains(Optimisation::BackFaces);
+    part.by = Optimisation::BackFaces;
+    part.state = forced ? PassState::Drawn : PassState::Skipped;
     part.reason =
         fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
                     forced ? "both their faces, which is forced" : "front faces alone, which hide the back ones");
@@ -117,7 +117,7 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
 /// @param bare casters, each counted once a view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
-    part.by = Saving::Fragments, part.left_out = bare;
+    part.by = Optimisation::Fragments, part.left_out = bare;
     part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
                               bare == 1 ? " is" : "s are");
     return part;
@@ -144,7 +144,7 @@ struct MapWork {
     std::string uncalled;  ///< why nothing of them is called for
 
     /// @param held what they hold, where that is of this very map; else empty
-    MapWork(CalledMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
+    MapWork(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
             const bool enough = kept && held[v].holds(called.views[v]);
@@ -184,11 +184,11 @@ void clear_layers(const FrameState& f, const gl::Target& maps) {
 }
 
 /// How the maps of one light are drawn, by what of its casters rests.
-struct RestingWork {
-    RestingCasters::Draws draws = RestingCasters::Draws::All;
-    std::string reason;                ///< why all are drawn, where some moved
-    std::vector<bool> resting, moved;  ///< by instance, unless all are drawn
-    std::uint64_t count = 0;           ///< of those that rest
+struct StaticWork {
+    StaticCasters::Draws draws = StaticCasters::Draws::All;
+    std::string reason;                       ///< why all are drawn, where some moved
+    std::vector<bool> static_casters, moved;  ///< by instance, unless all are drawn
+    std::uint64_t count = 0;                  ///< of those that rest
 };
 
 /// Why no map of what rests is made, whatever moves. Empty: there may be one.
@@ -201,14 +201,14 @@ std::string why_none_rests(const FrameState& f) {
     return {};
 }
 
-RestingWork choose_resting(const FrameState& f, std::size_t light, RestingOfLight& known) {
-    using Draws = RestingCasters::Draws;
-    RestingWork work;
+StaticWork choose_static(const FrameState& f, std::size_t light, StaticOfLight& known) {
+    using Draws = StaticCasters::Draws;
+    StaticWork work;
     const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
-    if (f.request.forced.contains(Saving::Resting))
+    if (f.request.forced.contains(Optimisation::Static))
         work.reason = "all are drawn, which is forced";
     else if (moved)
         work.reason = why_none_rests(f);
@@ -233,21 +233,21 @@ RestingWork choose_resting(const FrameState& f, std::size_t light, RestingOfLigh
     }
     if (work.draws == Draws::All) return work;
     for (const std::uint64_t of : caster_content(f).of) {
-        work.resting.push_back(of != 0 && known.casters.rests(of));
-        work.moved.push_back(of != 0 && !work.resting.back());
-        work.count += work.resting.back();
+        work.static_casters.push_back(of != 0 && known.casters.rests(of));
+        work.moved.push_back(of != 0 && !work.static_casters.back());
+        work.count += work.static_casters.back();
     }
     return work;
 }
 
-PartInfo resting_part(const FrameState& f, std::size_t light, const RestingWork& work) {
-    using Draws = RestingCasters::Draws;
+PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
+    using Draws = StaticCasters::Draws;
     PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
-    part.by = Saving::Resting;
-    if (f.request.forced.contains(Saving::Resting)) part.state = PassState::Ran;
+    part.by = Optimisation::Static;
+    if (f.request.forced.contains(Optimisation::Static)) part.state = PassState::Drawn;
     part.reason = work.reason;
     if (work.draws == Draws::All) return part;
-    part.state = work.draws == Draws::Anew ? PassState::Ran : PassState::Reused;
+    part.state = work.draws == Draws::Anew ? PassState::Drawn : PassState::Cached;
     if (work.draws == Draws::Moved) part.left_out = work.count;
     part.reason =
         work.draws == Draws::Anew
@@ -265,28 +265,29 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
 
 /// Draws one of a light's views as a copy of what rests with what moved over it.
 /// @param of what the light's map is made of so far
-SparedCasters draw_over_resting(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
-                                const RestingWork& work, RestingView& of, PassInfo& info) {
+SkippedCasters draw_over_static(FrameState& f, std::size_t light, std::size_t view, const MapCells& called,
+                                const StaticWork& work, StaticView& of, PassInfo& info) {
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    SparedCasters spared;
+    SkippedCasters spared;
     const bool kept = of.drawn && of.holds.holds(called);
     if (!kept) {
         // One that is drawn again is drawn whole: what is called for goes with what moves.
         of.holds = of.drawn ? MapCells::whole() : called;
         of.below = false;
-        spared = draw_view(f, t.resting, l, l.views[view], layer, info, {.called = &of.holds, .only = &work.resting});
+        spared = draw_view(f, t.static_casters, l, l.views[view], layer, info,
+                           {.called = &of.holds, .only = &work.static_casters});
         of.drawn = true;
     }
-    copy_texels(t.resting, t.maps, layer, of.below ? of.over : MapCells::whole());
+    copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
     of.over = {}, of.below = true;
-    const SparedCasters over = draw_view(f, t.maps, l, l.views[view], layer, info,
-                                         {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
-    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Ran};
+    const SkippedCasters over = draw_view(f, t.maps, l, l.views[view], layer, info,
+                                          {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
+    PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
-    if (kept) part.by = Saving::Resting;
+    if (kept) part.by = Optimisation::Static;
     part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
                   : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
                                     : "what rests in it is kept, and what moves is drawn over it";
@@ -307,27 +308,27 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) t.keys[other] = 0, t.at_rest[other] = {};
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    RestingOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
-    const RestingWork resting = choose_resting(f, i, rest);
-    const bool apart = resting.draws != RestingCasters::Draws::All;
-    if (apart && ensure_maps(f, t.resting, "casters at rest")) {
-        for (RestingOfLight& other : t.at_rest) other.casters.views.clear();
+    StaticOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
+    const StaticWork static_casters = choose_static(f, i, rest);
+    const bool apart = static_casters.draws != StaticCasters::Draws::All;
+    if (apart && ensure_maps(f, t.static_casters, "casters at rest")) {
+        for (StaticOfLight& other : t.at_rest) other.casters.views.clear();
         rest.casters.views.clear();
     }
-    std::vector<RestingView>& views = rest.casters.views;
+    std::vector<StaticView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0, bare = 0;
-    const auto count = [&](const SparedCasters& spared) { closed += spared.closed, bare += spared.bare; };
+    const auto count = [&](const SkippedCasters& spared) { closed += spared.closed, bare += spared.bare; };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
         else if (apart)
-            count(draw_over_resting(f, i, v, work.holds[v], resting, views[v], info));
+            count(draw_over_static(f, i, v, work.holds[v], static_casters, views[v], info));
         else
             count(draw_part(f, i, v, work.holds[v], info));
     }
     t.held[i] = work.holds;
-    if (apart || !resting.reason.empty()) info.parts.push_back(resting_part(f, i, resting));
+    if (apart || !static_casters.reason.empty()) info.parts.push_back(static_part(f, i, static_casters));
     t.at_rest[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
     if (bare > 0) info.parts.push_back(fragments_part(i, bare));
@@ -343,7 +344,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
 }
 
 /// Whether some light's map still is one over which what moves may be drawn.
-bool keeps_resting(const FrameState& f, const DrawnMaps& t) {
+bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
         if (f.gl.fitted[i].casts && t.at_rest[i].casters.keeps(light_views_key(f, i).value())) return true;
     return false;
@@ -354,7 +355,7 @@ bool keeps_resting(const FrameState& f, const DrawnMaps& t) {
 void add_light_depth_passes(FrameState& f) {
     f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = f.gl.owned.get<DrawnMaps>();
-    if (!keeps_resting(f, t)) f.plan.release([&t] { t.resting = {}; });
+    if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
     if (f.paged) return;
     f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
@@ -380,7 +381,7 @@ void add_light_depth_passes(FrameState& f) {
         const bool kept = !f.request.force && t.keys[i] == pass.key;
         MapWork work = kept && all_whole(t.held[i])
                            ? MapWork({t.held[i], {}}, t.held[i])
-                           : MapWork(maps_called_for(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
+                           : MapWork(needed_maps_of(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
         pass.lacks = kept && work.draws();
         if (kept) pass.unneeded = work.uncalled;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {

@@ -49,7 +49,7 @@ bool fetches_many(const FrameState& f) {
     return may_ask(f) && calls_of(f) >= kLeastCalls;
 }
 
-std::string saved_or_not(const FrameState& f, Saving saving) {
+std::string saved_or_not(const FrameState& f, Optimisation saving) {
     return f.request.forced.contains(saving) ? "0" : "1";
 }
 
@@ -74,7 +74,7 @@ int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
 std::string why_no_bounds(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     if (f.view_count == 0) return "no light has a shadow map";
-    if (f.request.forced.contains(Saving::EarlyOut)) return "look-ups are to fetch all their taps";
+    if (f.request.forced.contains(Optimisation::EarlyOut)) return "look-ups are to fetch all their taps";
     if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
     if (!may_ask(f)) return "the kernel's rays end at once where the map holds nothing";
     if (!fetches_many(f))
@@ -89,14 +89,14 @@ std::string why_no_bounds(const FrameState& f) {
     return {};
 }
 
-std::vector<gl::Define> lookup_saving_defines(const FrameState& f) {
+std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
     return {{"BOUNDS_TELL_DARK", filter_of(f.settings).linear ? "1" : "0"},
             {"BOUNDS_MARGIN", fmt::format("{:.9f}", kBoundsMargin)},
             {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
             {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
             {"BOUNDS_CELL", std::to_string(kBoundsCell)},
-            {"SKIPS_SEARCH", saved_or_not(f, Saving::Blockers)},
-            {"SKIPS_UNLIT", saved_or_not(f, Saving::Facing)}};
+            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::Blockers)},
+            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::Facing)}};
 }
 
 void choose_taps(FrameState& f, bool asks_bounds) {

@@ -13,7 +13,7 @@ namespace si {
 std::string why_no_bounds(const FrameState& f);
 
 /// Which of them the frame's look-ups make.
-std::vector<gl::Define> lookup_saving_defines(const FrameState& f);
+std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 
 /// How kernels go through their taps: unrolled, with their places in the code, or in loops that look-ups can leave.
 /// @param asks_bounds look-ups ask for the maps' bounds before they fetch taps

@@ -19,7 +19,7 @@ struct SeenFromCamera {
     std::optional<SeenBodies> bodies;
     struct OfLight {
         std::uint64_t key = 0;
-        CalledMaps called;
+        NeededMaps called;
     };
     std::array<OfLight, kMaxLights> lights;
 };
@@ -36,7 +36,7 @@ const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
 }  // namespace
 
 bool reads_whole_maps(const FrameState& f) {
-    if (f.request.forced.contains(Saving::Views)) return true;
+    if (f.request.forced.contains(Optimisation::Views)) return true;
     Outputs more = f.request.outputs;
     more.colour = more.visibility = more.surface_ids = more.overlay = false;
     if (!(more == Outputs{.colour = false}) || f.slabs_shown) return true;
@@ -54,13 +54,13 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
     }
     if (left_out == 0) return std::nullopt;
     PartInfo part{.name = std::move(name), .unit = "texels"};
-    part.left_out = left_out, part.by = Saving::Views;
+    part.left_out = left_out, part.by = Optimisation::Views;
     part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
                               100.0 * double(left_out) / double(each * f.layers_held.size()));
     return part;
 }
 
-CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps) {
+NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps) {
     const FittedLight& fitted = f.gl.fitted[light];
     if (reads_whole_maps(f)) return {std::vector<MapCells>(fitted.views.size(), MapCells::whole()), {}};
     if (f.takes_for_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
@@ -78,7 +78,7 @@ CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps)
     Key key;
     key.add(known.key).add(maps).add(f.gl.fit_key).add(area.resolution).add(area.reach_texels).add(area.normal_texels);
     key.add(area.wrap).add(area.whole_maps).add(area.weighs_rim).add(area.light_alone);
-    if (of_light.key != key.value()) of_light = {key.value(), called_maps(fitted, seen, area)};
+    if (of_light.key != key.value()) of_light = {key.value(), needed_maps(fitted, seen, area)};
     return of_light.called;
 }
 

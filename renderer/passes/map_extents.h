@@ -18,6 +18,6 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name);
 
 /// What of a casting light's maps the frame reads (Saving::Views). Kept until camera, scene or maps change.
 /// @param maps key of what is drawn into them
-CalledMaps maps_called_for(FrameState& f, std::size_t light, std::uint64_t maps);
+NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps);
 
 }  // namespace si

@@ -39,8 +39,8 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
     if (!row.as_drawn) out.insert(out.end(), {{"MAP_BOUNDS", "0"}, {"SKIPS_SEARCH", "0"}, {"SKIPS_UNLIT", "0"}});
     if (row.scalar) out.push_back({"OVERLAY_SCALAR", "1"});
     if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
-    if (row.reads_truth)
-        for (gl::Define& d : truth_defines(f)) out.push_back(std::move(d));
+    if (row.reads_reference)
+        for (gl::Define& d : reference_defines(f)) out.push_back(std::move(d));
     return out;
 }
 
@@ -79,12 +79,13 @@ Pass values_pass(FrameState& f, const ShownPane& pane) {
     pass.name = slot_name("overlay values", pane);
     pass.reads = lookup_reads(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
-    if (pane.row() && pane.row()->reads_truth) pass.reads.insert(pass.reads.end(), {Result::Truth, Result::Judged});
+    if (pane.row() && pane.row()->reads_reference)
+        pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Judged});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
     pass.writes = {{Result::Overlay, pane.slot}};
     pass.idle_reason = "the overlay was not asked for";
     if (!pane.row()) {
-        pass.unneeded = pane.lacks_truth ? "the truth about this frame is not traced" : "no overlay is chosen";
+        pass.unneeded = pane.lacks_reference ? "the truth about this frame is not traced" : "no overlay is chosen";
         return pass;
     }
     // Where nothing writes depth, it has to be there.
@@ -126,7 +127,7 @@ Pass compose_pass(FrameState& f, const ShownPane& pane) {
         glUniform4f(glGetUniformLocation(id, "scale"), range.min, range.max, float(f.settings.view.overlay_opacity),
                     pane.row()->diverging ? 1.f : 0.f);
         glUniform1i(glGetUniformLocation(id, "scalar"), pane.row()->scalar);
-        glUniform1i(glGetUniformLocation(id, "grey"), pane.row()->reads_truth && !pane.row()->scalar);
+        glUniform1i(glGetUniformLocation(id, "grey"), pane.row()->reads_reference && !pane.row()->scalar);
         FrameState::draw_fullscreen(info);
     };
     return pass;

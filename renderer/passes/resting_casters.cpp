@@ -33,36 +33,36 @@ std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> conten
     return out;
 }
 
-bool RestingCasters::rests(std::uint64_t content) const {
-    return std::ranges::binary_search(resting_, WeighedCaster{content}, comes_before);
+bool StaticCasters::rests(std::uint64_t content) const {
+    return std::ranges::binary_search(static_casters_, WeighedCaster{content}, comes_before);
 }
 
-RestingCasters::Draws RestingCasters::choose(std::uint64_t of_views, std::vector<WeighedCaster> casters,
-                                             std::string_view& reason) {
+StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<WeighedCaster> casters,
+                                           std::string_view& reason) {
     const std::vector<WeighedCaster> before = std::exchange(last_, std::move(casters));
     if (of_views != views_) {
-        resting_.clear(), views.clear();
+        static_casters_.clear(), views.clear();
         views_ = of_views;
         return Draws::All;
     }
-    const bool holds = !resting_.empty() && std::ranges::includes(last_, resting_, comes_before);
+    const bool holds = !static_casters_.empty() && std::ranges::includes(last_, static_casters_, comes_before);
     std::vector<WeighedCaster> rested;
     std::ranges::set_intersection(last_, before, std::back_inserter(rested), comes_before);
     if (!holds) {
         // What began to move goes on, and so may what moved before: it is not taken for resting after one frame.
         std::vector<WeighedCaster> still;
-        std::ranges::set_intersection(rested, resting_, std::back_inserter(still), comes_before);
-        return choose_anew(2 * triangles_of(still) >= triangles_of(rested) ? still : rested, reason);
+        std::ranges::set_intersection(rested, static_casters_, std::back_inserter(still), comes_before);
+        return choose_again(2 * triangles_of(still) >= triangles_of(rested) ? still : rested, reason);
     }
     // Whatever comes to rest is drawn on until it has cost as much as to draw all that rests once more.
-    drawn_in_vain_ += triangles_of(rested) - std::min(triangles_of(rested), triangles_of(resting_));
-    return drawn_in_vain_ > triangles_of(rested) ? choose_anew(rested, reason) : Draws::Moved;
+    drawn_in_vain_ += triangles_of(rested) - std::min(triangles_of(rested), triangles_of(static_casters_));
+    return drawn_in_vain_ > triangles_of(rested) ? choose_again(rested, reason) : Draws::Moved;
 }
 
-RestingCasters::Draws RestingCasters::choose_anew(const std::vector<WeighedCaster>& rested, std::string_view& reason) {
-    const bool pays = !rested.empty() && kLeastRestingShare * triangles_of(rested) >= triangles_of(last_);
+StaticCasters::Draws StaticCasters::choose_again(const std::vector<WeighedCaster>& rested, std::string_view& reason) {
+    const bool pays = !rested.empty() && kLeastStaticShare * triangles_of(rested) >= triangles_of(last_);
     drawn_in_vain_ = 0;
-    resting_ = pays ? rested : std::vector<WeighedCaster>();
+    static_casters_ = pays ? rested : std::vector<WeighedCaster>();
     views.clear();
     if (!pays && !last_.empty())
         reason = rested.empty()

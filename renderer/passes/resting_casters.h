@@ -25,10 +25,10 @@ std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> conten
 /// What rests is kept apart where it has at least one in so many of all triangles. Beside 12 times as many that moved
 /// all over the map it took 0.71 to 0.85 of drawing all on llvmpipe, 0.59 on zink (`bench
 /// --benchmark_filter=moving_box`).
-inline constexpr std::uint64_t kLeastRestingShare = 16;
+inline constexpr std::uint64_t kLeastStaticShare = 16;
 
 /// What one of a light's maps consists of.
-struct RestingView {
+struct StaticView {
     bool drawn = false;  ///< the map of what rests holds this view
     MapCells holds;      ///< what of it
     bool below = false;  ///< the light's map is a copy of it, with what moved drawn over it
@@ -36,7 +36,7 @@ struct RestingView {
 };
 
 /// Of one light, from frame to frame.
-class RestingCasters {
+class StaticCasters {
 public:
     enum class Draws {
         All,    ///< nothing is kept apart
@@ -52,19 +52,19 @@ public:
     /// Whether a caster is in the map of what rests.
     bool rests(std::uint64_t content) const;
     /// Whether there is one for these views.
-    bool keeps(std::uint64_t kept) const { return kept == views_ && !resting_.empty(); }
+    bool keeps(std::uint64_t kept) const { return kept == views_ && !static_casters_.empty(); }
     void forget() { *this = {}; }
 
-    std::vector<RestingView> views;  ///< by view of the light; none is drawn where resting casters were chosen anew
+    std::vector<StaticView> views;  ///< by view of the light; none is drawn where resting casters were chosen anew
 
 private:
     std::uint64_t views_ = 0;
-    std::vector<WeighedCaster> last_;     ///< of the frame before
-    std::vector<WeighedCaster> resting_;  ///< empty: there is no map of them
+    std::vector<WeighedCaster> last_;            ///< of the frame before
+    std::vector<WeighedCaster> static_casters_;  ///< empty: there is no map of them
     /// Triangles that were drawn though they rested, as they moved when resting ones were chosen.
     std::uint64_t drawn_in_vain_ = 0;
 
-    Draws choose_anew(const std::vector<WeighedCaster>& rested, std::string_view& reason);
+    Draws choose_again(const std::vector<WeighedCaster>& rested, std::string_view& reason);
 };
 
 }  // namespace si

@@ -91,9 +91,10 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
     const std::size_t count = f.gl.seen_objects.left_out();
-    PartInfo part{.name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Saving::InSight};
-    if (f.request.forced.contains(Saving::InSight))
-        part.state = PassState::Ran, part.reason = "all objects are drawn, wherever they lie, which is forced";
+    PartInfo part{
+        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
+    if (f.request.forced.contains(Optimisation::InSight))
+        part.state = PassState::Drawn, part.reason = "all objects are drawn, wherever they lie, which is forced";
     else if (count == 0)
         part.reason = "there are none: the box of each object lies in what the camera sees";
     else
@@ -146,12 +147,12 @@ void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& t
 
 void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, PassInfo& info) {
     const int w = f.request.width, h = f.request.height;
-    bool anew = t.of != of || t.count >= count || f.request.force;
-    anew |= t.one.ensure("one of a smooth picture", GL_RGBA8, w, h);
-    anew |= t.depth.ensure("depth of a smooth picture", GL_DEPTH_COMPONENT32F, w, h);
-    anew |= t.sum.ensure("sum of a smooth picture", GL_RGBA16F, w, h);
+    bool again = t.of != of || t.count >= count || f.request.force;
+    again |= t.one.ensure("one of a smooth picture", GL_RGBA8, w, h);
+    again |= t.depth.ensure("depth of a smooth picture", GL_DEPTH_COMPONENT32F, w, h);
+    again |= t.sum.ensure("sum of a smooth picture", GL_RGBA16F, w, h);
     t.mean.ensure("smooth picture", GL_RGBA8, w, h);
-    if (anew) t.count = 0;
+    if (again) t.count = 0;
     t.of = of;
     for (; t.count < count; ++t.count) {
         add_shading(f, t, kPlaces[t.count], info);
@@ -195,12 +196,12 @@ void add_true_shade_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.writes = {Result::TruePicture};
     pass.idle_reason = "not needed: the true picture is not shown";
-    if (!f.truth.met) {
+    if (!f.reference.met) {
         pass.unneeded = "the truth about this frame is not traced";
         f.plan.add(std::move(pass));
         return;
     }
-    pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.truth.key).value();
+    pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
     pass.cached = &t.true_picture.key;
     pass.run = [&f, &t](PassInfo& info) {
         const gl::Target& drawn = f.result(Result::Visibility);
@@ -208,7 +209,7 @@ void add_true_shade_pass(FrameState& f) {
         visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
         glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                            GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
-        put_traced_visibility(*f.request.truth, visibility, f.settings.view.light);
+        put_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
         glBindTextureUnit(shared::UNIT_VISIBILITY, visibility.texture.id());
         draw_picture(f, t.true_picture, true, info);
     };

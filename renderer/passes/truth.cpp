@@ -23,24 +23,24 @@ static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && int(Artefact::NoM
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
-struct TruthTargets {
-    gl::Target truth, more_truth;  ///< of the truth picture
-    gl::Target judged;             ///< RG32F, see judgement() in lib/truth.glsl
-    gl::Target marks;              ///< depths MARK_* of shared/judged.h
-    std::uint64_t causes_key = 0;  ///< of `judged` with the causes in it
-    gl::Target error_tiles;        ///< RGBA32F, see error_tiles.frag.glsl
+struct ReferenceTargets {
+    gl::Target reference, more_reference;  ///< of the truth picture
+    gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
+    gl::Target marks;                      ///< depths MARK_* of shared/judged.h
+    std::uint64_t causes_key = 0;          ///< of `judged` with the causes in it
+    gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
     std::array<gl::Target, kEvidenceImages> evidence;
     std::shared_ptr<const LiveError> error;  ///< of the error tiles
 };
 
-TruthTargets& targets(const FrameState& f) {
-    return f.gl.owned.get<TruthTargets>();
+ReferenceTargets& targets(const FrameState& f) {
+    return f.gl.owned.get<ReferenceTargets>();
 }
 
 /// What PixelState is for the shader; rows stay from the top.
-void upload(const TracedTruth& traced, TruthTargets& to) {
-    const Truth& truth = *traced.truth;
-    const std::size_t n = truth.state.size();
+void upload(const TracedReference& traced, ReferenceTargets& to) {
+    const Reference& reference = *traced.reference;
+    const std::size_t n = reference.state.size();
     std::vector<glm::vec4> pixels(n), more(n);
     // Not all drivers keep NaN and infinity.
     const auto metres = [](const FloatImage& image, std::size_t i) {
@@ -48,29 +48,30 @@ void upload(const TracedTruth& traced, TruthTargets& to) {
     };
     const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
     for (std::size_t i = 0; i < n; ++i) {
-        const TruePixel t = true_pixel(truth, i);
-        pixels[i] = {truth.visibility.data[i], metres(truth.nearest_m, i), float(truth.state[i]), float(t.noise)};
-        more[i] = {metres(truth.blocker_m, i), truth.hard().data[i], finite(traced.runs->edge_m.data[i]),
+        const TruePixel t = true_pixel(reference, i);
+        pixels[i] = {reference.visibility.data[i], metres(reference.nearest_m, i), float(reference.state[i]),
+                     float(t.noise)};
+        more[i] = {metres(reference.blocker_m, i), reference.hard().data[i], finite(traced.runs->edge_m.data[i]),
                    finite(traced.runs->run_m.data[i])};
     }
     const auto put = [&](gl::Target& t, const char* label, const std::vector<glm::vec4>& data) {
-        t.ensure(label, GL_RGBA32F, truth.width, truth.height);
+        t.ensure(label, GL_RGBA32F, reference.width, reference.height);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        glTextureSubImage2D(t.texture.id(), 0, 0, 0, truth.width, truth.height, GL_RGBA, GL_FLOAT, data.data());
+        glTextureSubImage2D(t.texture.id(), 0, 0, 0, reference.width, reference.height, GL_RGBA, GL_FLOAT, data.data());
     };
-    put(to.truth, "truth", pixels);
-    put(to.more_truth, "more of the truth", more);
+    put(to.reference, "truth", pixels);
+    put(to.more_reference, "more of the truth", more);
 }
 
 Pass upload_pass(FrameState& f) {
     Pass pass;
     pass.name = "truth uploaded";
     pass.category = PassCategory::Tool;
-    pass.writes = {Result::Truth};
+    pass.writes = {Result::Reference};
     pass.idle_reason = "nothing asks for the truth";
-    pass.key = f.truth_content;
-    pass.cached = &targets(f).truth.key;
-    pass.run = [&f](PassInfo&) { upload(f.request.truth->traced, targets(f)); };
+    pass.key = f.reference_content;
+    pass.cached = &targets(f).reference.key;
+    pass.run = [&f](PassInfo&) { upload(f.request.reference->traced, targets(f)); };
     return pass;
 }
 
@@ -97,7 +98,7 @@ bool seams_matter(const FrameState& f, int light) {
 /// @param light that is asked, whichever is shown
 std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
     const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
-    std::vector<gl::Define> out = truth_defines(f);
+    std::vector<gl::Define> out = reference_defines(f);
     out.insert(out.end(), {{"LIGHT_INDEX", std::to_string(light)},
                            {"HAS_MAP", std::to_string(int(c.has_map))},
                            {"HAS_CONTACTS", f.settings.lights[std::size_t(light)].contact > 0 ? "1" : "0"},
@@ -116,22 +117,22 @@ Pass compare_pass(FrameState& f) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Truth};
+    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
-    TruthTargets& t = targets(f);
+    ReferenceTargets& t = targets(f);
     pass.key = f.shown_light_key().value();
-    pass.cached = &t.judged.key;
+    pass.cached = &t.classified.key;
     pass.run = [&f, &t](PassInfo& info) {
         t.causes_key = 0;
-        t.judged.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        t.classified.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
         t.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.judged, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);  // without the test nothing is written
         glDepthFunc(GL_ALWAYS);
         glDepthMask(GL_TRUE);
-        std::vector<gl::Define> extra = truth_defines(f);
+        std::vector<gl::Define> extra = reference_defines(f);
         extra.push_back({"LIGHT_INDEX", std::to_string(f.settings.view.light)});
         extra.push_back({"MAP_HOLDS_ALL", map_holds_all(f, f.settings.view.light) ? "1" : "0"});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/compare.frag.glsl", std::move(extra)));
@@ -148,14 +149,14 @@ Pass causes_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
     pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
-                                         Result::UnfilteredMap, Result::Truth});
+                                         Result::UnfilteredMap, Result::Reference});
     pass.writes = {Result::Judged};
     pass.idle_reason = "nothing asks why it is wrong";
-    TruthTargets& t = targets(f);
+    ReferenceTargets& t = targets(f);
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.judged, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_EQUAL);
@@ -187,15 +188,15 @@ Pass evidence_pass(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = lookup_reads(f);
     pass.reads.push_back(Result::UnfilteredMap);
-    if (f.truth.met) pass.reads.push_back(Result::Truth);
+    if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.writes = {Result::Evidence};
     pass.idle_reason = "nothing asks for trials";
-    pass.key = f.shown_light_key().add(f.truth.met).value();
+    pass.key = f.shown_light_key().add(f.reference.met).value();
     pass.cached = &targets(f).evidence[0].key;
     pass.run = [&f](PassInfo& info) {
         CameraPass pass_into(f, "evidence", GL_RGBA32F, targets(f).evidence);
         pass_into.clear(glm::vec4(0));
-        draw_evidence(f, f.settings.view.light, f.truth.met, info);
+        draw_evidence(f, f.settings.view.light, f.reference.met, info);
     };
     return pass;
 }
@@ -234,24 +235,24 @@ Pass sums_pass(FrameState& f) {
     Pass pass;
     pass.name = "errors summed up";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Judged, Result::Truth};
+    pass.reads = {Result::Judged, Result::Reference};
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
     pass.cached = &targets(f).error_tiles.key;
     pass.run = [&f](PassInfo& info) {
-        const Truth& truth = *f.request.truth->traced.truth;
-        const int across = (truth.width + kTile - 1) / kTile, down = (truth.height + kTile - 1) / kTile;
+        const Reference& reference = *f.request.reference->traced.reference;
+        const int across = (reference.width + kTile - 1) / kTile, down = (reference.height + kTile - 1) / kTile;
         gl::Target& tiles = targets(f).error_tiles;
         tiles.ensure("errors of tiles", GL_RGBA32F, across, down, shared::TILE_LAYERS);
         const gl::Framebuffer framebuffer = gl::make_layers_framebuffer("errors of tiles", tiles);
         f.begin_fullscreen_pass(framebuffer.id(), across, down);
-        std::vector<gl::Define> extra = truth_defines(f);
+        std::vector<gl::Define> extra = reference_defines(f);
         extra.push_back({"TILE", std::to_string(kTile)});
         glUseProgram(f.program("passes/fullscreen.vert.glsl", "passes/error_tiles.frag.glsl", std::move(extra)));
         FrameState::draw_fullscreen(info);
         targets(f).error = std::make_shared<const LiveError>(
-            metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), truth));
+            metrics_of(read_tiles(tiles, source_of(f.settings, f.settings.view.light).needs.map), reference));
     };
     return pass;
 }
@@ -264,9 +265,10 @@ std::string upper(std::string_view key) {
 
 }  // namespace
 
-std::vector<gl::Define> truth_defines(const FrameState& f) {
-    const int step = f.request.truth ? f.request.truth->step : 1;
-    std::vector<gl::Define> out{{"TRUTH_STEP", std::to_string(step)}, {"TRUTH_ROWS", std::to_string(f.request.height)}};
+std::vector<gl::Define> reference_defines(const FrameState& f) {
+    const int step = f.request.reference ? f.request.reference->step : 1;
+    std::vector<gl::Define> out{{"REFERENCE_STEP", std::to_string(step)},
+                                {"REFERENCE_ROWS", std::to_string(f.request.height)}};
     out.push_back({"ARTEFACT_NONE", "0"});
     std::string colours;
     for (const ArtefactStyle& style : artefact_styles()) {
@@ -282,17 +284,17 @@ std::shared_ptr<const LiveError> live_error(const FrameState& f) {
     return targets(f).error;
 }
 
-void add_truth_passes(FrameState& f) {
-    TruthTargets& t = targets(f);
-    f.plan.place(Result::Truth, {&t.truth, shared::UNIT_TRUTH});
-    f.plan.place(Result::Truth, {&t.more_truth, shared::UNIT_MORE_TRUTH});
-    f.plan.place(Result::Compared, {&t.judged});
-    f.plan.place(Result::Judged, {&t.judged, shared::UNIT_JUDGED});
+void add_reference_passes(FrameState& f) {
+    ReferenceTargets& t = targets(f);
+    f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
+    f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
+    f.plan.place(Result::Compared, {&t.classified});
+    f.plan.place(Result::Judged, {&t.classified, shared::UNIT_CLASSIFIED});
     f.plan.place(Result::Error, {&t.error_tiles});
     for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f), compare_pass(f), causes_pass(f), sums_pass(f)};
     for (Pass& pass : passes) {
-        if (!f.truth.met) {
+        if (!f.reference.met) {
             pass.unneeded = kUntraced;
             pass.run = nullptr;
             pass.cached = nullptr;
@@ -302,9 +304,9 @@ void add_truth_passes(FrameState& f) {
     f.plan.add(evidence_pass(f));
 }
 
-void draw_evidence(const FrameState& f, int light, bool truth_known, PassInfo& info) {
+void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info) {
     std::vector<gl::Define> extra = trial_defines(f, light);
-    extra.push_back({"TRUTH_KNOWN", truth_known ? "1" : "0"});
+    extra.push_back({"REFERENCE_KNOWN", reference_known ? "1" : "0"});
     f.draw_from_camera("passes/evidence.frag.glsl", extra, info);
 }
 

@@ -17,7 +17,7 @@ struct VisibilityTargets {
     int view_layer = -1;
 };
 
-const TruthPicture* traced_picture(const FrameState& f, std::size_t light) {
+const ReferencePicture* traced_picture(const FrameState& f, std::size_t light) {
     return light < f.traced_pictures.size() ? f.traced_pictures[light] : nullptr;
 }
 
@@ -40,8 +40,8 @@ std::string_view source_file(const FrameState& f, std::size_t light) {
     const Source& source = source_of(f.settings, int(light));
     if (source.needs.stencil && f.gl.fitted[light].shadowed && !f.gl.owned.get<ShadowVolumes>().draws(light)) return {};
     const bool lit =
-        !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.truth) || lacks_light_map(f, light);
-    if (lit) return f.request.forced.contains(Saving::Uncalled) ? sources()[0].file : std::string_view();
+        !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.reference) || lacks_light_map(f, light);
+    if (lit) return f.request.forced.contains(Optimisation::Uncalled) ? sources()[0].file : std::string_view();
     return source.file;
 }
 
@@ -67,9 +67,9 @@ bool FrameState::has_contacts(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
 
-void put_traced_visibility(const TruthPicture& truth, const gl::Target& visibility, int light) {
-    const FloatImage& traced = truth.traced.truth->visibility;  // rows from the top, a pixel every `step`
-    const int width = visibility.width, height = visibility.height, step = truth.step;
+void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
+    const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
+    const int width = visibility.width, height = visibility.height, step = reference.step;
     std::vector<float> pixels(std::size_t(width) * std::size_t(height));
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x)
@@ -124,10 +124,10 @@ void add_visibility_pass(FrameState& f) {
                 CameraPass(f, "visibility", t.visibility, light)
                     .clear(glm::vec4(lit))
                     .draw("passes/visibility.frag.glsl", defines, info);
-            } else if (const TruthPicture* truth = traced_picture(f, std::size_t(light))) {
-                put_traced_visibility(*truth, t.visibility, light);
-                info.reason +=
-                    fmt::format("; light {} by {} rays, traced before the frame", light, truth->traced.truth->rays);
+            } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {
+                put_traced_visibility(*reference, t.visibility, light);
+                info.reason += fmt::format("; light {} by {} rays, traced before the frame", light,
+                                           reference->traced.reference->rays);
             } else {
                 if (light < int(f.gl.fitted.size()) && f.gl.fitted[std::size_t(light)].shadowed &&
                     lacks_light_map(f, std::size_t(light)))

@@ -69,19 +69,20 @@ Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
 
 }  // namespace
 
-bool is_wrong(double visibility, const TruePixel& truth) {
-    return (visibility < 0.5) != (truth.visibility < 0.5) && std::abs(visibility - truth.visibility) > 3 * truth.noise;
+bool is_wrong(double visibility, const TruePixel& reference) {
+    return (visibility < 0.5) != (reference.visibility < 0.5) &&
+           std::abs(visibility - reference.visibility) > 3 * reference.noise;
 }
 
-Cause cause_of(const CauseEvidence& e, const TruePixel& truth, const CauseContext& context) {
+Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseContext& context) {
     const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // no light is drawn from it
-    if (is_wrong(v, truth)) {
-        if (truth.hard_lit != dark(v)) return {Artefact::Penumbra};
+    if (is_wrong(v, reference)) {
+        if (reference.hard_lit != dark(v)) return {Artefact::Penumbra};
         if (!context.has_map) return {Artefact::NoMap};
         return dark(v) ? false_shadow(e, context) : false_light(e, context);
     }
     if (!context.has_map) return {};
-    const bool darkened = truth.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
+    const bool darkened = reference.visibility == 1 && !dark(v) && v < float(1 - kRightVisibility);
     return {.faint = darkened && e.place == CauseEvidence::kInside && is_acne(e, context, float(1 - kRightVisibility))};
 }
 

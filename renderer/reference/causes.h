@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "shaders/shared/judged.h"
+#include "shaders/shared/classified.h"
 
 namespace si {
 
@@ -72,10 +72,10 @@ struct Cause {
 };
 
 /// Wrong: visibility and truth lie on different sides of one half, further apart than three times the truth's noise.
-bool is_wrong(double visibility, const TruePixel& truth);
+bool is_wrong(double visibility, const TruePixel& reference);
 
 /// The cause of a pixel that counts.
-Cause cause_of(const CauseEvidence& evidence, const TruePixel& truth, const CauseContext& context);
+Cause cause_of(const CauseEvidence& evidence, const TruePixel& reference, const CauseContext& context);
 
 /// A wholly lit pixel counts as darkened below 1 less this.
 inline constexpr double kRightVisibility = 1e-3;

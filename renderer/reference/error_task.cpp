@@ -13,34 +13,36 @@ CauseContext cause_context(const Settings& settings, const FittedLight& light, i
             .depth_blur = settings.map.blur_texels > 0};
 }
 
-MeasuredError read_judged(Renderer& renderer, const FrameResult& frame, const TruthPicture& picture, int light) {
+MeasuredError read_classified(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
+                              int light) {
     MeasuredError out;
     out.traced = picture.traced;
-    out.judged = judged_pixels(every_nth(renderer.read_float(frame.judged, 2), picture.step));
+    out.classified = classified_pixels(every_nth(renderer.read_float(frame.classified, 2), picture.step));
     out.lights = frame.lights;
     out.camera = frame.camera;
     out.light = light;
-    out.picture = {frame.judged.width, frame.judged.height};
+    out.picture = {frame.classified.width, frame.classified.height};
     out.map_resolution = frame.map_resolution;
     return out;
 }
 
 void sum_up(MeasuredError& measured) {
-    measured.metrics = error_metrics(measured.judged, *measured.traced.truth, joins_of(*measured.traced.receivers));
+    measured.metrics =
+        error_metrics(measured.classified, *measured.traced.reference, joins_of(*measured.traced.receivers));
 }
 
 MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settings& settings,
-                            const FrameRequest& request, int light, const TruthOptions& options, TruthCache& cache,
-                            const Workers& workers) {
+                            const FrameRequest& request, int light, const ReferenceOptions& options,
+                            ReferenceCache& cache, const Workers& workers) {
     Settings shown = settings;
     shown.view.light = light;
-    TruthOptions wanted = options;
+    ReferenceOptions wanted = options;
     wanted.nearest = true;  // by which lost casters and peter-panning are told apart
-    FrameRequest judged = request;
-    judged.outputs = {.colour = false, .judged = true};
-    judged.timing = judged.force = false;
-    const FrameResult frame = render_with_truth(renderer, scene, shown, judged, cache, workers, wanted);
-    MeasuredError out = read_judged(renderer, frame, *judged.truth, light);
+    FrameRequest classified = request;
+    classified.outputs = {.colour = false, .classified = true};
+    classified.timing = classified.force = false;
+    const FrameResult frame = render_with_reference(renderer, scene, shown, classified, cache, workers, wanted);
+    MeasuredError out = read_classified(renderer, frame, *classified.reference, light);
     sum_up(out);
     return out;
 }

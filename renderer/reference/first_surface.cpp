@@ -6,7 +6,7 @@
 
 namespace si {
 
-std::vector<double> first_surfaces(const TruthScene& scene, std::span<const LightWay> ways) {
+std::vector<double> first_surfaces(const ReferenceScene& scene, std::span<const LightWay> ways) {
     std::vector<double> out;
     std::vector<Hit> hits;
     for (const LightWay& way : ways) {

@@ -15,6 +15,6 @@ struct LightWay {
 
 /// Metres along each way to the first of all casters, whichever side it shows; NaN where none stands on it. Accurate to
 /// single precision of the way's length and the scene's size.
-std::vector<double> first_surfaces(const TruthScene& scene, std::span<const LightWay> ways);
+std::vector<double> first_surfaces(const ReferenceScene& scene, std::span<const LightWay> ways);
 
 }  // namespace si

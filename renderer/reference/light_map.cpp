@@ -117,7 +117,7 @@ private:
 
 class Baker {
 public:
-    Baker(const LightMapTask& task, const LightMapLayout& layout, const TruthScene& scene)
+    Baker(const LightMapTask& task, const LightMapLayout& layout, const ReferenceScene& scene)
         : task_(task), layout_(layout), scene_(scene) {
         query_.emitter = task.emitter;
         query_.traits.resize(task.geometry->objects.size());
@@ -136,19 +136,19 @@ public:
                 workers.part(double(s) / double(by_strip_.size()), double(s + 1) / double(by_strip_.size()));
             const int y0 = int(s) * kStrip, rows = std::min(kStrip, layout_.side - y0);
             place(y0, rows, by_strip_[s], workers);
-            const Truth truth = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
-            out.rays += truth.rays;
+            const Reference reference = trace_visibility(scene_, receivers_, query_, part.part(0.1, 1));
+            out.rays += reference.rays;
             std::uint8_t* to = out.texels.data() + std::size_t(y0) * std::size_t(layout_.side);
             for (std::size_t i = 0; i < receivers_.pixels.size(); ++i)
-                if (receivers_.pixels[i].hit()) to[i] = std::uint8_t(std::lround(truth.visibility.data[i] * 255));
+                if (receivers_.pixels[i].hit()) to[i] = std::uint8_t(std::lround(reference.visibility.data[i] * 255));
         }
     }
 
 private:
     const LightMapTask& task_;
     const LightMapLayout& layout_;
-    const TruthScene& scene_;
-    TruthQuery query_;
+    const ReferenceScene& scene_;
+    ReferenceQuery query_;
     std::vector<std::vector<std::uint32_t>> by_strip_;  ///< charts
     Receivers receivers_;
     std::vector<double> distances_;  ///< of the points found so far, texels
@@ -205,7 +205,7 @@ std::uint64_t light_map_key(const Scene& scene, const Settings& settings, const 
                             int light) {
     if (light < 0 || std::size_t(light) >= lights.size()) return 0;
     const Emitter emitter = emitter_of(lights[std::size_t(light)], settings.lights[std::size_t(light)]);
-    Key key = truth_geometry_key(scene, settings);
+    Key key = reference_geometry_key(scene, settings);
     add_emitter(key, emitter, samples_of(emitter, settings));
     return key.add(settings.light_map.resolution).value();
 }
@@ -232,8 +232,8 @@ std::uint64_t next_light_map_version() {
     return ++last;
 }
 
-LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout, const TruthScene& scene,
-                        const Workers& workers) {
+LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
+                        const ReferenceScene& scene, const Workers& workers) {
     LightMap out;
     out.key = task.key;
     out.version = next_light_map_version();

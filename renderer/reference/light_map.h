@@ -21,7 +21,7 @@ namespace si {
 
 /// Everything that a bake needs; it touches neither scene nor GPU any more.
 struct LightMapTask {
-    std::shared_ptr<const TruthGeometry> geometry;
+    std::shared_ptr<const ReferenceGeometry> geometry;
     Emitter emitter;
     int side = 0;     ///< of the atlas, texels
     int samples = 1;  ///< most rays a texel, over the light's area; 1: one to its middle
@@ -60,8 +60,8 @@ std::uint64_t next_light_map_version();
 /// Traces every texel that a look-up may read, on the side of its surface that the light is on: what shows the other
 /// one faces away and is dark. Texels beside their chart are moved to the nearest point of it, and a quarter of a texel
 /// in from its borders, so that none lies in the plane of a wall that stands there. Equal for any number of threads.
-/// @throws Cancelled; Error as TruthScene does
-LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout, const TruthScene& scene,
-                        const Workers& workers);
+/// @throws Cancelled; Error as ReferenceScene does
+LightMap bake_light_map(const LightMapTask& task, std::shared_ptr<const LightMapLayout> layout,
+                        const ReferenceScene& scene, const Workers& workers);
 
 }  // namespace si

@@ -20,7 +20,7 @@ public:
     /// The map of that task: known, read from disk, or else baked and kept in both. A file that is damaged, or of
     /// another version of the program, is baked again, which the map's remark says; so it does where the disk takes
     /// none.
-    /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and TruthScene do
+    /// @throws Cancelled, after which nothing is kept; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
     /// Where maps are kept on disk from now on; made when first written to. Empty: nowhere.
     void keep_in(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
@@ -49,7 +49,7 @@ private:
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);
 
     std::shared_ptr<const LightMapLayout> layout_;  ///< the last one: lights of a scene share it
-    std::uint64_t layout_geometry_ = 0;             ///< its TruthGeometry::key
+    std::uint64_t layout_geometry_ = 0;             ///< its ReferenceGeometry::key
 };
 
 /// The process's own.

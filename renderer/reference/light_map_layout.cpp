@@ -25,7 +25,7 @@ constexpr int kDensitySteps = 24;             ///< of the search, each of which 
 using Neighbours = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Vertices are one where their positions are, whatever normals or texture coordinates they have.
-Neighbours neighbours_of(const TruthMesh& mesh) {
+Neighbours neighbours_of(const ReferenceMesh& mesh) {
     std::vector<std::uint32_t> order(mesh.positions.size()), welded(mesh.positions.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto rank = [&](std::uint32_t i) {
@@ -75,12 +75,12 @@ glm::dvec3 normal_of(const TriangleWs& t) {
 
 class LayoutBuilder {
 public:
-    LayoutBuilder(const TruthGeometry& geometry, int side, const Workers& workers)
+    LayoutBuilder(const ReferenceGeometry& geometry, int side, const Workers& workers)
         : geometry_(geometry), workers_(workers) {
         out_.side = side;
         if (!geometry.bounds.empty()) out_.centre = geometry.bounds.centre();
         std::uint32_t first = 0;
-        for (const TruthObject& object : geometry.objects) {
+        for (const ReferenceObject& object : geometry.objects) {
             const auto count = std::uint32_t(object.mesh->triangles());
             out_.objects.push_back({first, count});
             first += count;
@@ -98,17 +98,17 @@ public:
     }
 
 private:
-    const TruthGeometry& geometry_;
+    const ReferenceGeometry& geometry_;
     const Workers& workers_;
     LightMapLayout out_;
     std::vector<bool> flat_only_;  ///< by triangle: it was in a chart that lay upon itself
-    std::map<const TruthMesh*, Neighbours> neighbours_;
+    std::map<const ReferenceMesh*, Neighbours> neighbours_;
 
     void stop_if_asked() const {
         if (workers_.stop.stop_requested()) throw Cancelled();
     }
     const Neighbours& neighbours(std::uint32_t object) {
-        const TruthMesh* mesh = geometry_.objects[object].mesh.get();
+        const ReferenceMesh* mesh = geometry_.objects[object].mesh.get();
         auto found = neighbours_.find(mesh);
         if (found == neighbours_.end()) found = neighbours_.emplace(mesh, neighbours_of(*mesh)).first;
         return found->second;
@@ -256,14 +256,14 @@ private:
     [[noreturn]] void refuse(const std::vector<std::uint32_t>& order) {
         int least = int(std::bit_ceil(unsigned(std::max(out_.side, 1))));
         while (least <= kMostSide && !place_all(order, least, 0)) least *= 2;
-        const std::string remedy =
+        const std::string fix =
             least <= kMostSide
                 ? fmt::format("set light_map.resolution to {} or more", least)
                 : fmt::format("that is more than any atlas up to {}² holds; choose another light.source", kMostSide);
         throw Error(
             fmt::format("light_map.resolution {}: the scene's {} triangles make {} charts, which do not fit "
                         "even at one texel each; {}",
-                        out_.side, out_.chart_of.size(), out_.charts.size(), remedy));
+                        out_.side, out_.chart_of.size(), out_.charts.size(), fix));
     }
 
     /// Marks charts in which two triangles far from each other have one texel. Returns whether there are any.
@@ -322,7 +322,7 @@ double LightMapLayout::used() const {
     return side > 0 ? texels / (double(side) * side) : 0;
 }
 
-LightMapLayout light_map_layout(const TruthGeometry& geometry, int side, const Workers& workers) {
+LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers) {
     return LayoutBuilder(geometry, side, workers).build();
 }
 

@@ -58,6 +58,6 @@ struct LightMapLayout {
 /// is taken apart into those that are flat.
 /// @param side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled
-LightMapLayout light_map_layout(const TruthGeometry& geometry, int side, const Workers& workers = {});
+LightMapLayout light_map_layout(const ReferenceGeometry& geometry, int side, const Workers& workers = {});
 
 }  // namespace si

@@ -14,10 +14,10 @@ namespace {
 
 /// Pixels on either side of a step between lit and dark on one surface.
 template <typename Dark>
-std::vector<std::uint8_t> contour(const Truth& truth, const std::vector<std::uint8_t>& joins, Dark&& dark) {
-    const auto w = std::size_t(truth.width), h = std::size_t(truth.height);
+std::vector<std::uint8_t> contour(const Reference& reference, const std::vector<std::uint8_t>& joins, Dark&& dark) {
+    const auto w = std::size_t(reference.width), h = std::size_t(reference.height);
     std::vector<std::uint8_t> out(w * h, 0);
-    const auto counts = [&](std::size_t i) { return truth.state[i] == PixelState::Counted; };
+    const auto counts = [&](std::size_t i) { return reference.state[i] == PixelState::Counted; };
     const auto step = [&](std::size_t i, std::size_t k, std::uint8_t bit) {
         if (!counts(i) || !counts(k) || (!joins.empty() && !(joins[i] & bit))) return;
         if (dark(i) != dark(k)) out[i] = out[k] = 1;
@@ -365,10 +365,10 @@ double shortfall(Better better, double value) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
+std::uint32_t compared_bits(float v, const TruePixel& reference, bool outside) {
     using J = JudgedPixel;
-    const bool sides = (v < 0.5f) != (truth.visibility < 0.5), wrong = is_wrong(v, truth);
-    const bool faint = truth.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
+    const bool sides = (v < 0.5f) != (reference.visibility < 0.5), wrong = is_wrong(v, reference);
+    const bool faint = reference.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
     std::uint32_t bits = J::kCounts;
     if (wrong) bits |= v < 0.5f ? J::kFalseShadow : J::kFalseLight;
     if (sides && !wrong) bits |= J::kWithinNoise;
@@ -377,24 +377,24 @@ std::uint32_t compared_bits(float v, const TruePixel& truth, bool outside) {
     return bits;
 }
 
-TruePixel true_pixel(const Truth& truth, std::size_t i) {
-    TruePixel p{.visibility = truth.visibility.data[i], .noise = 0, .hard_lit = truth.hard().data[i] >= 0.5f};
-    if (truth.is_area()) p.noise = truth.standard_error.data[i];
+TruePixel true_pixel(const Reference& reference, std::size_t i) {
+    TruePixel p{.visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
+    if (reference.is_area()) p.noise = reference.standard_error.data[i];
     // One look at a light tells nothing of how others would turn out: its error is at most that of a tossed coin.
     if (std::isnan(p.noise)) p.noise = 0.5;
     return p;
 }
 
-std::vector<JudgedPixel> judged_pixels(const FloatImage& judged) {
+std::vector<JudgedPixel> classified_pixels(const FloatImage& classified) {
     static_assert(
         kArtefacts <= 1 << shared::ARTEFACT_BITS &&
             shared::ARTEFACT_BITS + shared::ALSO_SHIFT + int(Artefact::NoMap) <= 24,
         "a judgement has to fit into the digits of a float; artefacts from NoMap on are never in Cause::also");
-    std::vector<JudgedPixel> out(judged.data.size() / 2);
+    std::vector<JudgedPixel> out(classified.data.size() / 2);
     for (std::size_t i = 0; i < out.size(); ++i) {
-        const auto code = std::uint32_t(judged.data[2 * i]);
+        const auto code = std::uint32_t(classified.data[2 * i]);
         out[i] = {Artefact(code & ((1u << shared::ARTEFACT_BITS) - 1)), code >> shared::ARTEFACT_BITS,
-                  judged.data[2 * i + 1]};
+                  classified.data[2 * i + 1]};
     }
     return out;
 }
@@ -406,10 +406,10 @@ std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
     return out;
 }
 
-ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
+ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
     ErrorMetrics m;
-    m.pixels = truth.pixels;
-    m.counted = truth.counted(), m.ground_pixels = truth.on_ground;
+    m.pixels = reference.pixels;
+    m.counted = reference.counted(), m.ground_pixels = reference.on_ground;
     const double n = double(std::max<std::size_t>(m.counted, 1));
     for (const Metric& metric : metrics())
         if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;
@@ -420,21 +420,21 @@ ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth) {
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a)
         wrong += m.artefacts[a] = std::size_t(std::llround(sums.dark[a] + sums.bright[a]));
-    m.artefacts[0] = truth.state.size() - wrong;
+    m.artefacts[0] = reference.state.size() - wrong;
     return m;
 }
 
-ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+ErrorMetrics error_metrics(const std::vector<JudgedPixel>& classified, const Reference& reference,
                            const std::vector<std::uint8_t>& joins) {
-    if (judged.size() != truth.state.size())
-        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", judged.size(),
-                                truth.width, truth.height));
+    if (classified.size() != reference.state.size())
+        throw Error(fmt::format("{} judged pixels cannot be compared with a truth of {} x {}", classified.size(),
+                                reference.width, reference.height));
     using J = JudgedPixel;
     PixelSums sums;
-    for (std::size_t i = 0; i < truth.state.size(); ++i) {
-        if (truth.state[i] != PixelState::Counted) continue;
-        const J& p = judged[i];
-        const double r = truth.visibility.data[i], difference = p.visibility - r;
+    for (std::size_t i = 0; i < reference.state.size(); ++i) {
+        if (reference.state[i] != PixelState::Counted) continue;
+        const J& p = classified[i];
+        const double r = reference.visibility.data[i], difference = p.visibility - r;
         sums.absolute += std::abs(difference), sums.squares += difference * difference, sums.sum += difference;
         sums.both += p.visibility < 0.5f && r < 0.5, sums.either += p.visibility < 0.5f || r < 0.5;
         sums.dark[std::size_t(p.artefact)] += p.has(J::kFalseShadow);
@@ -443,11 +443,11 @@ ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& 
         sums.any_acne += p.has(J::kAnyAcne);
         sums.within_noise += p.has(J::kWithinNoise);
     }
-    ErrorMetrics m = metrics_of(sums, truth);
-    const auto drawn = contour(truth, joins, [&](std::size_t i) { return judged[i].visibility < 0.5f; });
-    const auto real = contour(truth, joins, [&](std::size_t i) { return truth.visibility.data[i] < 0.5f; });
+    ErrorMetrics m = metrics_of(sums, reference);
+    const auto drawn = contour(reference, joins, [&](std::size_t i) { return classified[i].visibility < 0.5f; });
+    const auto real = contour(reference, joins, [&](std::size_t i) { return reference.visibility.data[i] < 0.5f; });
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = 0;
-    contour_distances(m, drawn, real, truth.width, truth.height, truth.step);
+    contour_distances(m, drawn, real, reference.width, reference.height, reference.step);
     return m;
 }
 

@@ -9,7 +9,7 @@
 
 #include "renderer/reference/causes.h"
 #include "renderer/reference/truth.h"
-#include "shaders/shared/judged.h"
+#include "shaders/shared/classified.h"
 
 namespace si {
 
@@ -35,14 +35,14 @@ struct JudgedPixel {
 };
 
 /// The bits of a pixel that counts, but kAnyAcne and kSeam. @param visibility not NaN
-std::uint32_t compared_bits(float visibility, const TruePixel& truth, bool outside);
+std::uint32_t compared_bits(float visibility, const TruePixel& reference, bool outside);
 
 /// A pixel of the truth as causes take it.
-TruePixel true_pixel(const Truth& truth, std::size_t i);
+TruePixel true_pixel(const Reference& reference, std::size_t i);
 
 /// From what is read back of FrameResult::judged, at the truth's pixels. @param judged two channels, of the truth's
 /// size
-std::vector<JudgedPixel> judged_pixels(const FloatImage& judged);
+std::vector<JudgedPixel> classified_pixels(const FloatImage& classified);
 
 /// Whether each pixel and its right (bit 0) or lower (bit 1) neighbour show one surface, so that a contour between them
 /// is a shadow's.
@@ -111,11 +111,11 @@ struct PixelSums {
 };
 
 /// All but boundary_px_*, which are NaN.
-ErrorMetrics metrics_of(const PixelSums& sums, const Truth& truth);
+ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
 /// @param judged one per pixel of the truth @param joins joins_of(), or empty: all are joined
 /// @throws Error when sizes differ
-ErrorMetrics error_metrics(const std::vector<JudgedPixel>& judged, const Truth& truth,
+ErrorMetrics error_metrics(const std::vector<JudgedPixel>& classified, const Reference& reference,
                            const std::vector<std::uint8_t>& joins = {});
 
 }  // namespace si

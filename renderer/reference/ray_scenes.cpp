@@ -6,8 +6,8 @@
 
 namespace si {
 
-std::shared_ptr<const TruthScene> RayScenes::get(const std::shared_ptr<const TruthGeometry>& geometry,
-                                                 const Workers& workers) {
+std::shared_ptr<const ReferenceScene> RayScenes::get(const std::shared_ptr<const ReferenceGeometry>& geometry,
+                                                     const Workers& workers) {
     std::shared_ptr<Place> place;
     {
         const std::lock_guard lock(mutex_);
@@ -19,7 +19,7 @@ std::shared_ptr<const TruthScene> RayScenes::get(const std::shared_ptr<const Tru
     std::unique_lock building(place->building, std::defer_lock);
     while (!building.try_lock_for(std::chrono::milliseconds(10)))
         if (workers.stop.stop_requested()) throw Cancelled();
-    std::shared_ptr<const TruthScene> old;  // ends after the lock
+    std::shared_ptr<const ReferenceScene> old;  // ends after the lock
     {
         const std::lock_guard lock(mutex_);
         if (auto scene = place->scene.lock()) {
@@ -29,22 +29,22 @@ std::shared_ptr<const TruthScene> RayScenes::get(const std::shared_ptr<const Tru
         old = std::exchange(last_, nullptr);
     }
     old.reset();  // the old hierarchy's memory first
-    auto scene = std::make_shared<const TruthScene>(geometry, workers);
+    auto scene = std::make_shared<const ReferenceScene>(geometry, workers);
     const std::lock_guard lock(mutex_);
     place->scene = scene;
     old = std::exchange(last_, scene);
     return scene;
 }
 
-std::shared_ptr<const TruthScene> RayScenes::find(std::uint64_t key) const {
+std::shared_ptr<const ReferenceScene> RayScenes::find(std::uint64_t key) const {
     const std::lock_guard lock(mutex_);
     const auto place = places_.find(key);
     return place == places_.end() ? nullptr : place->second->scene.lock();
 }
 
-std::shared_ptr<const TruthGeometry> RayScenes::geometry(const Scene& scene, const Settings& settings) const {
-    if (const auto known = find(truth_geometry_key(scene, settings).value())) return known->shared_geometry();
-    return std::make_shared<const TruthGeometry>(scene, settings);
+std::shared_ptr<const ReferenceGeometry> RayScenes::geometry(const Scene& scene, const Settings& settings) const {
+    if (const auto known = find(reference_geometry_key(scene, settings).value())) return known->shared_geometry();
+    return std::make_shared<const ReferenceGeometry>(scene, settings);
 }
 
 std::size_t RayScenes::size() const {
@@ -54,7 +54,7 @@ std::size_t RayScenes::size() const {
 }
 
 void RayScenes::forget() {
-    std::shared_ptr<const TruthScene> last;
+    std::shared_ptr<const ReferenceScene> last;
     const std::lock_guard lock(mutex_);
     last = std::exchange(last_, nullptr);
 }

@@ -24,7 +24,7 @@ struct Prepared {
     glm::dvec3 e1{0}, e2{0}, normal{0};
     float edge_m = 0;
 
-    void load(const TruthGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
+    void load(const ReferenceGeometry& geometry, std::uint32_t new_object, std::uint32_t drawn_primitive) {
         if (new_object >= geometry.objects.size() || geometry.objects[new_object].mesh->indices.empty())
             throw Error(fmt::format("a pixel shows object {}, but the traced scene has {}", new_object,
                                     geometry.objects.size()));
@@ -97,7 +97,7 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
     return glm::vec3(point + r.normal_ws * (32 * 0x1p-23 * largest));
 }
 
-Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+Receivers place_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
     out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());

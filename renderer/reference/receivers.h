@@ -55,10 +55,10 @@ struct PixelRaster {
 /// the triangle (rasterisers snap corners, so the ray may pass by a hair).
 /// @param ids Outputs::surface_ids of a frame of the same scene and camera, those of the raster
 /// @throws Cancelled; Error when an id names no triangle of the geometry
-Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+Receivers place_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const PixelRaster& raster, const Workers& workers);
 /// Every pixel.
-inline Receivers place_receivers(const TruthGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
+inline Receivers place_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                                  const Workers& workers) {
     return place_receivers(geometry, camera, ids, {ids.width, ids.height}, workers);
 }

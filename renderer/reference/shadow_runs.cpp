@@ -12,9 +12,14 @@ constexpr float kNoEnd = std::numeric_limits<float>::infinity();
 
 class Walker {
 public:
-    Walker(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-           const TruthQuery& query)
-        : truth_(truth), hard_(truth.hard()), receivers_(receivers), camera_(camera), raster_(raster), query_(query) {
+    Walker(const Reference& reference, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
+           const ReferenceQuery& query)
+        : reference_(reference),
+          hard_(reference.hard()),
+          receivers_(receivers),
+          camera_(camera),
+          raster_(raster),
+          query_(query) {
         find_clearance();
     }
 
@@ -25,7 +30,7 @@ public:
     Found at(int x, int y) const {
         Found found;
         const std::size_t i = index(x, y);
-        if (truth_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
+        if (reference_.state[i] != PixelState::Counted || clearance_[i] > kRunReach) return found;
         const Receiver& r = receivers_.pixels[i];
         double distance = 0;
         const glm::dvec3 to_light = query_.emitter.direction_from(r.position_ws, distance);
@@ -47,16 +52,16 @@ public:
     }
 
 private:
-    const Truth& truth_;
+    const Reference& reference_;
     const FloatImage& hard_;
     const Receivers& receivers_;
     const Camera& camera_;
     const PixelRaster& raster_;
-    const TruthQuery& query_;
+    const ReferenceQuery& query_;
     std::vector<std::uint8_t> clearance_;  ///< pixels, at least, to a change of the truth or an end of the surface
 
-    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(truth_.width) + std::size_t(x); }
-    bool counts(std::size_t i) const { return truth_.state[i] == PixelState::Counted; }
+    std::size_t index(int x, int y) const { return std::size_t(y) * std::size_t(reference_.width) + std::size_t(x); }
+    bool counts(std::size_t i) const { return reference_.state[i] == PixelState::Counted; }
     bool dark(std::size_t i) const { return hard_.data[i] < 0.5f; }
     bool joins_right(std::size_t i) const { return receivers_.pixels[i].joins_right; }
     bool joins_below(std::size_t i) const { return receivers_.pixels[i].joins_below; }
@@ -64,8 +69,8 @@ private:
     /// Chessboard distances by two sweeps (Rosenfeld, Pfaltz, Sequential operations in digital picture processing,
     /// 1966).
     void find_clearance() {
-        const int w = truth_.width, h = truth_.height;
-        clearance_.assign(truth_.state.size(), std::uint8_t(kRunReach + 1));
+        const int w = reference_.width, h = reference_.height;
+        clearance_.assign(reference_.state.size(), std::uint8_t(kRunReach + 1));
         const auto ends = [&](std::size_t i, std::size_t k, bool joined) {
             if (counts(i) && counts(k) && joined && dark(i) == dark(k)) return;
             clearance_[i] = clearance_[k] = 0;
@@ -143,7 +148,7 @@ private:
             safe = std::max(int(clearance_[index(last_u, last_v)]) - 1, 1);
             gone = std::min(gone + safe, kRunReach);
             const int s = x + int(std::lround(step.x * gone)), t = y + int(std::lround(step.y * gone));
-            if (s < 0 || t < 0 || s >= truth_.width || t >= truth_.height) break;
+            if (s < 0 || t < 0 || s >= reference_.width || t >= reference_.height) break;
             const std::size_t here = index(s, t), before = index(u, v);
             if (!counts(here)) continue;
             const bool beside = u == last_u && v == last_v && (safe > 1 || joined(u, v, s, t));
@@ -165,18 +170,18 @@ private:
 
 }  // namespace
 
-ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-                       const TruthQuery& query, const Workers& workers) {
+ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
+                       const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers) {
     ShadowRuns out;
-    const std::vector<float> nothing(truth.state.size(), kNoEnd);
-    out.run_m = {truth.width, truth.height, 1, nothing};
+    const std::vector<float> nothing(reference.state.size(), kNoEnd);
+    out.run_m = {reference.width, reference.height, 1, nothing};
     out.edge_m = out.run_m;
     if (query.views.empty()) return out;
-    const Walker walker(truth, receivers, camera, raster, query);
-    for_blocks(std::size_t(truth.height), workers, [&](std::size_t y) {
-        for (int x = 0; x < truth.width; ++x) {
+    const Walker walker(reference, receivers, camera, raster, query);
+    for_blocks(std::size_t(reference.height), workers, [&](std::size_t y) {
+        for (int x = 0; x < reference.width; ++x) {
             const Walker::Found found = walker.at(x, int(y));
-            const std::size_t i = y * std::size_t(truth.width) + std::size_t(x);
+            const std::size_t i = y * std::size_t(reference.width) + std::size_t(x);
             out.run_m.data[i] = found.run_m, out.edge_m.data[i] = found.edge_m;
         }
     });

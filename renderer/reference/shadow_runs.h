@@ -27,7 +27,7 @@ inline constexpr int kRunReach = 64;
 /// @param raster of the picture that the truth's pixels are of
 /// @param query that the truth answers; without views everything is infinite
 /// @throws Cancelled
-ShadowRuns shadow_runs(const Truth& truth, const Receivers& receivers, const Camera& camera, const PixelRaster& raster,
-                       const TruthQuery& query, const Workers& workers);
+ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, const Camera& camera,
+                       const PixelRaster& raster, const ReferenceQuery& query, const Workers& workers);
 
 }  // namespace si

@@ -43,7 +43,7 @@ struct Batch {
     }
 
     template <typename Occluded>
-    void trace(const TruthScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
+    void trace(const ReferenceScene::Impl& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
         occlude(scene, plain, {culls, {}});
         for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
         occlude(scene, grazing, {culls, exact});
@@ -76,7 +76,7 @@ struct Variance {
 
 class Tracer {
 public:
-    Tracer(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query, Truth& out)
+    Tracer(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query, Reference& out)
         : scene_(scene.impl()), receivers_(receivers), query_(query), out_(out) {
         if (query.options.as_rasterised) culls_ = query.traits;
         to_light_ = glm::vec3(query.emitter.to_light);
@@ -138,10 +138,10 @@ public:
     }
 
 private:
-    const TruthScene::Impl& scene_;
+    const ReferenceScene::Impl& scene_;
     const Receivers& receivers_;
-    const TruthQuery& query_;
-    Truth& out_;
+    const ReferenceQuery& query_;
+    Reference& out_;
     std::span<const ObjectTraits> culls_;
     std::optional<std::uint32_t> ground_;  ///< the object under a model
     std::mutex lock_;
@@ -327,13 +327,13 @@ FloatImage image(int width, int height, float value) {
 
 }  // namespace
 
-TruthOptions truth_options(const Settings& settings) {
-    const TruthSettings& t = settings.truth;
+ReferenceOptions reference_options(const Settings& settings) {
+    const ReferenceSettings& t = settings.truth;
     return {.area = t.area, .samples = t.samples, .noise = t.noise, .step = t.step};
 }
 
-TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
-                       const TruthOptions& options) {
+ReferenceQuery reference_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
+                               int light, const ReferenceOptions& options) {
     if (light < 0 || std::size_t(light) >= lights.size())
         throw Error(fmt::format("view.light is {}, but light.count is {}", light, lights.size()));
     const FittedLight& fitted = lights[std::size_t(light)];
@@ -341,25 +341,25 @@ TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::
             fitted.chooser, options};
 }
 
-std::string noise_text(const Truth& truth) {
-    if (!truth.is_area()) return {};
-    const SamplesUsed& used = truth.samples;
+std::string noise_text(const Reference& reference) {
+    if (!reference.is_area()) return {};
+    const SamplesUsed& used = reference.samples;
     const std::string samples =
         used.least == used.most
             ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
             : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
-    if (std::isnan(truth.noise))
+    if (std::isnan(reference.noise))
         return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
-    std::string text = fmt::format("noise {:.4f}, {}", truth.noise, samples);
-    if (truth.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", truth.noise_unknown);
+    std::string text = fmt::format("noise {:.4f}, {}", reference.noise, samples);
+    if (reference.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", reference.noise_unknown);
     return text;
 }
 
-Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
-                       const Workers& workers) {
+Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
+                           const Workers& workers) {
     if (query.traits.size() != scene.geometry().objects.size())
         throw Error("the traced scene and its settings do not belong together");
-    Truth out;
+    Reference out;
     out.width = receivers.width, out.height = receivers.height;
     out.step = std::max(query.options.step, 1);
     out.state.resize(receivers.pixels.size());

@@ -1,9 +1,9 @@
 // The ray-traced truth about one light's shadows: what each pixel's surface sees of the light.
 //
-//     auto geometry = std::make_shared<TruthGeometry>(scene, settings);           // a copy; any thread from here on
-//     TruthScene casters(geometry);                                               // the hierarchy
-//     Receivers receivers = place_receivers(*geometry, frame.camera, renderer.read_surface_ids(frame.surface_ids), {});
-//     Truth truth = trace_visibility(casters, receivers, truth_query(scene, settings, frame.lights, 0), {});
+//     auto geometry = std::make_shared<ReferenceGeometry>(scene, settings);           // a copy; any thread from here
+//     on ReferenceScene casters(geometry);                                               // the hierarchy Receivers
+//     receivers = place_receivers(*geometry, frame.camera, renderer.read_surface_ids(frame.surface_ids), {}); Truth
+//     truth = trace_visibility(casters, receivers, reference_query(scene, settings, frame.lights, 0), {});
 //     truth.visibility.at(x, y);                                                  // 1 lit ... 0 in shadow
 #pragma once
 
@@ -34,30 +34,30 @@ constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
 }
 
-struct TruthOptions {
+struct ReferenceOptions {
     bool area = false;           ///< the light has its size; else it is a point or a direction
     bool as_rasterised = false;  ///< faces that culling leaves out of the shadow map cast nothing here either
     int samples = 1024;          ///< area: most rays a pixel. 64 everywhere, then four times as many, as noise demands
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
     bool nearest = true;         ///< find Truth::nearest_m and blocker_m
     int step = 1;                ///< every that many pixels of the picture, across and down, are one of the truth's
-    bool operator==(const TruthOptions&) const = default;
+    bool operator==(const ReferenceOptions&) const = default;
 };
 
 /// As truth.* of the settings say.
-TruthOptions truth_options(const Settings& settings);
+ReferenceOptions reference_options(const Settings& settings);
 
-struct TruthQuery {
+struct ReferenceQuery {
     Emitter emitter;
     std::vector<ObjectTraits> traits;  ///< by object
     std::vector<LightView> views;      ///< whose near planes bound what a map stores; may be empty
     ViewChooser chooser;               ///< of them
-    TruthOptions options;
+    ReferenceOptions options;
 };
 
 /// The query for a light of a frame. @throws Error when there is no such light
-TruthQuery truth_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights, int light,
-                       const TruthOptions& options = {});
+ReferenceQuery reference_query(const Scene& scene, const Settings& settings, const std::vector<FittedLight>& lights,
+                               int light, const ReferenceOptions& options = {});
 
 /// How many points of the light the estimates of counted pixels rest on, above the surface's horizon or below.
 struct SamplesUsed {
@@ -65,9 +65,9 @@ struct SamplesUsed {
     double mean = 0;
 };
 
-struct Truth {
+struct Reference {
     int width = 0, height = 0;
-    int step = 1;                   ///< pixels of the picture, across and down, per pixel here (TruthOptions::step)
+    int step = 1;                   ///< pixels of the picture, across and down, per pixel here (ReferenceOptions::step)
     std::vector<PixelState> state;  ///< top row first, as all images here
     /// 1 lit to 0 in shadow. Where a pixel does not count: 1 (Background, NotReceiving), 0 (FacesAway), or what is true
     /// of the surface (OutsideCone, BeyondRange), as the shadow mapped visibility has it.
@@ -78,10 +78,10 @@ struct Truth {
     FloatImage standard_error;
     /// Metres along the pixel's light ray from its surface to the surface nearest the light, which is what a shadow map
     /// stores: under the culling of casters and beyond the map's near plane. NaN where none stands before the pixel's.
-    /// Empty without TruthOptions::nearest.
+    /// Empty without ReferenceOptions::nearest.
     FloatImage nearest_m;
     /// The same over all casters from both sides, whatever is culled and wherever the near plane stands: what a map
-    /// would store that loses no caster. NaN where the surface is lit. Empty without TruthOptions::nearest.
+    /// would store that loses no caster. NaN where the surface is lit. Empty without ReferenceOptions::nearest.
     FloatImage blocker_m;
     std::array<std::size_t, kPixelStates> pixels{};  ///< per state
     std::size_t on_ground = 0;                       ///< counted pixels of the ground under a model
@@ -102,10 +102,10 @@ struct Truth {
 };
 
 /// How sure the truth is, in words: "noise 0.0031, 64 to 1024 samples a pixel (112 on average)". Empty without a size.
-std::string noise_text(const Truth& truth);
+std::string noise_text(const Reference& reference);
 
 /// Traces every pixel. Equal for any number of threads. @throws Cancelled
-Truth trace_visibility(const TruthScene& scene, const Receivers& receivers, const TruthQuery& query,
-                       const Workers& workers);
+Reference trace_visibility(const ReferenceScene& scene, const Receivers& receivers, const ReferenceQuery& query,
+                           const Workers& workers);
 
 }  // namespace si

@@ -24,12 +24,12 @@ class Copier {
 public:
     Copier(const Scene& scene, const Settings& settings) : scene_(scene), settings_(settings) {}
 
-    std::shared_ptr<const TruthMesh> mesh(int index) {
+    std::shared_ptr<const ReferenceMesh> mesh(int index) {
         auto& copy = meshes_[index];
         if (copy) return copy;
         const Mesh& from = scene_.meshes[std::size_t(index)];
         const Material& material = material_of(scene_, from);
-        auto to = std::make_shared<TruthMesh>();
+        auto to = std::make_shared<ReferenceMesh>();
         to->positions = from.positions;
         to->indices = from.indices;
         // The cutoffs of the light's depth pass: blended surfaces have one only there.
@@ -43,7 +43,7 @@ public:
 private:
     const Scene& scene_;
     const Settings& settings_;
-    std::map<int, std::shared_ptr<const TruthMesh>> meshes_;
+    std::map<int, std::shared_ptr<const ReferenceMesh>> meshes_;
     std::map<int, std::shared_ptr<const AlphaTexture>> textures_;
 
     std::unique_ptr<const AlphaMask> mask(const Mesh& mesh, const Material& material, double cutoff) {
@@ -60,8 +60,8 @@ private:
 
 }  // namespace
 
-TruthGeometry::TruthGeometry(const Scene& scene, const Settings& settings)
-    : bounds(scene.bounds), key(truth_geometry_key(scene, settings).value()) {
+ReferenceGeometry::ReferenceGeometry(const Scene& scene, const Settings& settings)
+    : bounds(scene.bounds), key(reference_geometry_key(scene, settings).value()) {
     Copier copier(scene, settings);
     objects.reserve(scene.objects.size());
     for (const Object& object : scene.objects) {
@@ -72,27 +72,27 @@ TruthGeometry::TruthGeometry(const Scene& scene, const Settings& settings)
     }
 }
 
-std::size_t TruthGeometry::caster_triangles() const {
+std::size_t ReferenceGeometry::caster_triangles() const {
     std::size_t count = 0;
-    for (const TruthObject& o : objects) count += o.casts ? o.mesh->triangles() : 0;
+    for (const ReferenceObject& o : objects) count += o.casts ? o.mesh->triangles() : 0;
     return count;
 }
 
-UnitFrame TruthGeometry::unit_frame() const {
+UnitFrame ReferenceGeometry::unit_frame() const {
     UnitFrame frame;
     if (!bounds.empty()) frame.centre = bounds.centre();
     if (const double radius = bounds.radius(); radius > 0) frame.scale = std::exp2(-std::ilogb(radius));
     return frame;
 }
 
-void TruthGeometry::add_content(Key& to) const {
-    std::map<const TruthMesh*, std::size_t> numbers;
+void ReferenceGeometry::add_content(Key& to) const {
+    std::map<const ReferenceMesh*, std::size_t> numbers;
     to.add(objects.size()).add(bounds.lo).add(bounds.hi);
-    for (const TruthObject& o : objects) {
+    for (const ReferenceObject& o : objects) {
         const auto [known, first] = numbers.emplace(o.mesh.get(), numbers.size());
         to.add(known->second).add(o.world).add(o.casts);
         if (!first) continue;
-        const TruthMesh& m = *o.mesh;
+        const ReferenceMesh& m = *o.mesh;
         to.add(m.positions.size()).bytes(m.positions.data(), m.positions.size() * sizeof(m.positions[0]));
         to.add(m.indices.size()).bytes(m.indices.data(), m.indices.size() * sizeof(m.indices[0]));
         to.add(m.mask != nullptr);
@@ -100,8 +100,8 @@ void TruthGeometry::add_content(Key& to) const {
     }
 }
 
-TriangleWs TruthGeometry::triangle(std::uint32_t object, std::uint32_t primitive) const {
-    const TruthObject& o = objects[object];
+TriangleWs ReferenceGeometry::triangle(std::uint32_t object, std::uint32_t primitive) const {
+    const ReferenceObject& o = objects[object];
     const std::uint32_t* i = &o.mesh->indices[3 * std::size_t(primitive)];
     const auto corner = [&](std::uint32_t k) {
         return glm::dvec3(o.world * glm::dvec4(glm::dvec3(o.mesh->positions[k]), 1));
@@ -109,7 +109,7 @@ TriangleWs TruthGeometry::triangle(std::uint32_t object, std::uint32_t primitive
     return {corner(i[0]), corner(i[1]), corner(i[2])};
 }
 
-Key truth_geometry_key(const Scene& scene, const Settings& settings) {
+Key reference_geometry_key(const Scene& scene, const Settings& settings) {
     Key key;
     key.add(scene.id).add(blend_casts(settings));
     for (const auto& [path, object] : settings.objects)

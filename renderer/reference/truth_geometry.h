@@ -14,15 +14,15 @@
 
 namespace si {
 
-struct TruthMesh {
+struct ReferenceMesh {
     SharedArray<glm::vec3> positions;  ///< the scene's own: deformed, without degenerate triangles
     SharedArray<std::uint32_t> indices;
     std::unique_ptr<const AlphaMask> mask;  ///< null: solid
     std::size_t triangles() const { return indices.size() / 3; }
 };
 
-struct TruthObject {
-    std::shared_ptr<const TruthMesh> mesh;
+struct ReferenceObject {
+    std::shared_ptr<const ReferenceMesh> mesh;
     glm::dmat4 world{1.0};
     bool casts = true;
     bool ground = false;  ///< Object::ground
@@ -42,12 +42,12 @@ struct UnitFrame {
 };
 
 /// All objects of a scene by their number (Scene::objects).
-struct TruthGeometry {
-    std::vector<TruthObject> objects;
+struct ReferenceGeometry {
+    std::vector<ReferenceObject> objects;
     Bounds bounds;
     std::uint64_t key = 0;
 
-    TruthGeometry(const Scene& scene, const Settings& settings);
+    ReferenceGeometry(const Scene& scene, const Settings& settings);
     /// Of what casts, instances counted.
     std::size_t caster_triangles() const;
     TriangleWs triangle(std::uint32_t object, std::uint32_t primitive) const;
@@ -56,8 +56,8 @@ struct TruthGeometry {
     void add_content(Key& key) const;
 };
 
-/// What TruthGeometry depends on: scene, the objects that cast, and what blended ones do.
-Key truth_geometry_key(const Scene& scene, const Settings& settings);
+/// What ReferenceGeometry depends on: scene, the objects that cast, and what blended ones do.
+Key reference_geometry_key(const Scene& scene, const Settings& settings);
 
 /// What settings say of each object besides, by its number.
 struct ObjectTraits {

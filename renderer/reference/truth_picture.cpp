@@ -32,9 +32,9 @@ bool bake_sources(Renderer& renderer, const Scene& scene, const Settings& settin
 
 }  // namespace
 
-std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const TracedTruth& traced,
-                                                  const std::optional<TruthOptions>& options) {
-    auto picture = std::make_shared<TruthPicture>();
+std::shared_ptr<const ReferencePicture> reference_picture(const ReferenceTask& task, const TracedReference& traced,
+                                                          const std::optional<ReferenceOptions>& options) {
+    auto picture = std::make_shared<ReferencePicture>();
     picture->key = task.key;
     picture->version = next_version();
     picture->step = task.raster.step;
@@ -44,32 +44,33 @@ std::shared_ptr<const TruthPicture> truth_picture(const TruthTask& task, const T
 }
 
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
-                   TruthCache& cache, const Workers& workers) {
+                   ReferenceCache& cache, const Workers& workers) {
     bool any = false;
     for (int i = 0; i < std::clamp(settings.light_count, 0, kMaxLights); ++i) {
-        if (!settings.lights[std::size_t(i)].cast || !source_of(settings, i).needs.truth) continue;
+        if (!settings.lights[std::size_t(i)].cast || !source_of(settings, i).needs.reference) continue;
         any = true;
         request.traced.resize(std::max(request.traced.size(), std::size_t(i) + 1));
         auto& known = request.traced[std::size_t(i)];
-        const TruthTask task = truth_task(renderer, scene, settings, request, i, truth_options(settings));
-        if (!known || known->key != task.key) known = truth_picture(task, cache.trace(task, workers));
+        const ReferenceTask task = reference_task(renderer, scene, settings, request, i, reference_options(settings));
+        if (!known || known->key != task.key) known = reference_picture(task, cache.trace(task, workers));
     }
     return bake_sources(renderer, scene, settings, request, workers) || any;
 }
 
-FrameResult render_with_truth(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
-                              TruthCache& cache, const Workers& workers, const std::optional<TruthOptions>& options) {
+FrameResult render_with_reference(Renderer& renderer, const Scene& scene, const Settings& settings,
+                                  FrameRequest& request, ReferenceCache& cache, const Workers& workers,
+                                  const std::optional<ReferenceOptions>& options) {
     trace_sources(renderer, scene, settings, request, cache, workers);
     // What the picture at hand was asked for is not what this one is.
-    if (request.truth && request.truth->options != options) request.truth.reset();
-    const TruthOptions wanted = options.value_or(truth_options(settings));
+    if (request.reference && request.reference->options != options) request.reference.reset();
+    const ReferenceOptions wanted = options.value_or(reference_options(settings));
     const auto trace = [&] {
-        const TruthTask task = truth_task(renderer, scene, settings, request, settings.view.light, wanted);
-        request.truth = truth_picture(task, cache.trace(task, workers), options);
+        const ReferenceTask task = reference_task(renderer, scene, settings, request, settings.view.light, wanted);
+        request.reference = reference_picture(task, cache.trace(task, workers), options);
     };
-    if (!request.truth && options) trace();  // else the frame tells whether it asks for any
+    if (!request.reference && options) trace();  // else the frame tells whether it asks for any
     FrameResult frame = renderer.render(scene, settings, request);
-    if (frame.truth.key == 0 || frame.truth.met) return frame;
+    if (frame.reference.key == 0 || frame.reference.met) return frame;
     trace();
     return renderer.render(scene, settings, request);
 }

@@ -9,11 +9,11 @@ namespace {
 
 struct Query {
     RTCIntersectContext context;  ///< first: Embree hands its address to the filter
-    const TruthScene::Impl* scene = nullptr;
+    const ReferenceScene::Impl* scene = nullptr;
     HitRules rules;
     std::vector<Hit>* hits = nullptr;  ///< collects instead of stopping
 
-    Query(const TruthScene::Impl& s, const HitRules& r) : scene(&s), rules(r) { rtcInitIntersectContext(&context); }
+    Query(const ReferenceScene::Impl& s, const HitRules& r) : scene(&s), rules(r) { rtcInitIntersectContext(&context); }
 };
 
 /// One candidate of a filter call.
@@ -35,7 +35,7 @@ bool culled(const Candidate& c, const HitRules& rules) {
 }
 
 /// The candidate again in double, without the receiver's own triangle.
-bool hits_exactly(const Candidate& c, const ExactRay& ray, const TruthScene::Impl& scene) {
+bool hits_exactly(const Candidate& c, const ExactRay& ray, const ReferenceScene::Impl& scene) {
     if (c.caster->object == ray.object && c.primitive == ray.primitive) return false;
     const TriangleWs t = scene.geometry->triangle(c.caster->object, c.primitive);
     const glm::dvec3 a = scene.to_unit(t.a), e1 = scene.to_unit(t.b) - a, e2 = scene.to_unit(t.c) - a;
@@ -75,7 +75,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules) {
+void occlude(const ReferenceScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);
     // Neighbours in the picture, or samples of one light: packets are quicker than streams.
@@ -84,7 +84,7 @@ void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRul
     rtcOccluded1M(scene.scene.get(), &query.context, rays.data(), unsigned(rays.size()), sizeof(RTCRay));
 }
 
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out) {
+void all_hits(const ReferenceScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out) {
     out.clear();
     Query query(scene, rules);
     query.context.filter = filter;

@@ -1,4 +1,4 @@
-// Rays through a TruthScene. For the sources of this folder; others use trace_visibility() and its kin.
+// Rays through a ReferenceScene. For the sources of this folder; others use trace_visibility() and its kin.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ struct Caster {
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is turned
 };
 
-struct TruthScene::Impl : UnitFrame {
+struct ReferenceScene::Impl : UnitFrame {
     HeldMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
     embree::Device device;
     std::vector<embree::Scene> meshes;  ///< of instanced meshes
     embree::Scene scene;
     std::vector<Caster> casters;
-    const TruthGeometry* geometry = nullptr;
+    const ReferenceGeometry* geometry = nullptr;
     double radius = 1;  ///< of the scene, unit lengths
     std::size_t triangles = 0, instances = 0;
 };
@@ -59,13 +59,13 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
 }
 
 /// Marks occluded rays by a negative tfar.
-void occlude(const TruthScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
+void occlude(const ReferenceScene::Impl& scene, std::span<RTCRay> rays, const HitRules& rules);
 
 struct Hit {
     float t = 0;          ///< in lengths of the ray's direction
     bool culled = false;  ///< by HitRules::culls
 };
 /// All hits up to the ray's end, culled ones too, in no order.
-void all_hits(const TruthScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
+void all_hits(const ReferenceScene::Impl& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

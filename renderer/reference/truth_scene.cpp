@@ -40,10 +40,10 @@ bool well_conditioned(const glm::dmat3& m) {
 
 class Builder {
 public:
-    Builder(TruthScene::Impl& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
+    Builder(ReferenceScene::Impl& impl, const Workers& workers) : impl_(impl), stop_(workers.stop) {}
 
     void add(std::uint32_t object, bool shared) {
-        const TruthObject& o = impl_.geometry->objects[object];
+        const ReferenceObject& o = impl_.geometry->objects[object];
         glm::dmat4 unit_from_mesh = o.world;
         unit_from_mesh[3] -= glm::dvec4(impl_.centre, 0);
         for (int c = 0; c < 4; ++c) unit_from_mesh[c] = glm::dvec4(glm::dvec3(unit_from_mesh[c]) * impl_.scale, c == 3);
@@ -73,11 +73,11 @@ public:
     }
 
 private:
-    TruthScene::Impl& impl_;
+    ReferenceScene::Impl& impl_;
     std::stop_token stop_;
-    std::map<const TruthMesh*, RTCScene> shared_;
+    std::map<const ReferenceMesh*, RTCScene> shared_;
 
-    embree::Geometry triangles(const TruthMesh& mesh, const glm::dmat4& unit_from_mesh) {
+    embree::Geometry triangles(const ReferenceMesh& mesh, const glm::dmat4& unit_from_mesh) {
         embree::Geometry geometry(rtcNewGeometry(impl_.device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         check(impl_.device, stop_);
         auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
@@ -95,7 +95,7 @@ private:
     }
 
     /// Those of the mesh, which outlives the hierarchy, unless some triangle has to be another here.
-    void set_indices(const embree::Geometry& geometry, const TruthMesh& mesh, const glm::vec3* corners) {
+    void set_indices(const embree::Geometry& geometry, const ReferenceMesh& mesh, const glm::vec3* corners) {
         constexpr std::size_t kStride = 3 * sizeof(std::uint32_t);
         // A needle that rounding made straight can be hit where nothing is; a point cannot.
         const auto is_needle = [&](std::size_t i) {
@@ -119,7 +119,7 @@ private:
         for (const std::size_t i : needles) indices[i + 1] = indices[i + 2] = indices[i];
     }
 
-    embree::Geometry instance(const TruthObject& o, const glm::dmat4& unit_from_mesh) {
+    embree::Geometry instance(const ReferenceObject& o, const glm::dmat4& unit_from_mesh) {
         RTCScene& mesh_scene = shared_[o.mesh.get()];
         if (!mesh_scene) {
             embree::Scene scene = new_scene();
@@ -141,7 +141,8 @@ private:
 
 }  // namespace
 
-TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Workers& workers, Instancing instancing)
+ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers,
+                               Instancing instancing)
     : geometry_(std::move(geometry)), impl_(std::make_unique<Impl>()) {
     Impl& i = *impl_;
     i.geometry = geometry_.get();
@@ -155,16 +156,16 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     };
     rtcSetDeviceMemoryMonitorFunction(i.device.get(), taken, &i.held);
 
-    std::map<const TruthMesh*, int> uses;
+    std::map<const ReferenceMesh*, int> uses;
     std::size_t flattened = 0;
-    for (const TruthObject& o : geometry_->objects)
+    for (const ReferenceObject& o : geometry_->objects)
         if (o.casts) ++uses[o.mesh.get()], flattened += o.mesh->triangles();
     const bool share =
         instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMostFlattened);
     Builder builder(i, workers);
     i.scene = builder.new_scene();
     for (std::uint32_t k = 0; k < geometry_->objects.size(); ++k) {
-        const TruthObject& o = geometry_->objects[k];
+        const ReferenceObject& o = geometry_->objects[k];
         if (!o.casts || o.mesh->indices.empty()) continue;
         builder.add(k, share && uses[o.mesh.get()] > 1);
     }
@@ -172,13 +173,13 @@ TruthScene::TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Work
     if (workers.progress) workers.progress(1);
 }
 
-TruthScene::~TruthScene() = default;
+ReferenceScene::~ReferenceScene() = default;
 
-std::size_t TruthScene::triangle_count() const {
+std::size_t ReferenceScene::triangle_count() const {
     return impl_->triangles;
 }
 
-std::size_t TruthScene::instance_count() const {
+std::size_t ReferenceScene::instance_count() const {
     return impl_->instances;
 }
 

@@ -19,19 +19,19 @@ enum class Instancing {
 
 /// Traces in a frame of its own: centred on the scene's bounds and scaled by a power of two to about unit size, both in
 /// double, so that single-precision rays lose nothing at any scale and distance from the origin.
-class TruthScene {
+class ReferenceScene {
 public:
     static constexpr std::size_t kMostFlattened = 4'000'000;
 
     /// @throws Error when memory runs out; Cancelled
-    explicit TruthScene(std::shared_ptr<const TruthGeometry> geometry, const Workers& workers = {},
-                        Instancing instancing = Instancing::Automatic);
-    ~TruthScene();
-    TruthScene(const TruthScene&) = delete;
-    TruthScene& operator=(const TruthScene&) = delete;
+    explicit ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers = {},
+                            Instancing instancing = Instancing::Automatic);
+    ~ReferenceScene();
+    ReferenceScene(const ReferenceScene&) = delete;
+    ReferenceScene& operator=(const ReferenceScene&) = delete;
 
-    const TruthGeometry& geometry() const { return *geometry_; }
-    std::shared_ptr<const TruthGeometry> shared_geometry() const { return geometry_; }
+    const ReferenceGeometry& geometry() const { return *geometry_; }
+    std::shared_ptr<const ReferenceGeometry> shared_geometry() const { return geometry_; }
     /// What the hierarchy holds, instances counted.
     std::size_t triangle_count() const;
     /// How many objects share a mesh in it.
@@ -41,7 +41,7 @@ public:
     const Impl& impl() const { return *impl_; }
 
 private:
-    std::shared_ptr<const TruthGeometry> geometry_;
+    std::shared_ptr<const ReferenceGeometry> geometry_;
     std::unique_ptr<Impl> impl_;
 };
 

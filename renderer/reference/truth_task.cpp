@@ -19,10 +19,10 @@ void add_view(Key& key, const LightView& view) {
         key.add(glm::dot(view.eye, view.axes[2]) - view.curve.near);
 }
 
-Key query_key(const TruthQuery& query) {
+Key query_key(const ReferenceQuery& query) {
     Key key;
     const Emitter& e = query.emitter;
-    const TruthOptions& o = query.options;
+    const ReferenceOptions& o = query.options;
     key.add(e.type)
         .add(e.position_ws)
         .add(e.to_light)
@@ -76,24 +76,24 @@ FloatImage every_nth(const FloatImage& image, int step) {
     return out;
 }
 
-std::uint64_t truth_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
-                        const std::vector<FittedLight>& lights, int light, const TruthOptions& options) {
+std::uint64_t reference_key(const Scene& scene, const Settings& settings, const Camera& camera, int width, int height,
+                            const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options) {
     if (light < 0 || std::size_t(light) >= lights.size()) return 0;
     const PixelRaster raster{width, height, std::max(options.step, 1)};
-    return query_key(truth_query(scene, settings, lights, light, options))
+    return query_key(reference_query(scene, settings, lights, light, options))
         .add(receivers_key(scene, camera, raster))
-        .add(truth_geometry_key(scene, settings).value())
+        .add(reference_geometry_key(scene, settings).value())
         .value();
 }
 
-TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
-                     int light, const TruthOptions& options) {
+ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
+                             const FrameRequest& request, int light, const ReferenceOptions& options) {
     FrameRequest wanted = request;
     wanted.outputs = {.colour = false, .surface_ids = true};
     wanted.timing = wanted.force = false;
     const FrameResult frame = renderer.render(scene, settings, wanted);
-    TruthTask task;
-    task.query = truth_query(scene, settings, frame.lights, light, options);
+    ReferenceTask task;
+    task.query = reference_query(scene, settings, frame.lights, light, options);
     task.geometry = ray_scenes().geometry(scene, settings);
     task.camera = frame.camera;
     task.raster = {request.width, request.height, std::max(options.step, 1)};
@@ -106,8 +106,8 @@ TruthTask truth_task(Renderer& renderer, const Scene& scene, const Settings& set
     return task;
 }
 
-TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
-    TracedTruth out;
+TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& workers) {
+    TracedReference out;
     if (!scene_ || scene_->geometry().key != task.geometry->key) {
         scene_ = ray_scenes().find(task.geometry->key);  // lets go of the old one's memory first
         if (!scene_)
@@ -120,22 +120,25 @@ TracedTruth TruthCache::trace(const TruthTask& task, const Workers& workers) {
         });
         receivers_key_ = task.receivers_key;
     }
-    auto found = std::find_if(truths_.begin(), truths_.end(), [&](const Known& t) { return t.key == task.key; });
-    if (found == truths_.end()) {
-        Known known{.key = task.key, .truth = {}, .runs = {}};
-        known.truth = timed(out.trace_ms, [&] {
-            return std::make_shared<Truth>(trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
+    auto found =
+        std::find_if(references_.begin(), references_.end(), [&](const Known& t) { return t.key == task.key; });
+    if (found == references_.end()) {
+        Known known{.key = task.key, .reference = {}, .runs = {}};
+        known.reference = timed(out.trace_ms, [&] {
+            return std::make_shared<Reference>(
+                trace_visibility(*scene_, *receivers_, task.query, workers.part(0.2, 0.9)));
         });
         known.runs = timed(out.runs_ms, [&] {
             return std::make_shared<ShadowRuns>(
-                shadow_runs(*known.truth, *receivers_, task.camera, task.raster, task.query, workers.part(0.9, 1)));
+                shadow_runs(*known.reference, *receivers_, task.camera, task.raster, task.query, workers.part(0.9, 1)));
         });
-        truths_.push_front(std::move(known));
-        if (truths_.size() > kKept) truths_.pop_back();
+        references_.push_front(std::move(known));
+        if (references_.size() > kKept) references_.pop_back();
     } else {
-        truths_.splice(truths_.begin(), truths_, found);
+        references_.splice(references_.begin(), references_, found);
     }
-    out.scene = scene_, out.receivers = receivers_, out.truth = truths_.front().truth, out.runs = truths_.front().runs;
+    out.scene = scene_, out.receivers = receivers_, out.reference = references_.front().reference,
+    out.runs = references_.front().runs;
     return out;
 }
 

@@ -305,9 +305,9 @@ std::string HardCaseView::name() const {
 }
 
 std::string HardCaseView::about() const {
-    if (row->broken.empty()) return fmt::format("{} As it holds here: {}", row->fault, row->remedy);
-    return fixed ? fmt::format("Mended. {} Without: {}", row->remedy, row->fault)
-                 : fmt::format("{} What mends it (Page down): {}", row->fault, row->remedy);
+    if (row->broken.empty()) return fmt::format("{} As it holds here: {}", row->fault, row->fix);
+    return fixed ? fmt::format("Mended. {} Without: {}", row->fix, row->fault)
+                 : fmt::format("{} What mends it (Page down): {}", row->fault, row->fix);
 }
 
 Settings HardCaseView::settings() const {

@@ -18,7 +18,7 @@ struct HardCase {
     std::string_view key;      ///< "grazing": its scene and preset are "hard/grazing", mended "hard/grazing-fixed"
     std::string_view title;    ///< a few words
     std::string_view fault;    ///< what goes wrong, a sentence
-    std::string_view remedy;   ///< what mends it, a sentence
+    std::string_view fix;      ///< what mends it, a sentence
     std::string_view measure;  ///< what is measured with the remedy in force; less is better
     double limit = 0;          ///< the most that the measure may be
     std::string_view unit;

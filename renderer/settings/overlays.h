@@ -29,7 +29,7 @@ struct Overlay {
     bool reads_visibility = false;  ///< asks for the visibility texture
     bool names_causes = false;      ///< its colours are those of causes; their legend has numbers
     bool names_views = false;       ///< its colours are those of a light's views
-    bool reads_truth = false;       ///< asks for the traced truth and for what it makes of the visibility
+    bool reads_reference = false;   ///< asks for the traced truth and for what it makes of the visibility
     bool reads_precision = false;   ///< asks for what double precision says of the look-ups
     bool as_drawn = false;          ///< of look-ups that save what the picture's save
     OverlayDraw draw = OverlayDraw::Fragments;

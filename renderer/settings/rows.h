@@ -22,7 +22,7 @@ std::span<const Param> shading_rows();
 std::span<const Param> camera_rows();
 std::span<const Param> scene_rows();
 std::span<const Param> view_rows();
-std::span<const Param> truth_rows();
+std::span<const Param> reference_rows();
 std::span<const Param> object_rows();
 
 namespace rows {

@@ -185,7 +185,7 @@ std::string_view area_idle(const Settings& s, int) {
     return s.truth.area ? "" : "without effect: truth.area is off";
 }
 
-constexpr auto kTruth = std::to_array<Param>({
+constexpr auto kReference = std::to_array<Param>({
     {SI_FIELD(truth.area), .label = "Area light (soft shadows)", .unit = "",
      .help = "Compare with an area light (light.size), which casts penumbras. Off: with a point or a direction, "
              "which casts hard shadows.",
@@ -201,7 +201,7 @@ constexpr auto kTruth = std::to_array<Param>({
      .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
              "resolution)."},
 });
-static_assert(kTruth.size() == members<TruthSettings>(), "a member of TruthSettings has no row");
+static_assert(kReference.size() == members<ReferenceSettings>(), "a member of TruthSettings has no row");
 
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},
@@ -240,8 +240,8 @@ std::span<const Param> scene_rows() {
     return kScene;
 }
 
-std::span<const Param> truth_rows() {
-    return kTruth;
+std::span<const Param> reference_rows() {
+    return kReference;
 }
 
 std::span<const Param> object_rows() {

@@ -258,12 +258,12 @@ struct ViewSettings {
 };
 
 /// The ray-traced truth that the shadows of view.light are compared with.
-struct TruthSettings {
+struct ReferenceSettings {
     bool area = false;
     int samples = 1024;
     double noise = 0.005;
     int step = 1;
-    bool operator==(const TruthSettings&) const = default;
+    bool operator==(const ReferenceSettings&) const = default;
 };
 
 /// What one object does differently from the scene; keyed by its node path.
@@ -290,7 +290,7 @@ struct Settings {
     LightMapSettings light_map;
     ShadingSettings shading;
     ViewSettings view;
-    TruthSettings truth;
+    ReferenceSettings truth;
     std::map<std::string, ObjectSettings> objects;
     bool operator==(const Settings&) const = default;
 };

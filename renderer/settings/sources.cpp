@@ -64,7 +64,7 @@ constexpr Source kSourceRows[] = {
              "slow: rays are traced on the CPU before the frame is drawn, and their time is not in the frame's. Until "
              "they are traced, the light has no shadow; on blended surfaces it never has.",
      .paper = "Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS 1968",
-     .needs = {.truth = true}},
+     .needs = {.reference = true}},
     {.key = "light-map",
      .label = "light map",
      .help = "Rays are traced once, for texels that lie on all surfaces of the scene, and looked up with bilinear "

@@ -15,7 +15,7 @@ struct SourceNeeds {
     bool stencil = false;       ///< a stencil buffer of its own
     bool before = false;        ///< in which it counts faces before the surface, not those behind it
     bool camera_depth = false;  ///< the depth that the camera sees
-    bool truth = false;         ///< FrameRequest::traced
+    bool reference = false;     ///< FrameRequest::traced
     bool blobs = false;         ///< a blob below each caster
     bool light_map = false;     ///< FrameRequest::light_maps
 };

@@ -12,7 +12,7 @@ std::span<const Param> params() {
         std::vector<Param> all;
         for (const auto group :
              {map_rows(), bias_rows(), light_rows(), volume_rows(), contact_rows(), blob_rows(), light_map_rows(),
-              shading_rows(), camera_rows(), scene_rows(), view_rows(), truth_rows(), object_rows()}) {
+              shading_rows(), camera_rows(), scene_rows(), view_rows(), reference_rows(), object_rows()}) {
             all.insert(all.end(), group.begin(), group.end());
         }
         for (Param& p : all) {

@@ -268,8 +268,8 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
     return out;
 }
 
-CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area) {
-    CalledMaps out;
+NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area) {
+    NeededMaps out;
     if (area.light_alone && light.radiance == glm::dvec3(0)) {
         out.views.resize(light.views.size());
         out.uncalled = kBringsNothing;

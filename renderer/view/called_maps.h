@@ -60,13 +60,13 @@ struct LookupArea {
     bool light_alone = false;  ///< visibility counts only where light arrives
 };
 
-struct CalledMaps {
+struct NeededMaps {
     std::vector<MapCells> views;  ///< of each of the light's
     std::string uncalled;         ///< why all of them are empty; empty: they are not
 };
 
 /// What of the maps of a light that casts is read. A caster may be left out of a view if it covers nothing of its
 /// region.
-CalledMaps called_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area);
+NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area);
 
 }  // namespace si

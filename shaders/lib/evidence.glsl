@@ -91,7 +91,7 @@ float depth_of_gap(Receiver r, float metres) {
 }
 
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
-Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
+Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     Evidence e;
     float reach = light_of(r.light).kernel.y;
     vec2 gradient = plane_gradient(r);
@@ -115,7 +115,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 truth, vec4 more) {
     float offset_m = bias_normal * r.texel_m;
     e.strip_bias_m = max(bias_along_ray_m(r) - offset_m * r.geometric_n_dot_l, 0.0) * sine;
     e.strip_offset_m = offset_m * sine / cosine;
-    e.gap_drawn = depth_of_gap(r, truth.y);
+    e.gap_drawn = depth_of_gap(r, reference.y);
     e.gap_all = depth_of_gap(r, more.x);
     e.run_m = more.w, e.edge_m = more.z;
 

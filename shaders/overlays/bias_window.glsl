@@ -5,8 +5,8 @@
 #include "lib/bias_along_ray.glsl"
 
 vec4 overlay(Receiver r) {
-    vec4 truth = truth_here();
-    if (!counts(truth) || r.where != INSIDE || truth.y < 0.0) return vec4(NOTHING);  // nothing stands before it
-    float gap_texels = truth.y * axis_per_ray(r) / r.texel_m;
+    vec4 reference = reference_here();
+    if (!counts(reference) || r.where != INSIDE || reference.y < 0.0) return vec4(NOTHING);  // nothing stands before it
+    float gap_texels = reference.y * axis_per_ray(r) / r.texel_m;
     return vec4(gap_texels - texels_nearer(r, least_bias(r, plane_gradient(r))));
 }

@@ -5,16 +5,16 @@
 #include "lib/cause.glsl"
 #include "lib/drawn_visibility.glsl"
 
-layout(location = 0) out vec2 judged_out;  // judgement()
+layout(location = 0) out vec2 classified_out;  // judgement()
 
 void main() {
-    vec4 truth = truth_here(), more = more_truth_here();
+    vec4 reference = reference_here(), more = more_reference_here();
     Receiver r = make_receiver(seen_surface(), LIGHT_INDEX);
     float v = drawn_visibility();
     int place = place_in_map(r);
-    int bits = compared_bits(v, truth, place == PLACE_OUTSIDE);
+    int bits = compared_bits(v, reference, place == PLACE_OUTSIDE);
 #if HAS_MAP
-    Evidence e = gather_evidence(r, v, truth, more);
+    Evidence e = gather_evidence(r, v, reference, more);
 #endif
     Cause why;
     if ((hard_visibility(more) < 0.5) == (v < 0.5))
@@ -30,8 +30,8 @@ void main() {
 #else
         why = cause_of_false_shadow(e, place);
 #endif
-    if (why.artefact == ARTEFACT_ACNE && true_visibility(truth) == 1.0) bits |= ANY_ACNE;
+    if (why.artefact == ARTEFACT_ACNE && true_visibility(reference) == 1.0) bits |= ANY_ACNE;
 #endif
     if (why.seam) bits |= SEAM;
-    judged_out = judgement(why.artefact, bits | why.also << ALSO_SHIFT, v);
+    classified_out = classification(why.artefact, bits | why.also << ALSO_SHIFT, v);
 }

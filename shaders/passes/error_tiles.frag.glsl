@@ -14,14 +14,14 @@ int tile_number(int artefact) {
 }
 
 void main() {
-    ivec2 first = ivec2(gl_FragCoord.xy) * TILE, end = min(first + TILE, textureSize(truth_map, 0));
+    ivec2 first = ivec2(gl_FragCoord.xy) * TILE, end = min(first + TILE, textureSize(reference_map, 0));
     vec4 dark[ARTEFACT_LAYERS], bright[ARTEFACT_LAYERS], noted = vec4(0.0), sums = vec4(0.0);
     for (int i = 0; i < ARTEFACT_LAYERS; ++i) dark[i] = bright[i] = vec4(0.0);
     for (int y = first.y; y < end.y; ++y)
         for (int x = first.x; x < end.x; ++x) {
-            vec4 judged = texelFetch(judged_map, ivec2(x * TRUTH_STEP, TRUTH_ROWS - 1 - y * TRUTH_STEP), 0);
-            int bits = judged_bits(judged), artefact = judged_artefact(judged);
-            float v = judged_visibility(judged), r = true_visibility(texelFetch(truth_map, ivec2(x, y), 0));
+            vec4 classified = texelFetch(classified_map, ivec2(x * REFERENCE_STEP, REFERENCE_ROWS - 1 - y * REFERENCE_STEP), 0);
+            int bits = classified_bits(classified), artefact = classified_artefact(classified);
+            float v = classified_visibility(classified), r = true_visibility(texelFetch(reference_map, ivec2(x, y), 0));
             float counts = float(bits / COUNTS & 1), fs = float(bits & FALSE_SHADOW), fl = float(bits / FALSE_LIGHT & 1);
             float d = counts * (v - r), v_dark = counts * float(v < 0.5), r_dark = counts * float(r < 0.5);
             for (int i = 0; i < ARTEFACT_LAYERS; ++i) {

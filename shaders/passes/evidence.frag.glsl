@@ -34,12 +34,12 @@ void main() {
     Receiver r = make_receiver(s, LIGHT_INDEX);
     float v = light_visibility(s, LIGHT_INDEX);
     if (isnan(v)) v = 0.0;
-#if TRUTH_KNOWN
-    vec4 truth = truth_here(), more = more_truth_here();
+#if REFERENCE_KNOWN
+    vec4 reference = reference_here(), more = more_reference_here();
 #else
-    vec4 truth = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
+    vec4 reference = vec4(0.0, -1.0, 0.0, 0.0), more = vec4(-1.0, 0.0, 3e38, 3e38);
 #endif
-    Evidence e = gather_evidence(r, v, truth, more);
+    Evidence e = gather_evidence(r, v, reference, more);
     out_0 = vec4(float(place_in_map(r)), v, e.beyond_lit, e.beyond_dark);
     out_1 = vec4(e.least, e.least_nearest, e.worth, e.applied);
     out_2 = vec4(e.slack, e.own, e.offset, e.texel_m);

@@ -45,7 +45,7 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     Settings settings;
     for (const auto& [key, value] : scene.suggested) set_setting(settings, key, value);
     settings = measured_settings(settings);
-    TruthCache cache;
+    ReferenceCache cache;
     const AdviceOptions options;
     const Workers workers;
     AutopilotMeter counted{rendered_meter(renderer, scene, kPilotWidth, kPilotHeight, options, cache, workers), {}, {}};
@@ -54,11 +54,11 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     counted.now_s = [] { return 0.0; };
     std::vector<AutopilotCase> all = run_autopilot(settings, searched_axes(), {.most_error = 1}, counted).cases;
     std::vector<double> errors;
-    for (const AutopilotCase& c : all) errors.push_back(c.judged.error);
+    for (const AutopilotCase& c : all) errors.push_back(c.classified.error);
     std::sort(errors.begin(), errors.end());
     const AutopilotGoals goals{.most_error = errors[std::size_t(share * double(errors.size() - 1))],
                                .most_combinations = most_combinations};
-    std::erase_if(all, [&](const AutopilotCase& c) { return c.judged.error > *goals.most_error; });
+    std::erase_if(all, [&](const AutopilotCase& c) { return c.classified.error > *goals.most_error; });
 
     Measurer measurer(renderer, kPilotWidth, kPilotHeight);
     std::vector<TimedFrames> frames;
@@ -86,7 +86,7 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     state.counters["combinations"] = double(found.combinations), state.counters["judged"] = double(found.cases.size());
     state.counters["that_hold"] = double(all.size());
     state.counters["same"] = found.best.settings == all[optimum].settings;
-    state.counters["error"] = found.best.judged.error, state.counters["most_error"] = *goals.most_error;
+    state.counters["error"] = found.best.classified.error, state.counters["most_error"] = *goals.most_error;
     std::string untried;
     for (const std::string& u : found.untried) untried += "; " + u;
     state.SetLabel(found.summary + untried);

@@ -91,7 +91,7 @@ void agreed_map(benchmark::State& state, const Settings& all) {
     FrameRequest request{.width = 16, .height = 9, .force = true};
     request.outputs = {.colour = false, .shadow_map = true};
     FrameRequest forced = request;
-    forced.forced = {Saving::Casters};
+    forced.forced = {Optimisation::Casters};
     Settings both_sides = all;
     both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
     in_turn(
@@ -103,7 +103,7 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
     HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = 160, .height = 90}, whole = request;
-    whole.forced = {Saving::Views};
+    whole.forced = {Optimisation::Views};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
     in_turn(
         state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
@@ -116,7 +116,7 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     Renderer renderer;
     s.lights[0].cast = false;
     FrameRequest request{.width = 160, .height = 90}, all = request;
-    all.forced = {Saving::InSight};
+    all.forced = {Optimisation::InSight};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
     in_turn(
         state, [&] { turn(), renderer.render(scene, s, all); }, [&] { turn(), renderer.render(scene, s, request); });
@@ -136,7 +136,7 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     for (auto _ : state) {
         std::optional<SeenBodies> seen;
         seen_ms.push_back(wall_ms([&] { seen.emplace(seen_bodies(scene, facts.camera, 720, of_mesh)); }));
-        called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(called_maps(facts.lights[0], *seen, area)); }));
+        called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(needed_maps(facts.lights[0], *seen, area)); }));
         state.SetIterationTime((seen_ms.back() + called_ms.back()) / 1000);
     }
     state.counters["seen_ms"] = median(seen_ms), state.counters["called_ms"] = median(called_ms);
@@ -159,8 +159,8 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     for (int i = 0; i < movers; ++i) add_object(scene, "Mover", -1, box);
     finalise(scene);
     FrameRequest request{.width = 16, .height = 9}, whole = request, nothing = request;
-    request.forced = {Saving::Views};  // the camera sees them whole
-    whole.forced = {Saving::Views, Saving::Resting};
+    request.forced = {Optimisation::Views};  // the camera sees them whole
+    whole.forced = {Optimisation::Views, Optimisation::Static};
     nothing.outputs.colour = false;
     double turn = 0;
     int kept = 0;
@@ -170,7 +170,7 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         FrameResult frame;
         const double ms = finished_ms([&] { frame = by.render(scene, s, asked); });
         for (const PassInfo& pass : frame.passes)
-            for (const PartInfo& part : pass.parts) kept += part.by == Saving::Resting && part.left_out > 0;
+            for (const PartInfo& part : pass.parts) kept += part.by == Optimisation::Static && part.left_out > 0;
         return ms;
     };
     const auto move_on = [&] {

@@ -171,8 +171,8 @@ private:
         glFinish();
     }
     void trace() {
-        TruthCache cache;
-        cache.trace(truth_task(renderer_, scene_, settings_, kCurveFrame, 0, {.nearest = false}));
+        ReferenceCache cache;
+        cache.trace(reference_task(renderer_, scene_, settings_, kCurveFrame, 0, {.nearest = false}));
     }
     template <typename Work>
     void take(const char* name, Work&& work) {

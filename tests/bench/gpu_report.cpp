@@ -97,7 +97,7 @@ public:
     void add(const std::string& key, const std::string& question, const Sets& common, const Sets& a, const Sets& b) {
         to_.add(key, question, way(common, a, {}), way(common, b, {}));
     }
-    void add_saving(const SavingRow& row, Saving saving) {
+    void add_optimisation(const OptimisationRow& row, Optimisation saving) {
         Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
         made.name = "made", forced.name = "not made";
         to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
@@ -115,7 +115,7 @@ private:
     Choices& to_;
     Scene scene_ = test::agreed_scene(test::AgreedSize::Triangles100k);
 
-    Way way(const Sets& common, const Sets& own, const SavingSet& forced, std::optional<bool> as_images = {}) {
+    Way way(const Sets& common, const Sets& own, const OptimisationSet& forced, std::optional<bool> as_images = {}) {
         Settings s;
         s.lights[0].elevation = 45;
         std::string name;
@@ -240,7 +240,7 @@ void add_renderer_choices(Renderer& renderer, Choices& to) {
                 {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
     choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},
                 {{"map.format", "d32f"}}, {{"map.format", "d16"}});
-    for (std::size_t i = 0; i < kSavings; ++i) choices.add_saving(savings()[i], Saving(i));
+    for (std::size_t i = 0; i < kOptimisations; ++i) choices.add_optimisation(savings()[i], Optimisation(i));
 }
 
 }  // namespace

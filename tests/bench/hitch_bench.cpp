@@ -220,7 +220,7 @@ std::vector<Tool> all_tools() {
         press_key("compare_with_truth", 'B'),
         {.name = "compare_with_a",
          .steps = {[](Hands& h) {
-             h.state().against = {.view = AgainstView::SideBySide, .truth = false};
+             h.state().against = {.view = AgainstView::SideBySide, .reference = false};
              h.state().compare = {CompareKind::Pinned, {}};
          }},
          .before = pin_and_change},

@@ -25,10 +25,10 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
     set_setting(s, "light.fit", "scene");  // a map in which enough is wrong
     for (const auto& [key, value] : sets) set_setting(s, key, value);
     FrameRequest request{.width = 1280, .height = 720, .outputs = {.colour = false, .error = true}};
-    TruthCache cache;
-    render_with_truth(renderer, scene, s, request, cache);
+    ReferenceCache cache;
+    render_with_reference(renderer, scene, s, request, cache);
     request.timing = request.force = true;
-    std::vector<double> ratios, moved, judging, visibility, compared, causes, unfiltered, seen;
+    std::vector<double> ratios, moved, classifying, visibility, compared, causes, unfiltered, seen;
     double wrong = 0;
     for (auto _ : state) {
         const FrameResult f = renderer.render(scene, s, request);
@@ -36,13 +36,13 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
         compared.push_back(ms("pixels compared")), causes.push_back(ms("causes found")),
             unfiltered.push_back(ms("unfiltered map"));
         seen.push_back(ms("surfaces seen"));
-        judging.push_back(compared.back() + causes.back());
+        classifying.push_back(compared.back() + causes.back());
         visibility.push_back(ms("visibility"));
-        ratios.push_back(judging.back() / visibility.back());
-        moved.push_back((judging.back() + seen.back() + unfiltered.back()) / visibility.back());
+        ratios.push_back(classifying.back() / visibility.back());
+        moved.push_back((classifying.back() + seen.back() + unfiltered.back()) / visibility.back());
         wrong = f.error->metrics.false_light + f.error->metrics.false_shadow;
     }
-    state.counters["judging_ms"] = median(judging);
+    state.counters["judging_ms"] = median(classifying);
     state.counters["compared_ms"] = median(compared);
     state.counters["causes_ms"] = median(causes);
     state.counters["surfaces_ms"] = median(seen);

@@ -19,7 +19,7 @@ namespace {
 
 struct LookupCase {
     const char* kernel;
-    Saving saving;
+    Optimisation saving;
     std::vector<std::pair<const char*, const char*>> sets;
     bool ground_casts = true;
 };
@@ -28,7 +28,7 @@ double drawn_ms(Renderer& renderer, const Scene& scene, const Settings& s, const
     return finished_ms([&] { renderer.render(scene, s, request); });
 }
 
-void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
+void lookups(benchmark::State& state, const LookupCase& c, bool again) {
     HeadlessContext context;
     Renderer saving, forced;
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
@@ -39,7 +39,7 @@ void lookups(benchmark::State& state, const LookupCase& c, bool anew) {
     if (!c.ground_casts) s.objects["ground"].cast = false;
     FrameRequest request{.width = 1280, .height = 720}, all = request;
     all.forced = {c.saving};
-    request.force = all.force = anew;
+    request.force = all.force = again;
     std::vector<double> ratios, ms;
     int round = 0;
     const auto both = [&] {
@@ -68,25 +68,25 @@ void register_lookup_benchmarks(int rounds) {
     std::vector<LookupCase> cases;
     for (const char* taps : {"16", "32", "64"})
         for (const char* kernel : {"poisson", "vogel", "pcss", "dpcf"})
-            cases.push_back({kernel, Saving::EarlyOut, {{"filter.taps", taps}, {"filter.blocker_taps", taps}}});
+            cases.push_back({kernel, Optimisation::EarlyOut, {{"filter.taps", taps}, {"filter.blocker_taps", taps}}});
     for (const char* size : {"7", "9", "15"})
         for (const char* kernel : {"pcf", "gauss"})
-            cases.push_back({kernel, Saving::EarlyOut, {{"filter.size", size}}});
-    cases.push_back({"smrt", Saving::EarlyOut, {}});
-    cases.push_back({"smrt", Saving::EarlyOut, {{"filter.rays", "32"}}});
-    cases.push_back({"pcss", Saving::Blockers, {{"light.size", "0"}}});
-    cases.push_back({"hard", Saving::Facing, {}});
-    cases.push_back({"pcf3", Saving::Facing, {}});
+            cases.push_back({kernel, Optimisation::EarlyOut, {{"filter.size", size}}});
+    cases.push_back({"smrt", Optimisation::EarlyOut, {}});
+    cases.push_back({"smrt", Optimisation::EarlyOut, {{"filter.rays", "32"}}});
+    cases.push_back({"pcss", Optimisation::Blockers, {{"light.size", "0"}}});
+    cases.push_back({"hard", Optimisation::Facing, {}});
+    cases.push_back({"pcf3", Optimisation::Facing, {}});
     for (const char* kernel : {"hard", "pcf5"})  // one light of four shines
         cases.push_back({kernel,
-                         Saving::Uncalled,
+                         Optimisation::Uncalled,
                          {{"light.count", "4"},
                           {"light.1.intensity", "0"},
                           {"light.2.intensity", "0"},
                           {"light.3.intensity", "0"}}});
     for (const char* kernel : {"hard", "pcf5"})  // below three of four lights nothing casts
         cases.push_back({kernel,
-                         Saving::Uncalled,
+                         Optimisation::Uncalled,
                          {{"light.count", "4"},
                           {"light.1.type", "spot"},
                           {"light.2.type", "spot"},
@@ -105,10 +105,10 @@ void register_lookup_benchmarks(int rounds) {
                           {"light.3.target_z", "19.2"}},
                          false});
     for (const LookupCase& c : cases)
-        for (const bool anew : {false, true})
+        for (const bool again : {false, true})
             benchmark::RegisterBenchmark(
-                fmt::format("lookups/{}/{}/{}", row_of(c.saving).key, c.kernel, anew ? "anew" : "kept").c_str(),
-                [c, anew](benchmark::State& state) { lookups(state, c, anew); })
+                fmt::format("lookups/{}/{}/{}", row_of(c.saving).key, c.kernel, again ? "anew" : "kept").c_str(),
+                [c, again](benchmark::State& state) { lookups(state, c, again); })
                 ->UseManualTime()
                 ->Unit(benchmark::kMillisecond)
                 ->Iterations(rounds);

@@ -41,7 +41,7 @@ void memory_by_holder(benchmark::State& state) {
         // What programs and images take is no part of a scene.
         const Scene small = test::agreed_scene(test::AgreedSize::Triangles100k);
         renderer.render(small, {}, request);
-        { TruthCache().trace(truth_task(renderer, small, {}, request, 0, {.nearest = false})); }
+        { ReferenceCache().trace(reference_task(renderer, small, {}, request, 0, {.nearest = false})); }
         glFinish();
         auto grown = [before = resident_bytes()]() mutable {
             const double now = resident_bytes();
@@ -61,11 +61,11 @@ void memory_by_holder(benchmark::State& state) {
         glFinish();
         state.counters["driver"] = grown() / triangles;
         state.counters["told_vertices"] = told("scene's vertices") / triangles;
-        TruthCache cache;
-        TruthTask task = truth_task(renderer, scene, {}, request, 0, {.nearest = false});
+        ReferenceCache cache;
+        ReferenceTask task = reference_task(renderer, scene, {}, request, 0, {.nearest = false});
         state.counters["truth_copy"] = grown() / triangles;
         state.counters["told_scenes"] = told("scenes") / triangles;
-        const TracedTruth traced = cache.trace(task);
+        const TracedReference traced = cache.trace(task);
         task = {};
         state.counters["hierarchy_and_truth"] = grown() / triangles;
         state.counters["told_hierarchies"] = told("hierarchies of rays") / triangles;
@@ -74,7 +74,7 @@ void memory_by_holder(benchmark::State& state) {
         Settings turned;
         turned.lights[0].azimuth += 30;
         renderer.render(scene, turned, request);
-        cache.trace(truth_task(renderer, scene, turned, request, 0, {.nearest = false}));
+        cache.trace(reference_task(renderer, scene, turned, request, 0, {.nearest = false}));
         glFinish();
         state.counters["second_light"] = grown() / triangles;
         state.counters["triangles"] = triangles;

@@ -40,8 +40,8 @@ struct Taken {
 
 /// The view to be traced, and the same rays for a hierarchy without any of our care.
 struct Bench {
-    TruthTask task;
-    std::unique_ptr<TruthScene> casters;
+    ReferenceTask task;
+    std::unique_ptr<ReferenceScene> casters;
     Receivers receivers;
     embree::Device device{rtcNewDevice(nullptr)};
     embree::Scene scene{rtcNewScene(device.get())}, robust{rtcNewScene(device.get())};
@@ -56,8 +56,8 @@ struct Bench {
         const Scene loaded = test::agreed_scene(size);
         Settings settings;
         settings.lights[0].elevation = 45;
-        task = truth_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
-        casters = std::make_unique<TruthScene>(task.geometry);
+        task = reference_task(renderer, loaded, settings, {.width = 1280, .height = 720}, 0, {.nearest = false});
+        casters = std::make_unique<ReferenceScene>(task.geometry);
         receivers = place_receivers(*task.geometry, task.camera, task.ids, {});
         centre = loaded.bounds.centre();
         lift = 1e-4 * loaded.bounds.radius();
@@ -78,7 +78,7 @@ struct Bench {
     }
 
     void add(std::uint32_t object) {
-        const TruthObject& o = task.geometry->objects[object];
+        const ReferenceObject& o = task.geometry->objects[object];
         const embree::Geometry geometry(rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
         auto* corners = static_cast<glm::vec3*>(rtcSetNewGeometryBuffer(
             geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(glm::vec3), o.mesh->positions.size()));
@@ -125,7 +125,7 @@ struct Bench {
     }
 };
 
-void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
+void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
     static std::map<test::AgreedSize, std::unique_ptr<Bench>> benches;
     auto& bench = benches[size];
     if (!bench) bench = std::make_unique<Bench>(size);
@@ -183,12 +183,12 @@ void truth_against_bare(benchmark::State& state, test::AgreedSize size) {
     state.counters["rays"] = double(bench->rays.size());
 }
 
-BENCHMARK_CAPTURE(truth_against_bare, 100k, test::AgreedSize::Triangles100k)
+BENCHMARK_CAPTURE(reference_against_bare, 100k, test::AgreedSize::Triangles100k)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()
     ->Iterations(bench_rounds(9));
-BENCHMARK_CAPTURE(truth_against_bare, 1m, test::AgreedSize::Triangles1M)
+BENCHMARK_CAPTURE(reference_against_bare, 1m, test::AgreedSize::Triangles1M)
     ->Arg(1)
     ->Arg(2)
     ->UseManualTime()

@@ -308,8 +308,8 @@ TEST(Probe, ExplainsThePixelAndNamesWhatPutsItRight) {
     EXPECT_GT(own, 0);
     // What it says puts the pixel right does so.
     ASSERT_TRUE(d["remedy"].is_object());
-    const std::string remedy = d["remedy"]["key"].get<std::string>() + "=" + d["remedy"]["value"].get<std::string>();
-    const Json cured = json_of(with({"--set", remedy, "--json"}))["lights"][0];
+    const std::string fix = d["remedy"]["key"].get<std::string>() + "=" + d["remedy"]["value"].get<std::string>();
+    const Json cured = json_of(with({"--set", fix, "--json"}))["lights"][0];
     EXPECT_EQ(cured["visibility"], 1);
     EXPECT_TRUE(cured["dossier"]["remedy"].is_null());
     EXPECT_FALSE(json_of(with({"--no-truth", "--json"}))["lights"][0].contains("dossier"));

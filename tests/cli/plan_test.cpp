@@ -42,7 +42,7 @@ TEST(PlanCommand, TellsEachEffectWithItsReasonAndNoTimeUnlessMeasured) {
     }
     EXPECT_EQ(effect_of(plan, "shadow map 0 (directional)")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "contact shadows of light 0")["state"], "not called for");
-    EXPECT_EQ(plan["savings"].size(), kSavings);
+    EXPECT_EQ(plan["savings"].size(), kOptimisations);
     EXPECT_TRUE(plan["waste"].is_null());
     EXPECT_EQ(effect_of(plan_of({"--set", "light.cast=false"}), "shadow map 0 (directional)")["reason"],
               "light.cast is off.");

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-class TruthCommand : public testing::Test {
+class ReferenceCommand : public testing::Test {
 protected:
     void SetUp() override { folder_ = fresh_test_folder(); }
     /// The report; the picture is t.pfm.
@@ -27,7 +27,7 @@ protected:
     std::filesystem::path folder_;
 };
 
-TEST_F(TruthCommand, WritesThePictureAndItsFacts) {
+TEST_F(ReferenceCommand, WritesThePictureAndItsFacts) {
     const Json hard = trace({});
     const std::string picture = file_bytes(folder_ / "t.pfm");
     EXPECT_EQ(picture.size(), std::string("Pf\n160 90\n-1.0\n").size() + 160 * 90 * 4);
@@ -57,7 +57,7 @@ TEST_F(TruthCommand, WritesThePictureAndItsFacts) {
     EXPECT_EQ(area["hard_visibility_mean"], hard["visibility_mean"]);
 }
 
-TEST_F(TruthCommand, OfOneSampleHasUnknownNoise) {
+TEST_F(ReferenceCommand, OfOneSampleHasUnknownNoise) {
     const Json one = trace({"--area", "--set", "light.0.size=5", "--samples", "3"});
     EXPECT_TRUE(one["noise"].is_null()) << one["noise"];
     EXPECT_EQ(one["noise_unknown_px"], one["pixels"]["counted"]);
@@ -74,7 +74,7 @@ TEST_F(TruthCommand, OfOneSampleHasUnknownNoise) {
     EXPECT_EQ(m["truth"]["samples_used"]["mean"], 1);
 }
 
-TEST_F(TruthCommand, HasTheCulledFacesUnlessAsRasterised) {
+TEST_F(ReferenceCommand, HasTheCulledFacesUnlessAsRasterised) {
     // The stage has a wall of a single plane.
     const double all = trace({}, "stage")["visibility_mean"];
     EXPECT_EQ(trace({"--set", "caster.cull=front"}, "stage")["visibility_mean"], all);
@@ -84,7 +84,7 @@ TEST_F(TruthCommand, HasTheCulledFacesUnlessAsRasterised) {
     EXPECT_GT(std::max(front, back), all + 1e-3);
 }
 
-TEST_F(TruthCommand, RefusesWhatItCannotWrite) {
+TEST_F(ReferenceCommand, RefusesWhatItCannotWrite) {
     const auto code = [&](std::vector<std::string> arguments) {
         const ProcessResult r = run_program(arguments, folder_);
         EXPECT_TRUE(r.err.starts_with("shadow-inspector: ")) << r.err;

@@ -11,7 +11,7 @@ namespace {
 
 class AdviceTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     int width = 240, height = 160;
     Workers workers;
 
@@ -33,7 +33,7 @@ protected:
     /// Makes each change as the editor and --set do, and measures it as `measure` does.
     void keeps_what_it_says(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
         Measurer measurer(renderer, width, height);
-        Settings judged_as = s;
+        Settings classified_as = s;
         std::size_t shown = 0;
         for (const TriedAdvice& t : all) {
             if (!t.why_not.empty()) continue;
@@ -41,8 +41,8 @@ protected:
             SCOPED_TRACE(t.idea.sentence);
             Settings with = s;
             for (const auto& [key, value] : t.settings) set_setting(with, key, value);
-            judged_as.view.light = with.view.light = t.idea.light;
-            const Judgement before = measurer.judge(scene, judged_as), after = measurer.judge(scene, with);
+            classified_as.view.light = with.view.light = t.idea.light;
+            const Judgement before = measurer.judge(scene, classified_as), after = measurer.judge(scene, with);
             EXPECT_EQ(before.error.mae, t.before.error);
             EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
             if (t.idea.claim == Claim::Same) {
@@ -129,7 +129,7 @@ TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
         std::pair<int, int> maps_and_pictures{0, 0};
         for (int i = 0; i < 8; ++i)
             for (const PassInfo& pass : frames.next().passes)
-                if (pass.state == PassState::Ran)
+                if (pass.state == PassState::Drawn)
                     ++(pass.category == PassCategory::Maps ? maps_and_pictures.first : maps_and_pictures.second);
         return maps_and_pictures;
     };
@@ -160,16 +160,16 @@ TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
         ASSERT_EQ(known.cases.size(), 32u);
         for (const double share : {0.25, 0.5}) {
             std::vector<double> errors;
-            for (const AutopilotCase& c : known.cases) errors.push_back(c.judged.error);
+            for (const AutopilotCase& c : known.cases) errors.push_back(c.classified.error);
             std::sort(errors.begin(), errors.end());
             const AutopilotGoals goals{.most_error = errors[std::size_t(share * 31)], .most_combinations = 16};
             double least = 1e300;
             for (const AutopilotCase& c : known.cases)
-                if (c.judged.error <= *goals.most_error) least = std::min(least, meter.ms(c.settings));
+                if (c.classified.error <= *goals.most_error) least = std::min(least, meter.ms(c.settings));
             const AutopilotResult r = run_autopilot(s, axes, goals, meter);
             ASSERT_TRUE(r.held) << r.summary;
             EXPECT_LE(*r.best.ms, 1.1 * least) << r.summary;
-            EXPECT_LE(r.best.judged.error, *goals.most_error);
+            EXPECT_LE(r.best.classified.error, *goals.most_error);
         }
     }
 }

@@ -33,7 +33,7 @@ protected:
     /// Calls check(hit, value) for each pixel that holds a number away from the outlines of triangles.
     template <typename Check>
     int each_inner(const Scene& scene, const Pixels& p, Check&& check) {
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         int count = 0;
         for (int y = 0; y < 60; ++y)
             for (int x = 0; x < 80; ++x) {
@@ -145,7 +145,7 @@ TEST_F(BiasOverlays, DensityIsBothSingularValues) {
         const Settings s = lit_by(type, fit);
         const Pixels wide = draw(scene, s, "texels-per-pixel"), narrow = draw(scene, s, "pixels-per-texel"),
                      bands = draw(scene, s, "sampling-bands");
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         const int n = wide.frame.map_resolution;
         int checked = 0;
         for (int y = 2; y < 58; y += 3)

@@ -53,7 +53,7 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
         const FittedLight& light = frame.lights[0];
         std::vector<FloatImage> maps;
         for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
-        const TruthTask task = truth_task(renderer, near, s, small(), 0);
+        const ReferenceTask task = reference_task(renderer, near, s, small(), 0);
         const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)
@@ -142,11 +142,11 @@ TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
     };
     for (const bool cascaded : {false, true}) {
         Settings s = settings_for(scene, {{"camera.source", "manual"}, {"light.cascades", cascaded ? "2" : "1"}});
-        EXPECT_EQ(map_state(s), PassState::Ran);
+        EXPECT_EQ(map_state(s), PassState::Drawn);
         s.camera.azimuth += 20;
-        EXPECT_EQ(map_state(s), cascaded ? PassState::Ran : PassState::Reused);
+        EXPECT_EQ(map_state(s), cascaded ? PassState::Drawn : PassState::Cached);
         s.shading.ambient = 0.1;
-        EXPECT_EQ(map_state(s), PassState::Reused);
+        EXPECT_EQ(map_state(s), PassState::Cached);
     }
 }
 

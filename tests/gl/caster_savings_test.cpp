@@ -9,9 +9,9 @@
 namespace si {
 namespace {
 
-class CasterSavingsTest : public FrameTest {
+class CasterOptimisationsTest : public FrameTest {
 protected:
-    FrameResult frame(const Scene& scene, const Settings& s, SavingSet forced = {}) {
+    FrameResult frame(const Scene& scene, const Settings& s, OptimisationSet forced = {}) {
         FrameRequest request{.width = 16, .height = 9, .force = true, .forced = forced};
         request.outputs = {.colour = false, .shadow_map = true};
         return renderer.render(scene, s, request);
@@ -37,7 +37,7 @@ protected:
         Settings s = settings_for(scene, sets);
         s.map.resolution = std::min(s.map.resolution, 512);
         const std::vector<float> saved = texels(frame(scene, s));
-        for (const Saving by : {Saving::BackFaces, Saving::Casters, Saving::Fragments})
+        for (const Optimisation by : {Optimisation::BackFaces, Optimisation::Casters, Optimisation::Fragments})
             EXPECT_EQ(differing(saved, texels(frame(scene, s, {by}))), 0u)
                 << what << (sets.empty() ? "" : ", " + sets[0].second) << ", " << row_of(by).key << " forced";
     }
@@ -66,13 +66,13 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
     return scene;
 }
 
-TEST_F(CasterSavingsTest, LeaveEveryTexelInEveryBuiltInScene) {
+TEST_F(CasterOptimisationsTest, LeaveEveryTexelInEveryBuiltInScene) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())
             expect_one_map(load_scene(std::string(row.key)), sets, std::string(row.key));
 }
 
-TEST_F(CasterSavingsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
+TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
     glm::dmat4 sheared = moved(115, 0, 40) * scaled(-1, 1.3, 1);
     sheared[1][0] = 0.4;
     for (const Sets& sets : kinds_of_maps()) {
@@ -82,7 +82,7 @@ TEST_F(CasterSavingsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
     expect_one_map(Scene{}, {}, "an empty scene");
 }
 
-TEST_F(CasterSavingsTest, LeaveEveryTexelOfRealModels) {
+TEST_F(CasterOptimisationsTest, LeaveEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
     for (const test::SharedModel& model : models) {
@@ -117,7 +117,7 @@ const PassInfo& map_pass(const FrameResult& f) {
     return f.passes.front();
 }
 
-TEST_F(CasterSavingsTest, CastersBesideAFaceAreNotDrawn) {
+TEST_F(CasterOptimisationsTest, CastersBesideAFaceAreNotDrawn) {
     const Scene scene = two_balls();
     const Settings s = settings_for(scene, {{"light.type", "point"},
                                             {"light.target_y", "1"},
@@ -126,12 +126,12 @@ TEST_F(CasterSavingsTest, CastersBesideAFaceAreNotDrawn) {
                                             {"light.elevation", "0"},
                                             {"light.distance", "1"}});
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
-    const PassInfo saved = map_pass(frame(scene, s)), forced = map_pass(frame(scene, s, {Saving::Casters}));
+    const PassInfo saved = map_pass(frame(scene, s)), forced = map_pass(frame(scene, s, {Optimisation::Casters}));
     ASSERT_EQ(saved.parts.size(), 7u) << "six faces, and the back faces of what is closed";
     ASSERT_EQ(forced.parts.size(), 7u);
     EXPECT_EQ(saved.parts[0].name, "face +x of light 0");
     EXPECT_EQ(saved.parts[0].left_out, 1u) << "the far ball lies behind";
-    EXPECT_EQ(saved.parts[0].by, Saving::Casters);
+    EXPECT_EQ(saved.parts[0].by, Optimisation::Casters);
     EXPECT_EQ(saved.parts[2].draws, 0u) << "nothing is above the light";
     EXPECT_EQ(saved.parts[2].left_out, 3u);
     EXPECT_LE(saved.triangles, 3 * ball + 6 * 2) << "a ball may reach into a next face";
@@ -140,19 +140,20 @@ TEST_F(CasterSavingsTest, CastersBesideAFaceAreNotDrawn) {
     for (const PartInfo& p : forced.parts) EXPECT_EQ(p.left_out, 0u);
 }
 
-TEST_F(CasterSavingsTest, BackFacesOfClosedCastersAreNotDrawn) {
+TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
     const Scene scene = two_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
-    const auto triangles = [&](const Sets& sets, SavingSet forced) {
+    const auto triangles = [&](const Sets& sets, OptimisationSet forced) {
         return map_pass(frame(scene, settings_for(scene, sets), forced)).triangles;
     };
     EXPECT_EQ(triangles({}, {}), 2 * ball + 2);
-    EXPECT_EQ(triangles({}, {Saving::BackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
+    EXPECT_EQ(triangles({}, {Optimisation::BackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
     for (const auto& [key, value] : {std::pair{"caster.cull", "front"}, {"bias.raster_units", "3"}})
-        EXPECT_EQ(triangles({{key, value}}, {Saving::BackFaces}), 2 * ball + 2) << key << ": both sides, or as asked";
+        EXPECT_EQ(triangles({{key, value}}, {Optimisation::BackFaces}), 2 * ball + 2)
+            << key << ": both sides, or as asked";
 }
 
-TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
+TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(9, 9), grey));
@@ -160,11 +161,11 @@ TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
     for (int i = 0; i < 3; ++i) add_object(scene, "Box", -1, box, moved(2.0 * i - 2, 0.6, 0) * turned(20 * i));
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5, 48, 32), grey), moved(0, 1, 2));
     finalise(scene);
-    const auto bare = [&](const Sets& sets, SavingSet forced) {
+    const auto bare = [&](const Sets& sets, OptimisationSet forced) {
         std::uint64_t count = 0;
         const FrameResult drawn = frame(scene, settings_for(scene, sets), forced);
         for (const PartInfo& part : map_pass(drawn).parts)
-            if (part.by == Saving::Fragments) count += part.left_out;
+            if (part.by == Optimisation::Fragments) count += part.left_out;
         return count;
     };
     const Sets slanted = {{"light.azimuth", "33"}, {"light.elevation", "40"}, {"light.fit", "scene"}};
@@ -177,7 +178,7 @@ TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
     const std::uint64_t well_seen = bare(slanted, {});
     EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
     EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
-    EXPECT_EQ(bare(slanted, {Saving::Fragments}), 0u);
+    EXPECT_EQ(bare(slanted, {Optimisation::Fragments}), 0u);
     EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
     EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), well_seen - 1) << "two walls of the first box are nearly so";
     EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";
@@ -188,7 +189,7 @@ TEST_F(CasterSavingsTest, FlatCastersSeenWellNeedNoFragmentShader) {
 
 // What the driver itself makes of both sides: rounding decides where a texel's centre lies on a silhouette, and nowhere
 // else. Among four million texels of the agreed scene these are fewer than ten.
-TEST_F(CasterSavingsTest, BackFacesWouldShowOnSilhouettesAlone) {
+TEST_F(CasterOptimisationsTest, BackFacesWouldShowOnSilhouettesAlone) {
     for (const char* key : {"boxes", "figures"}) {
         const Scene scene = load_scene(key);
         Settings all = settings_for(scene, {{"caster.cull", "none"}, {"map.resolution", "2048"}});

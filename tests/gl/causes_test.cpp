@@ -20,10 +20,10 @@ std::string_view name(Artefact a) {
 
 class CausesTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request{.width = 320, .height = 240};
 
-    MeasuredError measure(const Scene& scene, const Settings& s, const TruthOptions& options = {}) {
+    MeasuredError measure(const Scene& scene, const Settings& s, const ReferenceOptions& options = {}) {
         return measure_error(renderer, scene, s, request, 0, options, cache);
     }
     static std::size_t count(const MeasuredError& m, Artefact a) { return m.metrics.artefacts[std::size_t(a)]; }
@@ -47,28 +47,28 @@ protected:
     }
 
     /// Decides in C++ upon what the GPU's trials gave, and demands the GPU's own decisions. @returns the GPU's
-    MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const TruthOptions& options = {}) {
+    MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const ReferenceOptions& options = {}) {
         SCOPED_TRACE(what);
         const MeasuredError gpu = measure(scene, s, options);
         FrameRequest all = request;
         all.outputs = {.colour = false, .evidence = true};
-        const FrameResult frame = render_with_truth(renderer, scene, s, all, cache, {}, options);
-        EXPECT_TRUE(frame.truth.met);
+        const FrameResult frame = render_with_reference(renderer, scene, s, all, cache, {}, options);
+        EXPECT_TRUE(frame.reference.met);
         const std::vector<CauseEvidence> evidence = read_evidence(frame, options.step);
         const CauseContext known =
             cause_context(s, frame.lights[std::size_t(s.view.light)], frame.map_resolution, frame.mask_levels);
-        const Truth& truth = *gpu.traced.truth;
+        const Reference& reference = *gpu.traced.reference;
         std::size_t differ = 0;
-        for (std::size_t i = 0; i < truth.state.size(); ++i) {
-            if (truth.state[i] != PixelState::Counted) continue;
-            const Cause cause = cause_of(evidence[i], true_pixel(truth, i), known);
-            const JudgedPixel& p = gpu.judged[i];
-            const bool acne = cause.faint || (cause.artefact == Artefact::Acne && truth.visibility.data[i] == 1);
+        for (std::size_t i = 0; i < reference.state.size(); ++i) {
+            if (reference.state[i] != PixelState::Counted) continue;
+            const Cause cause = cause_of(evidence[i], true_pixel(reference, i), known);
+            const JudgedPixel& p = gpu.classified[i];
+            const bool acne = cause.faint || (cause.artefact == Artefact::Acne && reference.visibility.data[i] == 1);
             const bool same =
                 cause.artefact == p.artefact && cause.also == p.also() && cause.seam == p.has(JudgedPixel::kSeam) &&
                 acne == p.has(JudgedPixel::kAnyAcne) &&
                 (p.bits & ~(JudgedPixel::kAnyAcne | JudgedPixel::kSeam)) % (1 << JudgedPixel::kAlsoShift) ==
-                    compared_bits(p.visibility, true_pixel(truth, i), evidence[i].place == CauseEvidence::kOutside);
+                    compared_bits(p.visibility, true_pixel(reference, i), evidence[i].place == CauseEvidence::kOutside);
             if (!same && ++differ <= 3)
                 ADD_FAILURE() << "pixel " << i << ": " << name(p.artefact) << " on the GPU, here "
                               << name(cause.artefact) << ", also " << p.also() << " and " << cause.also << ", bits "
@@ -87,13 +87,14 @@ protected:
                  std::size_t least = 100) {
         std::size_t cured = 0, told = 0;
         std::map<std::string_view, int> others;
-        for (std::size_t i = 0; i < a.judged.size(); ++i) {
-            if (a.judged[i].artefact == Artefact::None || b.judged[i].artefact != Artefact::None) continue;
+        for (std::size_t i = 0; i < a.classified.size(); ++i) {
+            if (a.classified[i].artefact == Artefact::None || b.classified[i].artefact != Artefact::None) continue;
             ++cured;
             bool hit = false;
-            for (const Artefact c : causes) hit |= a.judged[i].artefact == c || (a.judged[i].also() >> int(c) & 1) != 0;
+            for (const Artefact c : causes)
+                hit |= a.classified[i].artefact == c || (a.classified[i].also() >> int(c) & 1) != 0;
             told += hit;
-            if (!hit) ++others[name(a.judged[i].artefact)];
+            if (!hit) ++others[name(a.classified[i].artefact)];
         }
         EXPECT_GE(cured, least) << "the twin shows what was wrong";
         std::string text;
@@ -196,7 +197,7 @@ TEST_F(CausesTest, TrialsOfOneTexelObeyTheGuards) {
         s.map.outside = int(outside);
         FrameRequest all = request;
         all.outputs = {.colour = false, .evidence = true};
-        const FrameResult frame = render_with_truth(renderer, box, s, all, cache);
+        const FrameResult frame = render_with_reference(renderer, box, s, all, cache);
         int led = 0;
         for (const CauseEvidence& e : read_evidence(frame, 1))
             if (e.place == CauseEvidence::kLedOutside) {
@@ -403,8 +404,8 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
     EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
-    for (std::size_t i = 0; i < dark.judged.size(); ++i)
-        if (!dark.judged[i].has(JudgedPixel::kOutside)) seams += dark.judged[i].has(JudgedPixel::kSeam);
+    for (std::size_t i = 0; i < dark.classified.size(); ++i)
+        if (!dark.classified[i].has(JudgedPixel::kOutside)) seams += dark.classified[i].has(JudgedPixel::kSeam);
     EXPECT_GT(seams, 50u);
 }
 

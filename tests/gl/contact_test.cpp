@@ -16,7 +16,7 @@ using test::kPlaces;
 
 class ContactTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request{.width = 320, .height = 240, .outputs = {.colour = false, .visibility = true}};
 
     FloatImage visibility(const Scene& scene, const Settings& s) {
@@ -67,7 +67,7 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
             s.contact.thickness = 3;  // the box is as deep
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage v = renderer.read_float(frame.visibility, 1);
-            const test::RayTruth rays(scene);
+            const test::RayReference rays(scene);
             int dark = 0, found = 0, lit = 0, wrong = 0;
             for (int y = 0; y < v.height; ++y)
                 for (int x = 0; x < v.width; ++x) {
@@ -120,7 +120,7 @@ TEST_F(ContactTest, AreAFactorOnAnySource) {
         off.lights[0].contact = 0;
         const auto drawn = [&](const Settings& settings) {
             return renderer.read_float(
-                render_with_truth(renderer, scene, settings, request, cache, Workers{.threads = 2}).visibility, 1);
+                render_with_reference(renderer, scene, settings, request, cache, Workers{.threads = 2}).visibility, 1);
         };
         const FloatImage with = drawn(s), without = drawn(off);
         for (std::size_t i = 0; i < with.data.size(); ++i)

@@ -12,33 +12,33 @@
 namespace si {
 namespace {
 
-class CuresTest : public FrameTest {
+class FixesTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     int width = 320, height = 240;
 
     MeasuredError measure(const Scene& scene, const Settings& s) {
         return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
     }
-    static Settings with(Settings s, const Cure& cure) {
-        for (const auto& [key, value] : cure.settings) set_setting(s, key, value);
+    static Settings with(Settings s, const MeasuredFix& fix) {
+        for (const auto& [key, value] : fix.settings) set_setting(s, key, value);
         return s;
     }
 
     /// Finds cures, demands of every row that it keeps what it says, of one that it cures nine of ten pixels with one
     /// of the causes, and of the first, which cures most of all causes together, that it cures eight.
-    CureTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
-        const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
+    FixTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
+        const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
-        for (const Cure& row : table.rows) {
+        for (const MeasuredFix& row : table.rows) {
             if (!row.untried.empty()) continue;
             SCOPED_TRACE(row.name);
             EXPECT_FALSE(row.settings.empty());
             const MeasuredError after = measure(scene, with(s, row));
             std::size_t cured = 0, broken = 0, of = 0;
-            for (std::size_t i = 0; i < before.judged.size(); ++i) {
-                const bool was = before.judged[i].artefact != Artefact::None,
-                           is = after.judged[i].artefact != Artefact::None;
+            for (std::size_t i = 0; i < before.classified.size(); ++i) {
+                const bool was = before.classified[i].artefact != Artefact::None,
+                           is = after.classified[i].artefact != Artefact::None;
                 cured += was && !is, broken += !was && is;
             }
             for (const std::size_t n : row.cured_of) of += n;
@@ -52,41 +52,41 @@ protected:
             }
         std::size_t wrong = 0, most = 0;
         for (const Artefact a : causes) wrong += table.wrong_of[std::size_t(a)];
-        const auto cured_by = [&](const Cure& row) {
+        const auto cured_by = [&](const MeasuredFix& row) {
             std::size_t right = 0;
             for (const Artefact a : causes) right += row.cured_of[std::size_t(a)];
             return right;
         };
-        for (const Cure& row : table.rows) most = std::max(most, cured_by(row));
+        for (const MeasuredFix& row : table.rows) most = std::max(most, cured_by(row));
         EXPECT_GE(wrong, least);
         EXPECT_GE(double(most), 0.9 * double(wrong));
         EXPECT_GE(double(cured_by(table.rows.at(0))), 0.8 * double(wrong)) << table.rows[0].name;
         return table;
     }
-    static const Cure* row(const CureTable& table, std::string_view name) {
-        for (const Cure& r : table.rows)
+    static const MeasuredFix* row(const FixTable& table, std::string_view name) {
+        for (const MeasuredFix& r : table.rows)
             if (r.name == name) return &r;
         return nullptr;
     }
 };
 
-TEST_F(CuresTest, PeterPanningIsCuredByTheLeastBias) {
+TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
-    const CureTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
-    const Cure* least = row(table, "least bias, constant alone");
+    const FixTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
+    const MeasuredFix* least = row(table, "least bias, constant alone");
     ASSERT_TRUE(least);
     EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
               0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
 }
 
-TEST_F(CuresTest, AnOffsetsStripIsCured) {
+TEST_F(FixesTest, AnOffsetsStripIsCured) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
     cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
 }
 
-TEST_F(CuresTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
+TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 320, height = 180;
     // A light under which few pixels are wrong for two causes at once.
@@ -99,7 +99,7 @@ TEST_F(CuresTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
 }
 
-TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {
+TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
@@ -113,40 +113,40 @@ TEST_F(CuresTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     cured(scene, s, {Artefact::Undersampled}, 300);
 }
 
-TEST_F(CuresTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
+TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 512, 0);
     const MeasuredError m = measure(scene, s);
     glm::ivec2 pixel(-1);
     for (int i = 0; i < width * height && pixel.x < 0; ++i)
-        if (m.judged[std::size_t(i + width * height / 2)].artefact == Artefact::Acne)
+        if (m.classified[std::size_t(i + width * height / 2)].artefact == Artefact::Acne)
             pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
     ASSERT_GE(pixel.x, 0);
     s.lights[0].type = int(LightType::Directional);
-    const CureTable table =
-        find_cures(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
+    const FixTable table =
+        find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
     ASSERT_FALSE(table.rows.empty());
     EXPECT_TRUE(table.rows[0].pixel_right.value());
     EXPECT_TRUE(table.rows[0].ms);
     bool stays = false;
-    for (const Cure& r : table.rows)
+    for (const MeasuredFix& r : table.rows)
         if (r.untried.empty()) {
             const MeasuredError after = measure(scene, with(s, r));
             const std::size_t at = std::size_t(pixel.y * width + pixel.x);
-            EXPECT_EQ(*r.pixel_right, after.judged[at].artefact == Artefact::None) << r.name;
+            EXPECT_EQ(*r.pixel_right, after.classified[at].artefact == Artefact::None) << r.name;
             stays |= !*r.pixel_right;
         }
     EXPECT_TRUE(stays) << "not everything helps";
     s.lights[0].type = int(LightType::Point);
-    const CureTable point = find_cures(renderer, scene, s, width, height, {}, cache);
-    const Cure* fit = row(point, "tighter fit");
+    const FixTable point = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* fit = row(point, "tighter fit");
     ASSERT_TRUE(fit);
     EXPECT_FALSE(fit->untried.empty());
     EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
 }
 
 // All rows of the tables of fits and biases that suit the light, and cascades.
-TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
+TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     width = 160, height = 120;
     const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
     struct Kind {
@@ -167,10 +167,10 @@ TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
         s.lights[0].type = int(kind.type), s.lights[0].fit = int(kind.fit);
         s.lights[0].projection = int(kind.projection);
         const MeasuredError m = measure(scene, s);
-        const std::vector<CureIdea> ideas = cure_ideas(s, cure_facts(m, s, renderer.driver()));
+        const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(m, s, renderer.driver()));
         const auto tried = [&](auto&& like) {
             return std::ranges::count_if(ideas,
-                                         [&](const CureIdea& i) { return i.untried.empty() && like(i.settings); });
+                                         [&](const FixCandidate& i) { return i.untried.empty() && like(i.settings); });
         };
         for (std::size_t i = 0; i < fits().size(); ++i) {
             const bool other = int(i) != int(kind.fit) && int(i) != int(LightFit::Manual);
@@ -192,17 +192,17 @@ TEST_F(CuresTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     }
     Settings s = test::texel_settings("pcf3", 256, 0);
     s.lights[0].cascades = 3;
-    const std::vector<CureIdea> ideas = cure_ideas(s, cure_facts(measure(scene, s), s, renderer.driver()));
+    const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(measure(scene, s), s, renderer.driver()));
     const auto of = [&](int n) {
-        return std::ranges::count_if(ideas, [&](const CureIdea& i) { return i.settings.lights[0].cascades == n; });
+        return std::ranges::count_if(ideas, [&](const FixCandidate& i) { return i.settings.lights[0].cascades == n; });
     };
     EXPECT_EQ(of(2) + of(4), 2);
-    EXPECT_EQ(std::ranges::count_if(ideas, [](const CureIdea& i) { return i.name.starts_with("fit: "); }), 0)
+    EXPECT_EQ(std::ranges::count_if(ideas, [](const FixCandidate& i) { return i.name.starts_with("fit: "); }), 0)
         << "cascades are fitted by what they are";
 }
 
 // The least bias of each row of the table, families or not, clears flat ground wholly.
-TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
+TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     width = 240, height = 180;
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.6);
     int numbers = 0;
@@ -212,7 +212,7 @@ TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
             s.lights[0].type = int(type), s.lights[0].elevation = 35;
             const MeasuredError before = measure(scene, s);
             ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
-            const CureFacts facts = cure_facts(before, s, renderer.driver());
+            const FixFacts facts = fix_facts(before, s, renderer.driver());
             ASSERT_EQ(facts.least_of_rows.size() + kBiasFamilies, biases().size());
             for (const auto& [bias, least] : facts.least_of_rows) {
                 SCOPED_TRACE(std::string(bias->key) + " " + kernel);
@@ -235,12 +235,12 @@ TEST_F(CuresTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     EXPECT_EQ(numbers, 4);
 }
 
-TEST_F(CuresTest, CascadesCureWhatOneMapDoesNotResolve) {
+TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
     width = 320, height = 180;
     const Scene scene = load_scene("landscape");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "scene"}});
-    const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
-    const Cure* four = row(table, "4 cascades");
+    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* four = row(table, "4 cascades");
     ASSERT_TRUE(four);
     EXPECT_GT(four->gain(), 0.3 * double(table.wrong));
     EXPECT_EQ(four->map_bytes, 3 * 512 * 512 * 4);
@@ -251,13 +251,13 @@ TEST_F(CuresTest, CascadesCureWhatOneMapDoesNotResolve) {
     EXPECT_EQ(left, table.wrong - four->cured + four->broken);
 }
 
-TEST_F(CuresTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
+TEST_F(FixesTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;
     s.lights[0].fit = int(LightFit::Scene);
-    const CureTable table = find_cures(renderer, scene, s, width, height, {}, cache);
-    const Cure* fit = row(table, "fit: what is seen");
+    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* fit = row(table, "fit: what is seen");
     ASSERT_TRUE(fit);
     EXPECT_GT(fit->gain(), 0);
     EXPECT_EQ(fit->map_bytes, 0);

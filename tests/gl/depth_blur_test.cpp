@@ -100,18 +100,18 @@ TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
     const ByteImage sharp = renderer.read_colour(off.colour);
     s.map.blur_texels = 3;
     const FrameResult on = renderer.render(scene, s, small());
-    EXPECT_EQ(on.pass("depth blur")->state, PassState::Ran);
+    EXPECT_EQ(on.pass("depth blur")->state, PassState::Drawn);
     for (const PassInfo& pass : on.passes)
         EXPECT_EQ(pass.category == PassCategory::Maps, pass.name == "depth blur" || pass.name == "moments" ||
                                                            pass.name == "map bounds" ||
                                                            pass.name.starts_with("shadow map"))
             << pass.name;
     const FrameResult again = renderer.render(scene, s, small());
-    EXPECT_EQ(again.pass("depth blur")->state, PassState::Reused);
+    EXPECT_EQ(again.pass("depth blur")->state, PassState::Cached);
     const ByteImage blurred = renderer.read_colour(again.colour);
     EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
     s.lights[0].azimuth += 20;  // what it reads changes
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Ran);
+    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Drawn);
     s.lights[0].azimuth -= 20;
     s.map.blur_texels = 0;
     EXPECT_EQ(picture(scene, s).data, sharp.data) << "switching it off leaves a trace";

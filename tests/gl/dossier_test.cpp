@@ -16,20 +16,20 @@ namespace {
 
 const FrameRequest kPicture{.width = 160, .height = 120};
 
-class DossierTest : public FrameTest {
+class DiagnosisTest : public FrameTest {
 protected:
     Probe probed;
 
-    Dossier dossier(const Scene& scene, const Settings& s, glm::ivec2 pixel) {
+    PixelDiagnosis diagnosis(const Scene& scene, const Settings& s, glm::ivec2 pixel) {
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         EXPECT_TRUE(probed.hit);
-        const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
         return explain(probed, probed.lights.at(0),
-                       fragment_truth(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
+                       fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
                        renderer.driver());
     }
     MeasuredError measure(const Scene& scene, const Settings& s) {
-        TruthCache cache;
+        ReferenceCache cache;
         return measure_error(renderer, scene, s, kPicture, 0, {}, cache);
     }
     /// The first pixel from the middle of the picture outwards that `measure` calls this.
@@ -38,7 +38,7 @@ protected:
         int least = 1 << 30;
         for (int y = 0; y < kPicture.height; ++y)
             for (int x = 0; x < kPicture.width; ++x) {
-                if (m.judged[std::size_t(y * kPicture.width + x)].artefact != wanted) continue;
+                if (m.classified[std::size_t(y * kPicture.width + x)].artefact != wanted) continue;
                 const glm::ivec2 off = glm::ivec2(x, y) - glm::ivec2(80, 60);
                 const int distance = off.x * off.x + off.y * off.y;
                 if (distance < least) least = distance, best = glm::ivec2(x, y);
@@ -48,13 +48,13 @@ protected:
     static Settings plain(const char* kernel, double constant_texels) {
         return test::texel_settings(kernel, 512, constant_texels);
     }
-    static void apply(Settings& s, const Remedy& remedy) {
-        for (const auto& [key, value] : remedy.settings) set_setting(s, key, value);
+    static void apply(Settings& s, const SuggestedFix& fix) {
+        for (const auto& [key, value] : fix.settings) set_setting(s, key, value);
     }
 };
 
 /// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
-TEST_F(DossierTest, WhatALightIsAskedGoesByThatLight) {
+TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"},
                                       {"light.count", "2"},
@@ -83,7 +83,7 @@ TEST_F(DossierTest, WhatALightIsAskedGoesByThatLight) {
     }
 }
 
-TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
+TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
                                                               {"d32f", "slope"},
@@ -118,31 +118,32 @@ TEST_F(DossierTest, TapsAddUpToWhatTheGpuFound) {
     EXPECT_LE(off, checked / 200);
 }
 
-TEST_F(DossierTest, AgreesWithMeasureOnEveryPixel) {
+TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     const Scene scene = test::sheet_over_floor(1.5);
     int kinds[kArtefacts] = {}, dark = 0;
     for (const double constant : {12.0, 3.0, 0.5}) {
         Settings s = plain("hard", constant);
         s.map.resolution = 64;
         const MeasuredError m = measure(scene, s);
-        const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
         int wrong = 0;
         for (int y = 0; y < kPicture.height; ++y)
             for (int x = 0; x < kPicture.width; ++x) {
                 const std::size_t i = std::size_t(y * kPicture.width + x);
                 // Some of the right ones, and more of the wrong.
-                if (m.judged[i].artefact == Artefact::None ? (x % 11 != 3 || y % 9 != 5) : ++wrong % 23 != 0) continue;
+                if (m.classified[i].artefact == Artefact::None ? (x % 11 != 3 || y % 9 != 5) : ++wrong % 23 != 0)
+                    continue;
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
-                EXPECT_EQ(p.hit, m.traced.truth->state[i] != PixelState::Background);
+                EXPECT_EQ(p.hit, m.traced.reference->state[i] != PixelState::Background);
                 if (!p.hit) continue;
-                const FragmentTruth t = fragment_truth(casters, p, p.lights[0], s, object_traits(scene, s));
-                EXPECT_EQ(t.state, m.traced.truth->state[i]);
-                EXPECT_EQ(t.lit, m.traced.truth->hard().data[i] >= 0.5f);
-                EXPECT_EQ(t.cause.artefact, m.judged[i].artefact) << x << "," << y;
-                EXPECT_EQ(t.cause.also, m.judged[i].also()) << x << "," << y;
+                const FragmentReference t = fragment_reference(casters, p, p.lights[0], s, object_traits(scene, s));
+                EXPECT_EQ(t.state, m.traced.reference->state[i]);
+                EXPECT_EQ(t.lit, m.traced.reference->hard().data[i] >= 0.5f);
+                EXPECT_EQ(t.cause.artefact, m.classified[i].artefact) << x << "," << y;
+                EXPECT_EQ(t.cause.also, m.classified[i].also()) << x << "," << y;
                 EXPECT_EQ(t.evidence.run_m, m.traced.runs->run_m.data[i]) << "a part of the picture gives the whole's";
                 EXPECT_EQ(t.evidence.edge_m, m.traced.runs->edge_m.data[i]);
-                const float gap = m.traced.truth->nearest_m.data[i];
+                const float gap = m.traced.reference->nearest_m.data[i];
                 EXPECT_EQ(std::isnan(t.gap_m), std::isnan(gap));
                 if (!std::isnan(gap)) {
                     EXPECT_NEAR(t.gap_m, gap, 1e-6);
@@ -158,7 +159,7 @@ TEST_F(DossierTest, AgreesWithMeasureOnEveryPixel) {
     EXPECT_GT(kinds[std::size_t(Artefact::Acne)], 5);
 }
 
-TEST_F(DossierTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
+TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (const char* kernel : {"hard", "hw2x2"})
         for (const bool slope : {false, true}) {
@@ -167,7 +168,7 @@ TEST_F(DossierTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
             const MeasuredError before = measure(scene, s);
             const auto pixel = find(before, Artefact::Acne);
             ASSERT_TRUE(pixel) << kernel;
-            const Dossier d = dossier(scene, s, *pixel);
+            const PixelDiagnosis d = diagnosis(scene, s, *pixel);
             EXPECT_EQ(d.verdict.find("acne: needs"), 0u) << d.verdict;
             EXPECT_FALSE(d.right);
             EXPECT_LT(d.has.texels, d.least.texels);
@@ -176,54 +177,54 @@ TEST_F(DossierTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
             int own = 0;
             for (const KernelTap& t : probed.lights[0].taps) own += !t.lit && t.meets == KernelTap::Meets::Own;
             EXPECT_GT(own, 0) << "what darkens it is the surface itself";
-            ASSERT_TRUE(d.remedy) << kernel;
-            EXPECT_EQ(d.remedy->settings[0].first, slope ? "bias.slope" : "bias.constant");
-            EXPECT_GT(d.remedy->worth_texels, 0.999 * d.least.texels);
-            EXPECT_LT(d.remedy->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
-            apply(s, *d.remedy);
-            EXPECT_TRUE(dossier(scene, s, *pixel).right);
+            ASSERT_TRUE(d.fix) << kernel;
+            EXPECT_EQ(d.fix->settings[0].first, slope ? "bias.slope" : "bias.constant");
+            EXPECT_GT(d.fix->worth_texels, 0.999 * d.least.texels);
+            EXPECT_LT(d.fix->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
+            apply(s, *d.fix);
+            EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
             // The floor is one plane under one light: what cures a pixel cures all.
             const ErrorMetrics after = measure(scene, s).metrics;
             EXPECT_GT(before.metrics.acne, 0.1);
-            EXPECT_EQ(after.acne, 0) << kernel << d.remedy->text;
+            EXPECT_EQ(after.acne, 0) << kernel << d.fix->text;
         }
 }
 
-TEST_F(DossierTest, AWideKernelHidesAcneThatIsStillTold) {
+TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("pcf5", 1.5);
-    const Dossier d = dossier(scene, s, {80, 60});
+    const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
     EXPECT_TRUE(d.right);
     EXPECT_LT(probed.lights[0].visibility, 0.99);
     EXPECT_EQ(d.verdict.find("faint acne: lit"), 0u) << d.verdict;
-    ASSERT_TRUE(d.remedy);
-    apply(s, *d.remedy);
-    EXPECT_EQ(dossier(scene, s, {80, 60}).verdict.find("right: lit"), 0u);
+    ASSERT_TRUE(d.fix);
+    apply(s, *d.fix);
+    EXPECT_EQ(diagnosis(scene, s, {80, 60}).verdict.find("right: lit"), 0u);
     EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
 }
 
-TEST_F(DossierTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
+TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
     const Scene scene = test::sheet_over_floor(0.6);
     Settings s = plain("hard", 0);
     s.bias.constant = 60;
     const auto pixel = find(measure(scene, s), Artefact::PeterPanning);
     ASSERT_TRUE(pixel);
-    const Dossier d = dossier(scene, s, *pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
     EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
     EXPECT_TRUE(d.window_open());
     EXPECT_GE(d.lifted.texels, d.occluder.texels);
     // Along a ray at 40 degrees above the horizon.
     EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
-    EXPECT_NEAR(d.truth.gap_m, d.occluder.metres, 1e-6);
-    ASSERT_TRUE(d.remedy);
-    EXPECT_EQ(d.remedy->settings[0].first, "bias.constant");
-    apply(s, *d.remedy);
-    const Dossier cured = dossier(scene, s, *pixel);
+    EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
+    ASSERT_TRUE(d.fix);
+    EXPECT_EQ(d.fix->settings[0].first, "bias.constant");
+    apply(s, *d.fix);
+    const PixelDiagnosis cured = diagnosis(scene, s, *pixel);
     EXPECT_TRUE(cured.right) << cured.verdict;
     EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
 }
 
-TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
+TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     const Scene scene = test::sheet_over_floor(0.3);
     Settings s = plain("pcf7", 12);
     s.map.resolution = 128;
@@ -231,7 +232,7 @@ TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     s.camera.target_y = 0.1;
     const auto pixel = find(measure(scene, s), Artefact::Leak);
     ASSERT_TRUE(pixel);
-    const Dossier d = dossier(scene, s, *pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
     EXPECT_FALSE(d.window_open());
     EXPECT_NE(d.verdict.find("no depth bias can be right here"), std::string::npos) << d.verdict;
     EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
@@ -240,19 +241,19 @@ TEST_F(DossierTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     for (const auto& [resolution, open] :
          {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
         s.map.resolution = resolution;
-        EXPECT_EQ(dossier(scene, s, *pixel).window_open(), open) << resolution;
+        EXPECT_EQ(diagnosis(scene, s, *pixel).window_open(), open) << resolution;
     }
     s.map.resolution = int(d.opening_resolution);
-    const Dossier opened = dossier(scene, s, *pixel);
+    const PixelDiagnosis opened = diagnosis(scene, s, *pixel);
     s.bias.constant = 0.5 * (opened.least.texels + opened.occluder.texels);
-    EXPECT_TRUE(dossier(scene, s, *pixel).right);
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
 }
 
-TEST_F(DossierTest, NormalOffsetCountsByItsWorthAlongTheRay) {
+TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("hard", 0);
     s.bias.normal = 1;
-    const Dossier d = dossier(scene, s, {80, 60});
+    const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
     const BiasAccount& a = probed.lights[0].account;
     const double cosine = std::sin(glm::radians(40.0));
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
@@ -262,69 +263,69 @@ TEST_F(DossierTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     s.bias.normal =
         least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws, a.least.total()) /
         a.receiver.texel_m;
-    const Dossier even = dossier(scene, s, {80, 60});
+    const PixelDiagnosis even = diagnosis(scene, s, {80, 60});
     EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
 }
 
-TEST_F(DossierTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
+TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = plain("hard", 3);
     s.map.resolution = 64;
     const auto edge = find(measure(box, s), Artefact::EdgeAliasing);
     ASSERT_TRUE(edge);
-    const Dossier at_edge = dossier(box, s, *edge);
+    const PixelDiagnosis at_edge = diagnosis(box, s, *edge);
     EXPECT_EQ(at_edge.verdict.find("edge aliasing"), 0u) << at_edge.verdict;
-    EXPECT_FALSE(at_edge.remedy);
+    EXPECT_FALSE(at_edge.fix);
 
     const Scene sheet = test::sheet_over_floor(1.2);
     s = plain("hard", 3);
     s.caster.cull = int(Cull::Front);
     const auto lost = find(measure(sheet, s), Artefact::LostCaster);
     ASSERT_TRUE(lost);
-    const Dossier d = dossier(sheet, s, *lost);
+    const PixelDiagnosis d = diagnosis(sheet, s, *lost);
     EXPECT_EQ(d.verdict.find("lost caster"), 0u) << d.verdict;
-    ASSERT_TRUE(d.remedy);
-    apply(s, *d.remedy);
-    EXPECT_TRUE(dossier(sheet, s, *lost).right);
+    ASSERT_TRUE(d.fix);
+    apply(s, *d.fix);
+    EXPECT_TRUE(diagnosis(sheet, s, *lost).right);
 
     s.lights[0].fit = int(LightFit::Manual);
     s.lights[0].extent = 1.2;
     const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
     ASSERT_TRUE(outside);
-    EXPECT_EQ(dossier(sheet, s, *outside).verdict.find("outside the map"), 0u);
+    EXPECT_EQ(diagnosis(sheet, s, *outside).verdict.find("outside the map"), 0u);
 }
 
-TEST_F(DossierTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
+TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
     Settings s = plain("hard", 3);
     s.map.blur_texels = 6;
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     const auto pixel = find(measure(scene, s), Artefact::Filter);
     ASSERT_TRUE(pixel);
-    const Dossier d = dossier(scene, s, *pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
     EXPECT_EQ(d.verdict.find("filter"), 0u) << d.verdict;
     EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
     s.map.blur_texels = 0;
-    EXPECT_TRUE(dossier(scene, s, *pixel).right) << "as the verdict says";
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "as the verdict says";
 }
 
-TEST_F(DossierTest, ValuesOfRemediesAreShortDecimals) {
+TEST_F(DiagnosisTest, ValuesOfRemediesAreShortDecimals) {
     for (const auto& [from, to] :
          {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
         EXPECT_EQ(rounded_up(from), to);
 }
 
-TEST_F(DossierTest, ALargeLightIsSeenInPart) {
+TEST_F(DiagnosisTest, ALargeLightIsSeenInPart) {
     const Scene scene = test::sheet_over_floor(1.2);
     Settings s = plain("hard", 3);
     s.lights[0].size = 8;
     const MeasuredError m = measure(scene, s);
     const auto edge = find(m, Artefact::EdgeAliasing);
     ASSERT_TRUE(edge);
-    const Dossier d = dossier(scene, s, *edge);
-    EXPECT_GT(d.truth.share, 0.02);
-    EXPECT_LT(d.truth.share, 0.98);
+    const PixelDiagnosis d = diagnosis(scene, s, *edge);
+    EXPECT_GT(d.reference.share, 0.02);
+    EXPECT_LT(d.reference.share, 0.98);
     s.lights[0].size = 0;
-    const double share = dossier(scene, s, *edge).truth.share;
+    const double share = diagnosis(scene, s, *edge).reference.share;
     EXPECT_TRUE(share == 0 || share == 1) << share;
 }
 

@@ -202,7 +202,7 @@ TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
         double sum = 0;
         int ran = 0;
         for (const PassInfo& pass : frame.passes) {
-            if (pass.state != PassState::Ran) continue;
+            if (pass.state != PassState::Drawn) continue;
             ++ran;
             EXPECT_GT(pass.gpu_ms, 0) << pass.name;
             sum += pass.gpu_ms;

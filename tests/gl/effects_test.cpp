@@ -28,7 +28,7 @@ const Effect* effect_named(const std::vector<Effect>& effects, std::string_view 
 EffectState state_of_effect(const std::vector<Effect>& effects, std::string_view name) {
     const Effect* effect = effect_named(effects, name);
     EXPECT_TRUE(effect) << name;
-    return effect ? effect->state : EffectState::NotCalledFor;
+    return effect ? effect->state : EffectState::NotNeeded;
 }
 
 /// A clause that nobody wrote as a sentence, or none at all.
@@ -71,8 +71,8 @@ TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
                 const auto own = std::find_if(all.begin(), all.end(),
                                               [&](const Effect& e) { return e.pass == pass.name && !e.part; });
                 ASSERT_NE(own, all.end()) << pass.name;
-                EXPECT_EQ(own->state == EffectState::Simulated, pass.state == PassState::Ran) << pass.name;
-                EXPECT_EQ(own->state == EffectState::Reused, pass.state == PassState::Reused) << pass.name;
+                EXPECT_EQ(own->state == EffectState::Drawn, pass.state == PassState::Drawn) << pass.name;
+                EXPECT_EQ(own->state == EffectState::Cached, pass.state == PassState::Cached) << pass.name;
             }
             for (const Effect& e : all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
             for (std::size_t i = 0; i < all.size(); ++i)
@@ -133,14 +133,13 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
     for (const Remedied& r : all) {
         const std::vector<Effect> before = effects(scene, r.before, cold);
         ASSERT_TRUE(effect_named(before, r.effect)) << r.effect;
-        EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotCalledFor) << r.effect;
+        EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotNeeded) << r.effect;
         EXPECT_NE(effect_named(before, r.effect)->reason.find(r.reason), std::string::npos)
             << effect_named(before, r.effect)->reason;
-        EXPECT_EQ(state_of_effect(effects(scene, r.after, cold), r.effect), EffectState::Simulated) << r.effect;
+        EXPECT_EQ(state_of_effect(effects(scene, r.after, cold), r.effect), EffectState::Drawn) << r.effect;
     }
-    EXPECT_EQ(state_of_effect(effects(scene, {}), "pages of shadow maps"), EffectState::NotCalledFor);
-    EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"),
-              EffectState::Simulated);
+    EXPECT_EQ(state_of_effect(effects(scene, {}), "pages of shadow maps"), EffectState::NotNeeded);
+    EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"), EffectState::Drawn);
 }
 
 /// A reason that names one of two things that an effect lacks would be no remedy.
@@ -160,17 +159,17 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
     says(asked, "metrics", "not traced");
     says(asked, "drawn depth range", "view.map_fit");
     EXPECT_EQ(state_of_effect(effects(scene, {{"view.map_fit", "true"}}, request), "drawn depth range"),
-              EffectState::Simulated);
+              EffectState::Drawn);
 }
 
 TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
     EXPECT_EQ(state_of_effect(effects(load_scene("boxes"), {}), "alpha test in maps of light 0"),
-              EffectState::NotCalledFor);
+              EffectState::NotNeeded);
     const Scene stage = load_scene("stage");
-    EXPECT_EQ(state_of_effect(effects(stage, {}), "alpha test in maps of light 0"), EffectState::Simulated);
+    EXPECT_EQ(state_of_effect(effects(stage, {}), "alpha test in maps of light 0"), EffectState::Drawn);
     Scene opaque = stage;
     for (Material& m : opaque.materials) m.alpha = AlphaMode::Opaque;
-    EXPECT_EQ(state_of_effect(effects(opaque, {}), "alpha test in maps of light 0"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(effects(opaque, {}), "alpha test in maps of light 0"), EffectState::NotNeeded);
 }
 
 TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
@@ -186,10 +185,10 @@ TEST_F(EffectsTest, WhatIsKeptIsReused) {
     const Scene scene = load_scene("boxes");
     effects(scene, {});
     const std::vector<Effect> again = effects(scene, {{"camera.azimuth", "80"}});
-    EXPECT_EQ(state_of_effect(again, "shadow map 0 (directional)"), EffectState::Reused);
-    EXPECT_EQ(state_of_effect(again, "alpha test in maps of light 0"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(again, "shadow map 0 (directional)"), EffectState::Cached);
+    EXPECT_EQ(state_of_effect(again, "alpha test in maps of light 0"), EffectState::NotNeeded);
     EXPECT_EQ(state_of_effect(effects(scene, {{"light.azimuth", "80"}}), "shadow map 0 (directional)"),
-              EffectState::Simulated);
+              EffectState::Drawn);
 }
 
 TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
@@ -198,32 +197,32 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     const Effect* spared = nullptr;
     const std::vector<Effect> before = effects(scene, sets);
     ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
-    EXPECT_EQ(spared->state, EffectState::NotCalledFor);
-    EXPECT_EQ(spared->saving, Saving::Uncalled);
+    EXPECT_EQ(spared->state, EffectState::NotNeeded);
+    EXPECT_EQ(spared->saving, Optimisation::Uncalled);
     const std::uint64_t draws = last.pass("visibility")->draws;
     FrameRequest request = small();
-    request.forced = {Saving::Uncalled};
+    request.forced = {Optimisation::Uncalled};
     const std::vector<Effect> forced = effects(scene, sets, request);
-    EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Simulated);
+    EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Drawn);
     EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
 }
 
 TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereTheyAreForced) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"filter.kernel", "pcss"}, {"light.size", "0"}};
-    const std::pair<const char*, Saving> all[] = {{"visibility texture", Saving::Fused},
-                                                  {"look-ups where light does not arrive", Saving::Facing},
-                                                  {"search for a penumbra of light 0", Saving::Blockers},
-                                                  {"shading of what is hidden", Saving::Order}};
+    const std::pair<const char*, Optimisation> all[] = {{"visibility texture", Optimisation::Fused},
+                                                        {"look-ups where light does not arrive", Optimisation::Facing},
+                                                        {"search for a penumbra of light 0", Optimisation::Blockers},
+                                                        {"shading of what is hidden", Optimisation::Order}};
     const std::vector<Effect> before = effects(scene, sets);
     for (const auto& [name, saving] : all) {
-        EXPECT_EQ(state_of_effect(before, name), EffectState::NotCalledFor) << name;
+        EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
         ASSERT_TRUE(effect_named(before, name));
         EXPECT_EQ(effect_named(before, name)->saving, saving) << name;
         FrameRequest request = small();
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
-        EXPECT_EQ(state_of_effect(forced, name), EffectState::Simulated) << name;
+        EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
         EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be let go again";
         for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
@@ -241,21 +240,21 @@ std::string reason_of(const std::vector<Effect>& effects, std::string_view name)
 TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
-    EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Simulated);
+    EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Drawn);
     EXPECT_NE(reason_of(rays, "blocker search").find("follows rays"), std::string::npos);
     EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
     const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
     const std::vector<Effect> spared = effects(scene, no_size);
     EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Saving::Blockers);
+    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
     FrameRequest request = small();
-    request.forced = {Saving::Blockers};
+    request.forced = {Optimisation::Blockers};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
-              EffectState::Simulated);
+              EffectState::Drawn);
     EXPECT_EQ(
         state_of_effect(effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "0"}}, request), "blocker search"),
-        EffectState::Simulated)
+        EffectState::Drawn)
         << "all places are looked at";
     EXPECT_FALSE(effect_named(effects(scene, {{"filter.kernel", "dpcf"}, {"light.size", "0"}}),
                               "search for a penumbra of light 0"))
@@ -263,7 +262,7 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const std::vector<Effect> two =
         effects(scene, {{"filter.kernel", "pcss"}, {"light.count", "2"}, {"light.0.size", "1"}, {"light.1.size", "0"}});
     for (const char* name : {"blocker search", "light's size"}) {
-        EXPECT_EQ(state_of_effect(two, name), EffectState::Simulated);
+        EXPECT_EQ(state_of_effect(two, name), EffectState::Drawn);
         EXPECT_NE(reason_of(two, name).find("light.1.size is 0"), std::string::npos) << reason_of(two, name);
     }
     EXPECT_FALSE(effect_named(two, "search for a penumbra of light 0"));
@@ -279,7 +278,7 @@ TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
     EXPECT_EQ(reason_of(effects(scene, no_size), "look-ups of light 0"),
               "Kernel PCSS fetches up to 21 texels a look-up.");
     FrameRequest request = small();
-    request.forced = {Saving::Blockers};
+    request.forced = {Optimisation::Blockers};
     EXPECT_EQ(reason_of(effects(scene, no_size, request), "look-ups of light 0"),
               "Kernel PCSS fetches up to 30 texels a look-up.");
     EXPECT_EQ(reason_of(effects(scene, {{"filter.kernel", "hard"}}), "look-ups of light 0"),
@@ -293,16 +292,16 @@ TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
         if (separate) away.emplace_back("shading.separate_visibility", "true");
         const std::vector<Effect> all = effects(scene, away);
         for (const char* name : {"look-ups of light 0", "blocker search", "light's size"})
-            EXPECT_EQ(state_of_effect(all, name), EffectState::NotCalledFor) << name << ": " << reason_of(all, name);
+            EXPECT_EQ(state_of_effect(all, name), EffectState::NotNeeded) << name << ": " << reason_of(all, name);
         for (const Effect& e : all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
 }
 
-TEST(SharedSavings, CountTheEffectsThatNameThem) {
-    const std::vector<Effect> all = {{.name = "a", .saving = Saving::Views},
+TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
+    const std::vector<Effect> all = {{.name = "a", .saving = Optimisation::Views},
                                      {.name = "b"},
-                                     {.name = "c", .saving = Saving::Casters},
-                                     {.name = "d", .saving = Saving::Views},
+                                     {.name = "c", .saving = Optimisation::Casters},
+                                     {.name = "d", .saving = Optimisation::Views},
                                      {.name = "e"}};
     EXPECT_EQ(saved_together(all, all[0]), 2u);
     EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
@@ -314,11 +313,11 @@ TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
     finalise(empty);
     for (const Effect& e : effects(empty, {})) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     const std::vector<Effect> none = effects(load_scene("boxes"), {{"light.count", "0"}});
-    EXPECT_EQ(state_of_effect(none, "shadow maps"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(none, "shadow maps"), EffectState::NotNeeded);
     const std::vector<Effect> many =
         effects(load_scene("boxes"), {{"light.count", "3"}, {"light.1.cast", "false"}, {"light.2.type", "point"}});
-    EXPECT_EQ(state_of_effect(many, "look-ups of light 0"), EffectState::Simulated);
-    EXPECT_EQ(state_of_effect(many, "look-ups of light 1"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of_effect(many, "look-ups of light 0"), EffectState::Drawn);
+    EXPECT_EQ(state_of_effect(many, "look-ups of light 1"), EffectState::NotNeeded);
     EXPECT_EQ(
         std::count_if(many.begin(), many.end(),
                       [](const Effect& e) { return e.name.starts_with("face ") && e.name.ends_with(" of light 2"); }),
@@ -329,22 +328,22 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     Scene scene;
     finalise(scene);
     FrameResult frame;
-    PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Ran, .reason = "its inputs changed", .light = 0};
+    PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Drawn, .reason = "its inputs changed", .light = 0};
     pass.parts.push_back({.name = "casters of light 0",
-                          .state = PassState::Ran,
+                          .state = PassState::Drawn,
                           .reason = "they lie beside what the light reaches",
                           .left_out = 7,
                           .unit = "casters",
-                          .by = Saving::Uncalled});
+                          .by = Optimisation::Uncalled});
     frame.passes.push_back(pass);
     const std::vector<Effect> all = frame_effects(scene, {}, frame);
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
     EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
-    EXPECT_EQ(part->saving, Saving::Uncalled);
+    EXPECT_EQ(part->saving, Optimisation::Uncalled);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);
-    EXPECT_EQ(part->state, EffectState::Simulated);
+    EXPECT_EQ(part->state, EffectState::Drawn);
 }
 
 TEST(Sentences, KeepKeysAndStops) {

@@ -87,7 +87,7 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
         Settings s;  // the automatic camera and light
         s.lights[0].azimuth = 20, s.lights[0].elevation = 35;
         const std::vector<float> shown = values(scene, s, "n-dot-l");
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         int checked = 0, off = 0, facing = 0;
         for (int y = 0; y < kHeight; y += 3)
             for (int x = 0; x < kWidth; x += 3) {
@@ -128,7 +128,7 @@ TEST_F(FaceNormalsOnGpu, FollowPoses) {
         const std::vector<float> shown = values(scene, Settings{}, "n-dot-l");
         EXPECT_NE(before, shown);
         before = shown;
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         int checked = 0, off = 0;
         for (int y = 0; y < kHeight; y += 4)
             for (int x = 0; x < kWidth; x += 4) {

@@ -15,7 +15,7 @@ namespace {
 
 class FitsTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
 
     struct Judged {
         std::size_t beyond = 0, shadowed_beyond = 0, unlit_beyond = 0, shadowed = 0;
@@ -32,11 +32,11 @@ protected:
         const FloatImage visibility = renderer.read_float(frame.visibility, 1);
         request.outputs = {.colour = false};
         const MeasuredError measured = measure_error(renderer, scene, s, request, 0, {}, cache);
-        const Truth& truth = *measured.traced.truth;
+        const Reference& reference = *measured.traced.reference;
         Judged out{.metrics = measured.metrics, .light = frame.lights.at(0)};
-        const FloatImage& hard = truth.hard();
-        for (std::size_t i = 0; i < truth.state.size(); ++i) {
-            if (truth.state[i] != PixelState::Counted) continue;
+        const FloatImage& hard = reference.hard();
+        for (std::size_t i = 0; i < reference.state.size(); ++i) {
+            if (reference.state[i] != PixelState::Counted) continue;
             const bool shadow = hard.data[i] < 0.5f;
             out.shadowed += shadow;
             if (coordinates.data[4 * i + 3] > 0) continue;

@@ -43,7 +43,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
             s.shading.separate_visibility = true;
             const FrameResult separate = renderer.render(scene, s, small());
             ASSERT_NE(separate.pass("visibility"), nullptr);
-            EXPECT_EQ(separate.pass("visibility")->state, PassState::Ran);
+            EXPECT_EQ(separate.pass("visibility")->state, PassState::Drawn);
             // Not one pixel may differ by more than the rounding of one 8-bit step.
             EXPECT_EQ(different_pixels(fused, renderer.read_colour(separate.colour), 1), 0u) << name << " " << light;
         }
@@ -170,7 +170,7 @@ TEST_F(ProgramsTest, PairsOfChoicesCompile) {
 
 TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     const Scene scene = load_scene("stage");
-    TruthCache truths;
+    ReferenceCache references;
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
@@ -182,7 +182,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
                                                         {"map.resolution", "256"}});
                 FrameRequest request{.width = 64, .height = 36};
                 request.outputs.overlay = true;
-                const FrameResult f = render_with_truth(renderer, scene, s, request, truths);
+                const FrameResult f = render_with_reference(renderer, scene, s, request, references);
                 const FloatImage values = renderer.read_float(f.overlay, 4);
                 std::size_t drawn = 0, infinite = 0;
                 for (std::size_t i = 0; i < values.data.size(); i += 4) {
@@ -191,7 +191,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
                 }
                 const bool finds_faults =
                     overlay.key == "non-finite" || overlay.key == "outside-map" || overlay.key == "invalid-moments";
-                EXPECT_FALSE(f.panes.front().lacks_truth) << overlay.key;
+                EXPECT_FALSE(f.panes.front().lacks_reference) << overlay.key;
                 if (overlay.key != "artefacts") {
                     EXPECT_EQ(drawn > 0, !finds_faults) << overlay.key << " " << light;
                 }
@@ -220,8 +220,8 @@ TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
         Names out;
         reused.clear();
         for (const PassInfo& p : renderer.render(scene, s, request).passes) {
-            if (p.state == PassState::Ran) out.insert(p.name);
-            if (p.state == PassState::Reused) reused.insert(p.name);
+            if (p.state == PassState::Drawn) out.insert(p.name);
+            if (p.state == PassState::Cached) reused.insert(p.name);
         }
         return out;
     };
@@ -299,7 +299,7 @@ TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
         const Settings s = settings_for(scene, extra);
         FrameRequest all = small();
         all.force = true;
-        all.forced = SavingSet::all();
+        all.forced = OptimisationSet::all();
         EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
         FrameRequest timed = small();
         timed.timing = timed.force = true;

@@ -23,7 +23,7 @@ std::optional<double> most_different(std::string_view driver) {
     return driver.starts_with("zink") ? 0.01 : 0.002;
 }
 
-std::string remedy(const GoldenPicture& picture) {
+std::string fix(const GoldenPicture& picture) {
     return fmt::format("If what is drawn now is right, keep it: build/release/tests/draw_golden {}", picture.name());
 }
 
@@ -45,18 +45,18 @@ TEST_P(GoldenTest, RowsAreDrawnAsTheyWere) {
         };
         if (golden.data.empty()) {
             ADD_FAILURE() << "there is no golden picture of this row; it draws " << keep("drawn", now) << ". "
-                          << remedy(picture);
+                          << fix(picture);
             continue;
         }
         if (golden.width != now.width || golden.height != now.height) {
-            ADD_FAILURE() << "the golden picture has another size. " << remedy(picture);
+            ADD_FAILURE() << "the golden picture has another size. " << fix(picture);
             continue;
         }
         const std::size_t different = different_pixels(now, golden, kTolerance);
         if (double(different) > *most * now.width * now.height)
             ADD_FAILURE() << different << " of " << now.width * now.height << " pixels differ by more than "
                           << kTolerance << "/255: " << keep("drawn", now) << ", eightfold in "
-                          << keep("difference", golden_difference(now, golden)) << ". " << remedy(picture);
+                          << keep("difference", golden_difference(now, golden)) << ". " << fix(picture);
     }
 }
 

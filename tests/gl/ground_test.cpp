@@ -102,7 +102,7 @@ protected:
     FirstPicture first_picture(const Session& session) {
         FrameRequest request{.width = 320, .height = 180};
         request.outputs.surface_ids = request.outputs.map_coordinates = true;
-        TruthCache cache;
+        ReferenceCache cache;
         const FrameResult frame = renderer.render(session.scene, session.settings, request);
         const SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
         FirstPicture out;
@@ -111,22 +111,22 @@ protected:
                 texel_usage(renderer.read_float(frame.map_coordinates, 4), session.settings, frame.map_resolution)
                     .utilisation();
         request.outputs = {.error = true};
-        const FrameResult judged = render_with_truth(renderer, session.scene, session.settings, request, cache);
-        const Truth& truth = *request.truth->traced.truth;
+        const FrameResult classified = render_with_reference(renderer, session.scene, session.settings, request, cache);
+        const Reference& reference = *request.reference->traced.reference;
         const std::vector<bool> floors = floors_of(session.scene);
         out.own_floor = session.scene.ground_bounds.empty() && std::ranges::count(floors, true) > 0;
         for (int y = 0; y < ids.height; ++y)
             for (int x = 0; x < ids.width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(ids.width) + std::size_t(x);
                 if (ids.data[i].x == 0) continue;
-                ++out.surfaces, out.dark_surfaces += truth.visibility.data[i] < 0.5f;
+                ++out.surfaces, out.dark_surfaces += reference.visibility.data[i] < 0.5f;
                 if (!floors[ids.data[i].x - 1]) continue;
-                const bool dark = truth.visibility.data[i] < 0.5f;
+                const bool dark = reference.visibility.data[i] < 0.5f;
                 ++out.ground, out.dark += dark;
                 out.dark_at_rim += dark && (x == 0 || y == 0 || x == ids.width - 1 || y == ids.height - 1);
             }
         if (!out.own_floor) {
-            EXPECT_EQ(out.ground, judged.error ? judged.error->metrics.ground_pixels : 0);
+            EXPECT_EQ(out.ground, classified.error ? classified.error->metrics.ground_pixels : 0);
         }
         return out;
     }
@@ -187,8 +187,8 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
         return std::uint64_t(0);
     };
     EXPECT_EQ(drawn(with.scene), drawn(without.scene)) << "into the map";
-    EXPECT_EQ(TruthGeometry(with.scene, with.settings).caster_triangles(),
-              TruthGeometry(without.scene, with.settings).caster_triangles())
+    EXPECT_EQ(ReferenceGeometry(with.scene, with.settings).caster_triangles(),
+              ReferenceGeometry(without.scene, with.settings).caster_triangles())
         << "in the truth";
     // Under a light from below the box is lit as it would be without a ground.
     Settings s = with.settings;

@@ -82,7 +82,7 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
 TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
-    Rehearsal next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
+    Warmup next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
     for (int i = 0; i < next.settings.light_count; ++i)
         next.settings.lights[std::size_t(i)].type = int(LightType::Point);

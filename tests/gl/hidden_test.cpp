@@ -14,16 +14,16 @@ class HiddenTest : public FrameTest {
 protected:
     struct Drawn {
         std::vector<std::uint8_t> colour;
-        std::vector<float> visibility, truth;
+        std::vector<float> visibility, reference;
         bool operator==(const Drawn&) const = default;
     };
     Drawn draw(const Scene& scene, const Settings& settings) {
         FrameRequest request{.width = 160, .height = 90};
         request.outputs = {.visibility = true, .error = true};
-        TruthCache cache;
-        const FrameResult frame = render_with_truth(renderer, scene, settings, request, cache);
+        ReferenceCache cache;
+        const FrameResult frame = render_with_reference(renderer, scene, settings, request, cache);
         return {renderer.read_colour(frame.colour).data, renderer.read_float(frame.visibility, 1).data,
-                request.truth->traced.truth->visibility.data};
+                request.reference->traced.reference->visibility.data};
     }
     static Session stage(const std::vector<std::string>& sets) {
         std::vector<std::string> all{"map.resolution=256"};

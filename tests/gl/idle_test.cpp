@@ -195,13 +195,13 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
                                                 {"view.slabs", "both"},
                                                 {"view.slabs_texels", "4"},
                                                 {"view.map_fit", "true"}});
-    const auto drawn_anew = [&](const Settings& s) {
+    const auto drawn_again = [&](const Settings& s) {
         pictures(scene, apart, true);
         return pictures(scene, s, true);
     };
     Settings s = settings_for(scene, {{"map.resolution", "64"}});
     for (const auto& [key, value] : busy_states()[GetParam()]) set_setting(s, key, value);
-    const Bytes before = drawn_anew(s);
+    const Bytes before = drawn_again(s);
     std::size_t seen = 0;
     for (const SettingRef& ref : all_settings(s)) {
         // Of several lights the last: what the first alone has is changed in states that have no other.
@@ -215,7 +215,7 @@ TEST_P(BusyStates, NoChangeOfASettingLeavesAStalePicture) {
         if (ref.param->key == "map.resolution") changed.map.resolution = 96;
         const std::string what = setting_key(ref) + " = " + value_text(*ref.param, get_value(changed, ref));
         const Bytes now = pictures(scene, changed);
-        const bool fresh = now == drawn_anew(changed);  // not EXPECT_EQ, which would print them
+        const bool fresh = now == drawn_again(changed);  // not EXPECT_EQ, which would print them
         EXPECT_TRUE(fresh) << what;
         seen += now != before;
         const bool back = pictures(scene, s) == before;

@@ -14,7 +14,7 @@ namespace {
 
 class LightMapTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     Workers workers{.threads = 2};
     FrameRequest request{.width = 320, .height = 180, .outputs = {.colour = false, .visibility = true}};
     FrameResult frame;
@@ -24,7 +24,7 @@ protected:
         light_maps().forget();
     }
     FloatImage visibility(const Scene& scene, const Settings& s) {
-        frame = render_with_truth(renderer, scene, s, request, cache, workers);
+        frame = render_with_reference(renderer, scene, s, request, cache, workers);
         for (const std::string& note : frame.notes) ADD_FAILURE() << note;
         EXPECT_EQ(frame.light_maps.size(), 1u);
         EXPECT_TRUE(frame.light_maps.at(0).met);
@@ -33,12 +33,12 @@ protected:
     double texel_m() const { return 1 / frame.light_maps.at(0).texels_per_metre; }
     /// Calls with each pixel's point, its visibility and that of the truth, of those that count.
     template <class Visit>
-    void each_pixel(const Scene& scene, const Settings& s, const TruthOptions& options, Visit visit) {
+    void each_pixel(const Scene& scene, const Settings& s, const ReferenceOptions& options, Visit visit) {
         const FloatImage v = visibility(scene, s);
-        const TracedTruth t = cache.trace(truth_task(renderer, scene, s, request, 0, options), workers);
+        const TracedReference t = cache.trace(reference_task(renderer, scene, s, request, 0, options), workers);
         for (std::size_t i = 0; i < v.data.size(); ++i)
-            if (t.truth->state[i] == PixelState::Counted)
-                visit(t.receivers->pixels[i], double(v.data[i]), double(t.truth->visibility.data[i]));
+            if (t.reference->state[i] == PixelState::Counted)
+                visit(t.receivers->pixels[i], double(v.data[i]), double(t.reference->visibility.data[i]));
     }
     /// Share of the pixels that count on the wrong side of one half.
     double wrong_share(const Scene& scene, const Settings& s) {
@@ -248,16 +248,17 @@ TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
                                       {"light.2.source", "light-map"}});
     for (const int light : {0, 2}) {
         s.view.light = light;
-        frame = render_with_truth(renderer, scene, s, request, cache, workers);
+        frame = render_with_reference(renderer, scene, s, request, cache, workers);
         ASSERT_EQ(frame.light_maps.size(), 3u);
         EXPECT_TRUE(frame.light_maps[0].met && frame.light_maps[2].met);
         EXPECT_EQ(frame.light_maps[1].key, 0u);
         const FloatImage v = renderer.read_float(frame.visibility, 1);
-        const TracedTruth t = cache.trace(truth_task(renderer, scene, s, request, light, {.nearest = false}), workers);
+        const TracedReference t =
+            cache.trace(reference_task(renderer, scene, s, request, light, {.nearest = false}), workers);
         std::size_t wrong = 0;
         for (std::size_t i = 0; i < v.data.size(); ++i)
-            wrong +=
-                t.truth->state[i] == PixelState::Counted && (v.data[i] < 0.5f) != (t.truth->visibility.data[i] < 0.5f);
+            wrong += t.reference->state[i] == PixelState::Counted &&
+                     (v.data[i] < 0.5f) != (t.reference->visibility.data[i] < 0.5f);
         EXPECT_LT(double(wrong), 0.01 * double(v.data.size())) << light;
     }
 }
@@ -269,7 +270,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     const std::size_t before = baked();
     visibility(scene, s);
     EXPECT_EQ(baked(), before + 1);
-    EXPECT_EQ(frame.pass("light map")->state, PassState::Ran);
+    EXPECT_EQ(frame.pass("light map")->state, PassState::Drawn);
     EXPECT_NE(frame.pass("light map")->reason.find("256² texels of a byte"), std::string::npos)
         << frame.pass("light map")->reason;
     EXPECT_EQ(frame.light_maps[0].bytes, 256u * 256u);
@@ -278,7 +279,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
         set_setting(other, key, value);
         const FrameResult f = renderer.render(scene, other, request);
         EXPECT_TRUE(f.light_maps[0].met) << key;
-        EXPECT_EQ(f.pass("light map")->state, PassState::Reused) << key;
+        EXPECT_EQ(f.pass("light map")->state, PassState::Cached) << key;
     };
     expect_known("camera.azimuth", "77");
     expect_known("camera.fov", "20");
@@ -331,7 +332,7 @@ TEST_F(LightMapTest, HasTheSameBytesAfterItIsForgotten) {
     request.light_maps.clear();
     Renderer fresh;
     const FloatImage again =
-        fresh.read_float(render_with_truth(fresh, scene, s, request, cache, workers).visibility, 1);
+        fresh.read_float(render_with_reference(fresh, scene, s, request, cache, workers).visibility, 1);
     EXPECT_EQ(first.data, again.data);
 }
 

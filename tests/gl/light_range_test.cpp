@@ -110,7 +110,7 @@ TEST_F(LightRange, ProbeSaysWhyItIsDark) {
 
 TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
     Settings s = lit("point", 3);
-    TruthCache cache;
+    ReferenceCache cache;
     const MeasuredError error = measure_error(renderer, scene, s, small(), 0, {}, cache);
     const std::size_t beyond = error.metrics.pixels[std::size_t(PixelState::BeyondRange)];
     EXPECT_GT(beyond, 1000u);

@@ -14,7 +14,7 @@ namespace {
 
 class LiveErrorTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     FrameRequest request{.width = 321, .height = 243, .outputs = {.colour = false, .error = true}};
     FrameResult frame;
@@ -24,9 +24,9 @@ protected:
     /// Measures on both sides and demands that they agree. @returns the CPU's numbers
     ErrorMetrics agree(const Settings& s, const char* what) {
         SCOPED_TRACE(what);
-        frame = render_with_truth(renderer, scene, s, request, cache);
-        EXPECT_TRUE(frame.truth.met);
-        const ErrorMetrics cpu = measure_error(renderer, scene, s, request, 0, truth_options(s), cache).metrics;
+        frame = render_with_reference(renderer, scene, s, request, cache);
+        EXPECT_TRUE(frame.reference.met);
+        const ErrorMetrics cpu = measure_error(renderer, scene, s, request, 0, reference_options(s), cache).metrics;
         if (!frame.error) {
             ADD_FAILURE() << "no numbers";
             return cpu;
@@ -116,11 +116,11 @@ TEST_F(LiveErrorTest, AgreesUnderALightOfSizeAndOnPartOfThePixels) {
 TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     Settings s = hard(512, 0);
     const double acne = agree(s, "before").acne;
-    const auto truth = request.truth;
+    const auto reference = request.reference;
     for (const double constant : {1.0, 2.0, 4.0, 8.0}) {
         s.bias.constant = constant;
-        frame = renderer.render(scene, s, request);  // not render_with_truth: nothing may be traced
-        ASSERT_TRUE(frame.truth.met);
+        frame = renderer.render(scene, s, request);  // not render_with_reference: nothing may be traced
+        ASSERT_TRUE(frame.reference.met);
         ASSERT_TRUE(frame.error);
         const ErrorMetrics& m = frame.error->metrics;
         EXPECT_LT(m.acne, 0.7 * acne + 1e-9) << constant;
@@ -134,9 +134,9 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     set_setting(s, "filter.kernel", "hard");
     s.lights[0].azimuth += 1;
     frame = renderer.render(scene, s, request);
-    EXPECT_FALSE(frame.truth.met) << "another light, another truth";
+    EXPECT_FALSE(frame.reference.met) << "another light, another truth";
     EXPECT_FALSE(frame.error);
-    EXPECT_EQ(request.truth, truth);
+    EXPECT_EQ(request.reference, reference);
 }
 
 TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
@@ -144,11 +144,11 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
     set_setting(s, "view.overlay", "artefacts");
     request.outputs = {.colour = true, .overlay = true, .error = true};
     FrameResult untraced = renderer.render(scene, s, request);
-    EXPECT_TRUE(untraced.panes.front().lacks_truth);
+    EXPECT_TRUE(untraced.panes.front().lacks_reference);
     EXPECT_EQ(untraced.panes.front().overlay, 0);
-    EXPECT_NE(untraced.truth.key, 0u);
-    frame = render_with_truth(renderer, scene, s, request, cache);
-    EXPECT_EQ(untraced.truth.key, request.truth->key);
+    EXPECT_NE(untraced.reference.key, 0u);
+    frame = render_with_reference(renderer, scene, s, request, cache);
+    EXPECT_EQ(untraced.reference.key, request.reference->key);
     const FloatImage values = renderer.read_float(frame.overlay, 4);
     for (const ArtefactStyle& style : artefact_styles()) {
         std::size_t pixels = 0;
@@ -160,17 +160,17 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
         EXPECT_EQ(pixels, frame.error->metrics.artefacts[std::size_t(style.artefact)]) << style.key;
     }
 
-    const Truth& truth = *request.truth->traced.truth;
+    const Reference& reference = *request.reference->traced.reference;
     set_setting(s, "view.overlay", "truth");
-    frame = render_with_truth(renderer, scene, s, request, cache);
+    frame = render_with_reference(renderer, scene, s, request, cache);
     const FloatImage shown = renderer.read_float(frame.overlay, 4);
-    for (int y = 0; y < truth.height; ++y)
-        for (int x = 0; x < truth.width; ++x)
+    for (int y = 0; y < reference.height; ++y)
+        for (int x = 0; x < reference.width; ++x)
             if (shown.at(x, y, 3) > 0) {
-                ASSERT_EQ(shown.at(x, y), truth.visibility.at(x, y)) << x << ", " << y;
+                ASSERT_EQ(shown.at(x, y), reference.visibility.at(x, y)) << x << ", " << y;
             }
     set_setting(s, "view.overlay", "truth-difference");
-    frame = render_with_truth(renderer, scene, s, request, cache);
+    frame = render_with_reference(renderer, scene, s, request, cache);
     const FloatImage difference = renderer.read_float(frame.overlay, 4);
     double sum = 0;
     std::size_t counted = 0;
@@ -188,20 +188,20 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
         s.lights[0].type = int(type);
         set_setting(s, "filter.kernel", "pcf9");  // wide: it needs more bias than there is room for beside the box
         set_setting(s, "view.overlay", "bias-window");
-        frame = render_with_truth(renderer, scene, s, request, cache);
-        ASSERT_FALSE(frame.panes.front().lacks_truth);
+        frame = render_with_reference(renderer, scene, s, request, cache);
+        ASSERT_FALSE(frame.panes.front().lacks_reference);
         const FloatImage shown = renderer.read_float(frame.overlay, 4);
-        const Truth& truth = *request.truth->traced.truth;
+        const Reference& reference = *request.reference->traced.reference;
         const FittedLight& light = frame.lights[0];
         std::size_t shadowed = 0, closed = 0, off = 0;
-        for (int y = 0; y < truth.height; ++y)
-            for (int x = 0; x < truth.width; ++x) {
-                const std::size_t i = std::size_t(y) * std::size_t(truth.width) + std::size_t(x);
-                const float nearest = truth.nearest_m.data[i], value = shown.at(x, y);
-                if (truth.state[i] != PixelState::Counted) continue;
+        for (int y = 0; y < reference.height; ++y)
+            for (int x = 0; x < reference.width; ++x) {
+                const std::size_t i = std::size_t(y) * std::size_t(reference.width) + std::size_t(x);
+                const float nearest = reference.nearest_m.data[i], value = shown.at(x, y);
+                if (reference.state[i] != PixelState::Counted) continue;
                 ASSERT_EQ(std::isnan(nearest), std::isnan(value)) << x << ", " << y;
                 if (std::isnan(nearest)) continue;
-                const Receiver& r = request.truth->traced.receivers->pixels[i];
+                const Receiver& r = request.reference->traced.receivers->pixels[i];
                 const BiasAccount account =
                     bias_account(light, s, frame.map_resolution,
                                  {r.position_ws, r.normal_ws, r.normal_ws, frame.camera.origin()}, renderer.driver());
@@ -220,16 +220,16 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
 TEST_F(LiveErrorTest, TruePictureIsTheShadedOneUnderTheTruth) {
     Settings s = hard(4096, 4);
     request.outputs = {.colour = true, .true_colour = true};
-    frame = render_with_truth(renderer, scene, s, request, cache);
+    frame = render_with_reference(renderer, scene, s, request, cache);
     ASSERT_NE(frame.true_colour.texture, 0u);
-    const ByteImage map = renderer.read_colour(frame.colour), truth = renderer.read_colour(frame.true_colour);
-    const std::size_t off = different_pixels(map, truth, 2);
+    const ByteImage map = renderer.read_colour(frame.colour), reference = renderer.read_colour(frame.true_colour);
+    const std::size_t off = different_pixels(map, reference, 2);
     EXPECT_LT(off, map.data.size() / 4 / 50) << "a fine map is nearly true";
     s.bias.constant = 0;
     s.map.resolution = 256;
-    frame = render_with_truth(renderer, scene, s, request, cache);
-    EXPECT_EQ(truth.data, renderer.read_colour(frame.true_colour).data) << "the truth knows no map";
-    EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), truth, 2), map.data.size() / 4 / 10);
+    frame = render_with_reference(renderer, scene, s, request, cache);
+    EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the truth knows no map";
+    EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), reference, 2), map.data.size() / 4 / 10);
 }
 
 }  // namespace

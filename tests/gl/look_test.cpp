@@ -51,11 +51,11 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
         const FloatImage visibility = renderer.read_float(drawn.visibility, 1);
         const ByteImage picture = renderer.read_colour(drawn.colour);
         const FrameResult bare = renderer.render(scene, plain(on), request);
-        EXPECT_EQ(bare.pass("visibility")->state, PassState::Reused) << "it does not even have to be drawn again";
+        EXPECT_EQ(bare.pass("visibility")->state, PassState::Cached) << "it does not even have to be drawn again";
         EXPECT_GT(different_pixels(picture, renderer.read_colour(bare.colour)), 1000u);
         request.force = true;
-        const FloatImage anew = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
-        EXPECT_TRUE(anew.data == visibility.data);
+        const FloatImage again = renderer.read_float(renderer.render(scene, plain(on), request).visibility, 1);
+        EXPECT_TRUE(again.data == visibility.data);
     }
 }
 
@@ -217,7 +217,7 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);
         for (const PassInfo& pass : frame.passes)
-            EXPECT_EQ(pass.state == PassState::Ran, pass.name == "smoothing at rest") << pass.name;
+            EXPECT_EQ(pass.state == PassState::Drawn, pass.name == "smoothing at rest") << pass.name;
         EXPECT_TRUE(renderer.read_colour(frame.colour).data == as_drawn.data) << "the picture itself stays";
         if (request.smoothed == 1) one = renderer.read_colour(frame.smooth);
     }
@@ -304,15 +304,15 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     };
     const Settings s = settings_for(scene, {{"map.resolution", "64"}});
     for (const char* name : {"sky and its ambient light", "tone curve", "smoothing at rest"}) {
-        EXPECT_EQ(told(s, name).state, EffectState::Simulated) << name;
+        EXPECT_EQ(told(s, name).state, EffectState::Drawn) << name;
         EXPECT_FALSE(told(s, name).reason.empty()) << name;
     }
-    EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotCalledFor);
-    EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotCalledFor);
-    EXPECT_EQ(told(s, "ground").state, EffectState::NotCalledFor);
+    EXPECT_EQ(told(plain(s), "sky and its ambient light").state, EffectState::NotNeeded);
+    EXPECT_EQ(told(plain(s), "tone curve").state, EffectState::NotNeeded);
+    EXPECT_EQ(told(s, "ground").state, EffectState::NotNeeded);
     Settings apart = s;
     apart.lights[0].contact = 0.2;
-    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotCalledFor) << "visibility has its own pixels";
+    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotNeeded) << "visibility has its own pixels";
 }
 
 TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {

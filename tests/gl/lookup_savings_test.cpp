@@ -12,25 +12,25 @@
 namespace si {
 namespace {
 
-class LookupSavingsTest : public FrameTest {
+class LookupOptimisationsTest : public FrameTest {
 protected:
     FrameRequest request{.width = 128, .height = 96};
 
     /// Draws the maps alone: bounds are found of those that a frame keeps.
-    void draw_maps(const Scene& scene, const Settings& s, SavingSet forced) {
+    void draw_maps(const Scene& scene, const Settings& s, OptimisationSet forced) {
         FrameRequest maps = request;
         maps.forced = forced;
         maps.outputs = {.colour = false, .shadow_map = true};
         renderer.render(scene, s, maps);
     }
-    FloatImage visibility(const Scene& scene, const Settings& s, SavingSet forced = {}) {
+    FloatImage visibility(const Scene& scene, const Settings& s, OptimisationSet forced = {}) {
         request.forced = forced;
         draw_maps(scene, s, forced);
         request.outputs = {.colour = false, .visibility = true};
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
     }
     /// Texels fetched by pixel; below 0 where no surface or no number is.
-    std::vector<float> taps(const Scene& scene, Settings s, SavingSet forced = {}) {
+    std::vector<float> taps(const Scene& scene, Settings s, OptimisationSet forced = {}) {
         set_setting(s, "view.overlay", "taps");
         request.forced = forced;
         draw_maps(scene, s, forced);
@@ -42,13 +42,13 @@ protected:
         return out;
     }
     /// Every pixel that shows a surface fetches so many texels.
-    void expect_taps(const Scene& scene, const Settings& s, SavingSet forced, float texels, const char* what) {
+    void expect_taps(const Scene& scene, const Settings& s, OptimisationSet forced, float texels, const char* what) {
         int shown = 0, other = 0;
         for (const float n : taps(scene, s, forced)) shown += n >= 0, other += n >= 0 && n != texels;
         EXPECT_GT(shown, 1000) << what;
         EXPECT_EQ(other, 0) << what;
     }
-    void expect_equal_bytes(const Scene& scene, const Settings& s, SavingSet forced, const std::string& what) {
+    void expect_equal_bytes(const Scene& scene, const Settings& s, OptimisationSet forced, const std::string& what) {
         const FloatImage some = visibility(scene, s), all = visibility(scene, s, forced);
         EXPECT_EQ(some.data, all.data) << what << ", visibility";
         request.outputs = {};
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-const SavingSet kLookups = {Saving::EarlyOut, Saving::Blockers, Saving::Facing};
+const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::Blockers, Optimisation::Facing};
 
 /// A bare floor, all of it in the map, and taps beyond its sides as the floor goes on.
 Settings floor_settings(std::string_view kernel) {
@@ -78,7 +78,7 @@ Scene bare_floor() {
     return scene;
 }
 
-TEST_F(LookupSavingsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
+TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
     const Scene scene = bare_floor();
     for (const char* kernel : {"pcf", "gauss", "poisson", "vogel", "dpcf", "pcss"}) {
         Settings s = floor_settings(kernel);
@@ -88,12 +88,12 @@ TEST_F(LookupSavingsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
         s.lights[0].size = 0.2;
         const FilterCost cost = cost_of(s);
         const bool searches = std::string_view(kernel) == "pcss";  // and ends where it finds nothing
-        expect_taps(scene, s, {Saving::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
+        expect_taps(scene, s, {Optimisation::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
         expect_taps(scene, s, {}, 0, kernel);
     }
 }
 
-TEST_F(LookupSavingsTest, TapsAreFetchedAboutEdgesAlone) {
+TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = floor_settings("pcf");
     s.filter.size = 15;
@@ -113,22 +113,23 @@ TEST_F(LookupSavingsTest, TapsAreFetchedAboutEdgesAlone) {
     EXPECT_LT(fetched, int(saved.size()) / 2);
 }
 
-TEST_F(LookupSavingsTest, ASearchWithoutAPenumbraLooksOnce) {
+TEST_F(LookupOptimisationsTest, ASearchWithoutAPenumbraLooksOnce) {
     const Scene scene = bare_floor();
     Settings s = floor_settings("pcss");
     s.filter.blocker_taps = 24;
     s.lights[0].size = 0;
-    expect_taps(scene, s, {Saving::EarlyOut}, 1, "size 0");
-    expect_taps(scene, s, {Saving::EarlyOut, Saving::Blockers}, 24, "size 0, forced");
+    expect_taps(scene, s, {Optimisation::EarlyOut}, 1, "size 0");
+    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::Blockers}, 24, "size 0, forced");
     s.lights[0].size = 0.5;
-    expect_taps(scene, s, {Saving::EarlyOut}, 24, "a light of size");
+    expect_taps(scene, s, {Optimisation::EarlyOut}, 24, "a light of size");
     set_setting(s, "filter.kernel", "smrt");
     s.lights[0].size = 0, s.bias.normal = 3;
-    expect_taps(scene, s, {Saving::EarlyOut}, 1, "rays, size 0");
-    expect_taps(scene, s, {Saving::EarlyOut, Saving::Blockers}, float(1 + s.filter.rays * s.filter.steps), "forced");
+    expect_taps(scene, s, {Optimisation::EarlyOut}, 1, "rays, size 0");
+    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::Blockers}, float(1 + s.filter.rays * s.filter.steps),
+                "forced");
 }
 
-TEST_F(LookupSavingsTest, NothingIsFetchedForLightThatDoesNotArrive) {
+TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     const Scene scene = bare_floor();
     Settings s = floor_settings("pcf3");
     const float all = float(cost_of(s).texels);
@@ -141,7 +142,7 @@ TEST_F(LookupSavingsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     set_setting(s, "light.elevation", "40");
     for (const bool separate : {false, true}) {
         s.shading.separate_visibility = separate;
-        const std::vector<float> saved = taps(scene, s), forced = taps(scene, s, {Saving::Facing});
+        const std::vector<float> saved = taps(scene, s), forced = taps(scene, s, {Optimisation::Facing});
         const auto sum = [](const std::vector<float>& v) {
             return std::accumulate(v.begin(), v.end(), 0.0, [](double a, float b) { return a + std::max(b, 0.f); });
         };
@@ -183,7 +184,7 @@ const std::vector<Sets>& ways() {
     return all;
 }
 
-TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
+TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;
     request.width = 64, request.height = 48;
@@ -216,23 +217,23 @@ TEST_F(LookupSavingsTest, ForcedGivesTheSameBytesWhateverTheMap) {
 }
 
 /// Bounds are of maps that are kept: they are measured while the camera moves.
-TEST_F(LookupSavingsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
+TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
     const FrameRequest tiny{.width = 64, .height = 36};
-    KeptFrames frames(scene, s, tiny, Saving::EarlyOut);
-    for (int i = 0; i < 3; ++i) frames.draw({}), frames.draw({Saving::EarlyOut});
+    KeptFrames frames(scene, s, tiny, Optimisation::EarlyOut);
+    for (int i = 0; i < 3; ++i) frames.draw({}), frames.draw({Optimisation::EarlyOut});
     const FrameResult with = frames.draw({});
     EXPECT_NE(with.pass("map bounds")->state, PassState::Skipped) << with.pass("map bounds")->reason;
     const ByteImage picture = renderer.read_colour(with.colour);
-    const FrameResult without = frames.draw({Saving::EarlyOut});
+    const FrameResult without = frames.draw({Optimisation::EarlyOut});
     EXPECT_EQ(without.pass("map bounds")->state, PassState::Skipped);
     EXPECT_EQ(different_pixels(picture, renderer.read_colour(without.colour)), 0u) << "they are of one moment";
     const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, tiny));
     const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
     ASSERT_NE(bounds, effects.end());
-    EXPECT_EQ(bounds->saving, Saving::EarlyOut) << bounds->reason;
-    const SavedTimes times = measure_saved(renderer, scene, s, tiny, named_savings(effects), 4);
+    EXPECT_EQ(bounds->saving, Optimisation::EarlyOut) << bounds->reason;
+    const SavedTimes times = measure_saved(renderer, scene, s, tiny, named_optimisations(effects), 4);
     ASSERT_TRUE(times.of(*bounds));
     EXPECT_EQ(times.of(*bounds)->samples, 4);
 }

@@ -9,9 +9,9 @@ namespace {
 
 class MeasureTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     MeasuredError measured;
-    const ErrorMetrics& measure(const Scene& scene, const Settings& settings, const TruthOptions& options = {},
+    const ErrorMetrics& measure(const Scene& scene, const Settings& settings, const ReferenceOptions& options = {},
                                 int width = 320, int height = 240) {
         measured = measure_error(renderer, scene, settings, {.width = width, .height = height}, 0, options, cache);
         sums_are_whole();
@@ -69,7 +69,7 @@ TEST_F(MeasureTest, CallsMissingBiasAcne) {
     EXPECT_LT(m.false_light, 0.01);
     EXPECT_LT(m.signed_mean, -0.3);
     std::size_t acne = 0;
-    for (const JudgedPixel& p : measured.judged) acne += p.artefact == Artefact::Acne;
+    for (const JudgedPixel& p : measured.classified) acne += p.artefact == Artefact::Acne;
     EXPECT_EQ(acne, m.artefacts[std::size_t(Artefact::Acne)]);
     EXPECT_NEAR(double(acne) / double(m.counted), m.acne, 1e-12);
 }
@@ -141,17 +141,17 @@ TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     measure(scene, s);
-    const auto truth = measured.traced.truth;
+    const auto reference = measured.traced.reference;
     EXPECT_GT(measured.traced.trace_ms, 0);
     s.map.resolution = 1024;
     set_setting(s, "filter.kernel", "pcf5");
     s.bias.constant = 7;
     measure(scene, s);
-    EXPECT_EQ(measured.traced.truth, truth) << "a sweep over maps traces once";
+    EXPECT_EQ(measured.traced.reference, reference) << "a sweep over maps traces once";
     EXPECT_EQ(measured.traced.trace_ms, 0);
     s.lights[0].azimuth += 10;
     measure(scene, s);
-    EXPECT_NE(measured.traced.truth, truth);
+    EXPECT_NE(measured.traced.reference, reference);
     EXPECT_EQ(measured.traced.build_ms, 0) << "the hierarchy stays";
     EXPECT_EQ(measured.traced.place_ms, 0) << "and what the camera sees";
     s.camera.azimuth += 10;
@@ -159,14 +159,14 @@ TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
     EXPECT_GT(measured.traced.place_ms, 0);
     s.lights[0].azimuth -= 10, s.camera.azimuth -= 10;
     measure(scene, s);
-    EXPECT_EQ(measured.traced.truth, truth) << "the last few are kept";
-    const auto hard_truth = measured.traced.truth;
+    EXPECT_EQ(measured.traced.reference, reference) << "the last few are kept";
+    const auto hard_reference = measured.traced.reference;
     s.lights[0].size = 2;
     measure(scene, s);
-    EXPECT_EQ(measured.traced.truth, hard_truth) << "a point has no size";
+    EXPECT_EQ(measured.traced.reference, hard_reference) << "a point has no size";
     measure(scene, s, {.area = true, .samples = 64});
-    EXPECT_NE(measured.traced.truth, hard_truth);
-    EXPECT_GT(measured.traced.truth->partial, 100u);
+    EXPECT_NE(measured.traced.reference, hard_reference);
+    EXPECT_GT(measured.traced.reference->partial, 100u);
 }
 
 }  // namespace

@@ -293,7 +293,7 @@ void along_the_edge(const Scene& scene, const Settings& s, Visit visit) {
     const LightView& view = frame.lights.at(0).views.at(0);
     const Shares shares(renderer.read_shadow_map(frame, 0, 0), view.curve);
     const FloatImage visibility = renderer.read_float(frame.visibility, 1);
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     for (int y = 0; y < kPicture.height; ++y)
         for (int x = 0; x < kPicture.width; ++x) {
             glm::dvec3 origin, dir;
@@ -419,7 +419,7 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
             s.lights[0].cone = 90;
             move_camera(s, place.at);
             const Shot shot = shoot(scene, s, 80, 45);
-            const TruthErrors e = compare(shot, scene, 0);
+            const ReferenceErrors e = compare(shot, scene, 0);
             EXPECT_GT(e.domain, 500);
             double least = 1;
             for (int y = 20; y < 44; ++y)
@@ -448,7 +448,7 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
             if (reads(*row, "filter.negative_exponent")) s.filter.negative_exponent = limit;
             const Shot at_limit = shoot(scene, s);  // demands that all are numbers
             EXPECT_TRUE(at_limit.frame.notes.empty());
-            const TruthErrors e = compare(at_limit, scene, 4);
+            const ReferenceErrors e = compare(at_limit, scene, 4);
             EXPECT_LT(e.any_acne, e.domain / 20) << row->key << " " << format << ": lit places must stay lit";
             EXPECT_LT(e.any_leak, e.domain / 3) << row->key;
             EXPECT_GT(shadow_share(at_limit), 0.01);
@@ -739,14 +739,14 @@ TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
         Settings s = texel_settings(row->key, 64, 2);
         s.map.samples = 4, s.filter.mips = true;
         const FrameResult first = renderer.render(scene, s, kPicture);
-        EXPECT_EQ(first.pass("moments")->state, PassState::Ran) << row->key;
+        EXPECT_EQ(first.pass("moments")->state, PassState::Drawn) << row->key;
         EXPECT_EQ(first.pass("moments")->category, PassCategory::Maps);
         s.camera.azimuth += 10;
-        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Reused) << row->key;
+        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
         s.filter.bleed = 0.1, s.filter.moment_bias = 1e-5;
-        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Reused) << row->key;
+        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
         s.lights[0].azimuth += 10;
-        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Ran) << row->key;
+        EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Drawn) << row->key;
     }
 }
 

@@ -50,8 +50,8 @@ protected:
     NumericHealth health_of(const Scene& scene, const Settings& s) {
         FrameRequest request{.width = 96, .height = 54, .force = true};
         request.outputs.health = true;
-        TruthCache truths;
-        trace_sources(renderer, scene, s, request, truths);
+        ReferenceCache references;
+        trace_sources(renderer, scene, s, request, references);
         const FrameResult frame = renderer.render(scene, s, request);
         return *renderer.numeric_health(frame);
     }
@@ -269,16 +269,16 @@ TEST_F(NumericHealthTest, CostsNothingUnlessAskedForAndThenLeavesThePictureAlone
     EXPECT_THROW(renderer.numeric_health(plain), Error);
     bool told = false;
     for (const Effect& e : frame_effects(scene, s, plain, {}))
-        told |= e.name == "numeric health" && e.state == EffectState::NotCalledFor &&
+        told |= e.name == "numeric health" && e.state == EffectState::NotNeeded &&
                 e.reason == "Not needed: the numbers are not checked.";
     EXPECT_TRUE(told);
     request.outputs.health = true;
     const FrameResult searched = renderer.render(scene, s, request);
-    EXPECT_EQ(searched.pass("numeric health")->state, PassState::Ran);
+    EXPECT_EQ(searched.pass("numeric health")->state, PassState::Drawn);
     EXPECT_EQ(renderer.read_colour(searched.colour), before);
     const auto health = renderer.numeric_health(searched);
     ASSERT_TRUE(health);
-    EXPECT_EQ(renderer.render(scene, s, request).pass("numeric health")->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("numeric health")->state, PassState::Cached);
     EXPECT_EQ(renderer.numeric_health(searched), health) << "read back once";
 }
 

@@ -68,9 +68,10 @@ TEST_F(PanesTest, PanesOfOneOverlayShareItsImages) {
         frame(scene, {{"view.panes", "two"}, {"view.overlay", "n-dot-l"}, {"view.overlay_2", "n-dot-l"}});
     ASSERT_EQ(f.panes.size(), 2u);
     EXPECT_EQ(f.panes[0].picture.texture, f.panes[1].picture.texture);
-    EXPECT_EQ(std::count_if(
-                  f.passes.begin(), f.passes.end(),
-                  [](const PassInfo& p) { return p.name.starts_with("overlay values") && p.state == PassState::Ran; }),
+    EXPECT_EQ(std::count_if(f.passes.begin(), f.passes.end(),
+                            [](const PassInfo& p) {
+                                return p.name.starts_with("overlay values") && p.state == PassState::Drawn;
+                            }),
               1);
 }
 

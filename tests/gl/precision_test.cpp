@@ -41,7 +41,7 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
                 {.width = kWidth, .height = kHeight, .outputs = {.map_coordinates = true, .precision = true}});
             ASSERT_TRUE(frame.precision);
             const FloatImage coordinates = hard_renderer().read_float(frame.map_coordinates, 4);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int compared = 0;
             for (int y = 2; y < kHeight; y += 5)
                 for (int x = 2; x < kWidth; x += 5) {
@@ -142,8 +142,8 @@ TEST(PrecisionTest, CostsNothingUnasked) {
     Renderer& renderer = hard_renderer();
     EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Skipped);
     request.outputs.precision = true;
-    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Ran);
-    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Drawn);
+    EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Cached);
 }
 
 /// Cascades over what the camera sees of a wide floor with a box.

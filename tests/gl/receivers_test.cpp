@@ -20,8 +20,8 @@ bool on_one_surface(const Receiver& a, const Receiver& b) {
 TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
     const Scene scene = load_scene("boxes");
     for (const int height : {1, 16, 17, 41}) {
-        const TruthTask task =
-            truth_task(renderer, scene, settings_for(scene), {.width = 53, .height = height}, 0, {.nearest = false});
+        const ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 53, .height = height},
+                                                  0, {.nearest = false});
         const Receivers r = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         ASSERT_EQ(r.pixels.size(), 53u * std::size_t(height));
         std::size_t joined = 0, apart = 0;
@@ -41,7 +41,7 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
 
 TEST_F(ReceiversTest, WhatShowsNothingIsEmptyWhateverTheMemoryHeld) {
     const Scene scene = load_scene("boxes");
-    TruthTask task = truth_task(renderer, scene, settings_for(scene), {.width = 320, .height = 180}, 0, {});
+    ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 320, .height = 180}, 0, {});
     for (int round = 0; round < 2; ++round) {  // the second is given what the first left
         const Receivers r = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         ASSERT_EQ(r.starts.size(), r.pixels.size());

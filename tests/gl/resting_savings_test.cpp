@@ -54,11 +54,11 @@ Settings small_maps(const Scene& scene, const Sets& sets) {
     return s;
 }
 
-class RestingSavingsTest : public FrameTest {
+class StaticOptimisationsTest : public FrameTest {
 protected:
     Renderer whole;  ///< that keeps nothing apart
 
-    static FrameRequest asked(SavingSet forced = {}) {
+    static FrameRequest asked(OptimisationSet forced = {}) {
         FrameRequest request{.width = 64, .height = 36, .forced = forced};
         request.outputs.shadow_map = true;
         return request;
@@ -66,7 +66,7 @@ protected:
     static const PassInfo& map_pass(const FrameResult& f) {
         return *std::ranges::find_if(f.passes, [](const PassInfo& p) { return p.name.starts_with("shadow map "); });
     }
-    static const PartInfo* resting_part(const FrameResult& f) {
+    static const PartInfo* static_part(const FrameResult& f) {
         const PassInfo& pass = map_pass(f);
         const auto part =
             std::ranges::find_if(pass.parts, [](const PartInfo& p) { return p.name.starts_with("casters at rest"); });
@@ -89,7 +89,7 @@ protected:
         const FrameResult kept = renderer.render(scene, s, asked());
         const std::vector<float> texels_kept = texels(renderer, kept);
         const ByteImage picture = renderer.read_colour(kept.colour);
-        FrameRequest request = asked({Saving::Resting});
+        FrameRequest request = asked({Optimisation::Static});
         const FrameResult all = whole.render(scene, s, request);
         const std::vector<float> texels_all = texels(whole, all);
         EXPECT_EQ(texels_kept.size(), texels_all.size());
@@ -100,7 +100,7 @@ protected:
         EXPECT_EQ(different_pixels(picture, whole.read_colour(all.colour)), 0u) << what << ": picture";
         return kept;
     }
-    static bool is_kept(const FrameResult& f) { return resting_part(f) && resting_part(f)->state == PassState::Reused; }
+    static bool is_kept(const FrameResult& f) { return static_part(f) && static_part(f)->state == PassState::Cached; }
 };
 
 const std::vector<Sets>& kinds() {
@@ -116,7 +116,7 @@ const std::vector<Sets>& kinds() {
     return all;
 }
 
-TEST_F(RestingSavingsTest, LeaveEveryTexelOfEveryBuiltInScene) {
+TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
     std::size_t next = 0;
     int kept = 0, frames = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -137,7 +137,7 @@ TEST_F(RestingSavingsTest, LeaveEveryTexelOfEveryBuiltInScene) {
     EXPECT_GT(kept, frames / 4);
 }
 
-TEST_F(RestingSavingsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
+TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3, all = 41 * ball + 2 + 8 * 12;
     for (const Sets& sets : {kinds()[0], kinds()[2]}) {
@@ -149,8 +149,8 @@ TEST_F(RestingSavingsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
             drawn.push_back(map_pass(f).triangles);
             if (i >= 3) {
                 ASSERT_TRUE(is_kept(f));
-                EXPECT_EQ(resting_part(f)->left_out, 49u) << "the floor, 40 balls and the posts";
-                EXPECT_EQ(resting_part(f)->by, Saving::Resting);
+                EXPECT_EQ(static_part(f)->left_out, 49u) << "the floor, 40 balls and the posts";
+                EXPECT_EQ(static_part(f)->by, Optimisation::Static);
             }
         }
         EXPECT_EQ(drawn[0], all);
@@ -166,7 +166,7 @@ TEST_F(RestingSavingsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
     }
 }
 
-TEST_F(RestingSavingsTest, FacesThatNothingMovesInAreLeftAlone) {
+TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, {{"light.type", "point"},
                                           {"light.distance", "3"},
@@ -186,7 +186,7 @@ TEST_F(RestingSavingsTest, FacesThatNothingMovesInAreLeftAlone) {
     EXPECT_LE(drawn, 2) << "it lies to the light's side, in one face or on the edge of two";
 }
 
-TEST_F(RestingSavingsTest, LeaveEveryTexelOfAnimatedModels) {
+TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
     const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
     if (!std::filesystem::exists(models)) GTEST_SKIP() << "../shared/models is not here";
     for (const char* file :
@@ -216,7 +216,7 @@ TEST_F(RestingSavingsTest, LeaveEveryTexelOfAnimatedModels) {
 }
 
 // What comes to rest goes on being drawn, until that has cost as much as to draw anew what rests.
-TEST_F(RestingSavingsTest, WhatComesToRestIsKeptInTime) {
+TEST_F(StaticOptimisationsTest, WhatComesToRestIsKeptInTime) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     const Settings s = small_maps(scene, kinds()[0]);
@@ -236,7 +236,7 @@ TEST_F(RestingSavingsTest, WhatComesToRestIsKeptInTime) {
     EXPECT_EQ(drawn.back(), ball) << "they rest for long";
 }
 
-TEST_F(RestingSavingsTest, MasksAreDrawnOverMasks) {
+TEST_F(StaticOptimisationsTest, MasksAreDrawnOverMasks) {
     Scene scene = load_scene("stage");
     fence(scene);
     const Settings s = small_maps(scene, kinds()[0]);
@@ -256,14 +256,14 @@ TEST_F(RestingSavingsTest, MasksAreDrawnOverMasks) {
     EXPECT_FALSE(is_kept(expect_the_same(scene, s, "other cutoffs")));
 }
 
-TEST_F(RestingSavingsTest, ACameraThatMovesTooFindsItAll) {
+TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
     Scene scene = many_balls();
     for (const Sets& sets : {kinds()[0], kinds()[4]}) {
         Settings s = small_maps(scene, sets);
         s.camera.source = int(CameraSource::Manual);
         s.camera.distance = 6, s.camera.elevation = 30, s.camera.target_y = 0.5;
         FrameRequest few{.width = 64, .height = 36}, all = few;
-        all.forced = {Saving::Resting};
+        all.forced = {Optimisation::Static};
         int kept = 0;
         for (int i = 0; i < 12; ++i) {
             s.camera.azimuth += 25, s.camera.target_x = i % 5 - 2;
@@ -283,7 +283,7 @@ struct Declined {
     const char* reason;
 };
 
-TEST_F(RestingSavingsTest, WhatCannotBeKeptApartSaysWhy) {
+TEST_F(StaticOptimisationsTest, WhatCannotBeKeptApartSaysWhy) {
     const Declined all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
                             {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
                             {{{"light.fit", "scene"}}, "Post", "views changed"}};
@@ -294,14 +294,14 @@ TEST_F(RestingSavingsTest, WhatCannotBeKeptApartSaysWhy) {
             move_by(scene, node_named(scene, d.mover), i % 2 ? 0.3 : -0.4, 0, 0);
             const FrameResult f = expect_the_same(scene, s, d.reason);
             if (i == 0) continue;
-            ASSERT_TRUE(resting_part(f)) << d.reason;
-            EXPECT_EQ(resting_part(f)->state, PassState::Skipped);
-            EXPECT_NE(resting_part(f)->reason.find(d.reason), std::string::npos) << resting_part(f)->reason;
+            ASSERT_TRUE(static_part(f)) << d.reason;
+            EXPECT_EQ(static_part(f)->state, PassState::Skipped);
+            EXPECT_NE(static_part(f)->reason.find(d.reason), std::string::npos) << static_part(f)->reason;
         }
     }
 }
 
-TEST_F(RestingSavingsTest, TheEffectIsTold) {
+TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, kinds()[0]);
     const auto told = [&] {
@@ -313,9 +313,9 @@ TEST_F(RestingSavingsTest, TheEffectIsTold) {
     };
     told(), told();
     const Effect drawn = told(), kept = told();
-    EXPECT_EQ(drawn.state, EffectState::Simulated) << drawn.reason;
-    EXPECT_EQ(kept.state, EffectState::Reused) << kept.reason;
-    EXPECT_EQ(kept.saving, Saving::Resting);
+    EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
+    EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
+    EXPECT_EQ(kept.saving, Optimisation::Static);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
@@ -335,19 +335,19 @@ Scene animated_ball() {
     return scene;
 }
 
-TEST_F(RestingSavingsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
+TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
     s.scene.time = 0.9;  // over the end
-    KeptFrames frames(scene, s, asked(), Saving::Resting);
-    for (int i = 0; i < 4; ++i) frames.draw({}), frames.draw({Saving::Resting});
+    KeptFrames frames(scene, s, asked(), Optimisation::Static);
+    for (int i = 0; i < 4; ++i) frames.draw({}), frames.draw({Optimisation::Static});
     ByteImage before;
     for (int i = 0; i < 4; ++i) {
         const FrameResult kept = frames.draw({});
         EXPECT_TRUE(is_kept(kept));
         const std::uint64_t triangles = map_pass(kept).triangles;
         const ByteImage picture = renderer.read_colour(kept.colour);
-        const FrameResult all = frames.draw({Saving::Resting});
+        const FrameResult all = frames.draw({Optimisation::Static});
         EXPECT_GT(map_pass(all).triangles, 10 * triangles);
         EXPECT_EQ(different_pixels(picture, renderer.read_colour(all.colour)), 0u) << "they are of one moment";
         if (i > 0) {
@@ -357,19 +357,19 @@ TEST_F(RestingSavingsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     }
 }
 
-TEST_F(RestingSavingsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
+TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {
-        Renderer anew;  // that has seen nothing move
-        const FrameResult frame = anew.render(scene, s, asked());
+        Renderer again;  // that has seen nothing move
+        const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
         const auto told =
-            std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Saving::Resting && !e.part; });
+            std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Optimisation::Static && !e.part; });
         EXPECT_NE(told, effects.end());
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
-        const std::vector<Saving> named = named_savings(effects);
-        EXPECT_TRUE(std::ranges::count(named, Saving::Resting) == 1);
-        const SavedTimes times = measure_saved(anew, scene, s, asked(), named, 5);
+        const std::vector<Optimisation> named = named_optimisations(effects);
+        EXPECT_TRUE(std::ranges::count(named, Optimisation::Static) == 1);
+        const SavedTimes times = measure_saved(again, scene, s, asked(), named, 5);
         const Spread* ms = times.of(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
     };

@@ -12,12 +12,12 @@
 namespace si {
 namespace {
 
-class SavingsTest : public FrameTest {
+class OptimisationsTest : public FrameTest {
 protected:
-    SavingSet made;  ///< of frames that were drawn
+    OptimisationSet made;  ///< of frames that were drawn
 
     const FrameResult& note_made(const Scene& scene, const Settings& s, const FrameResult& frame,
-                                 SavingSet forced = {}) {
+                                 OptimisationSet forced = {}) {
         for (const Effect& effect : frame_effects(scene, s, frame, forced))
             if (effect.saving && !forced.contains(*effect.saving)) made.add(*effect.saving);
         return frame;
@@ -29,9 +29,9 @@ protected:
         maps.outputs = {.colour = false, .shadow_map = true};
         renderer.render(scene, s, maps);
         const ByteImage saved = renderer.read_colour(note_made(scene, s, renderer.render(scene, s, cold)).colour);
-        for (std::size_t row = 0; row < kSavings; ++row) {
+        for (std::size_t row = 0; row < kOptimisations; ++row) {
             FrameRequest request = cold;
-            request.forced = {Saving(row)};
+            request.forced = {Optimisation(row)};
             const FrameResult frame = note_made(scene, s, renderer.render(scene, s, request), request.forced);
             EXPECT_EQ(different_pixels(saved, renderer.read_colour(frame.colour)), 0u)
                 << what << ", " << savings()[row].key << " forced";
@@ -47,8 +47,9 @@ protected:
         expect_one_picture(scene, s, what + ", near a corner");
     }
     /// Frames made each of these, or nothing was compared.
-    void expect_made(std::initializer_list<Saving> some) {
-        for (const Saving saving : some) EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " was never made";
+    void expect_made(std::initializer_list<Optimisation> some) {
+        for (const Optimisation saving : some)
+            EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " was never made";
     }
 };
 
@@ -69,7 +70,7 @@ const std::vector<Sets>& cases() {
     return all;
 }
 
-TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
+TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
     std::size_t next = 1;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
@@ -79,12 +80,13 @@ TEST_F(SavingsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
             expect_one_picture(scene, settings_for(scene, cases()[next]),
                                std::string(row.key) + ", " + cases()[next][0].second);
     }
-    expect_made({Saving::Uncalled, Saving::Blockers, Saving::EarlyOut, Saving::Facing, Saving::Order, Saving::InSight,
-                 Saving::Fused, Saving::BackFaces, Saving::Casters, Saving::Views, Saving::Fragments});
+    expect_made({Optimisation::Uncalled, Optimisation::Blockers, Optimisation::EarlyOut, Optimisation::Facing,
+                 Optimisation::Order, Optimisation::InSight, Optimisation::Fused, Optimisation::BackFaces,
+                 Optimisation::Casters, Optimisation::Views, Optimisation::Fragments});
 }
 
 // All of them under all cases take an hour.
-TEST_F(SavingsTest, ForcedDrawsTheSameBytesOfRealModels) {
+TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << "../shared/models is not here";
     const bool all = std::getenv("SI_LONG");
@@ -103,8 +105,9 @@ TEST_F(SavingsTest, ForcedDrawsTheSameBytesOfRealModels) {
             EXPECT_TRUE(model.may_be_refused) << e.what();
         }
     }
-    expect_made({Saving::Uncalled, Saving::Facing, Saving::Order, Saving::InSight, Saving::Fused, Saving::BackFaces,
-                 Saving::Casters, Saving::Views, Saving::Fragments});
+    expect_made({Optimisation::Uncalled, Optimisation::Facing, Optimisation::Order, Optimisation::InSight,
+                 Optimisation::Fused, Optimisation::BackFaces, Optimisation::Casters, Optimisation::Views,
+                 Optimisation::Fragments});
 }
 
 }  // namespace

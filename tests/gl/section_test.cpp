@@ -21,19 +21,19 @@ constexpr glm::ivec2 kMiddle{80, 60};
 class SectionTest : public FrameTest {
 protected:
     Probe probed;
-    Dossier dossier;
+    PixelDiagnosis diagnosis;
 
     const Probe::PerLight& light() const { return probed.lights.at(0); }
 
     Section section(const Scene& scene, const Settings& s, glm::ivec2 pixel = kMiddle) {
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         if (!probed.hit) return {};
-        const TruthScene casters(std::make_shared<TruthGeometry>(scene, s));
-        dossier = explain(probed, light(), fragment_truth(casters, probed, light(), s, object_traits(scene, s)), s,
-                          renderer.driver());
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
+        diagnosis = explain(probed, light(), fragment_reference(casters, probed, light(), s, object_traits(scene, s)),
+                            s, renderer.driver());
         const int n = probed.map_resolution;
-        const SectionCut cut = section_cut(light(), &dossier, s, n);
-        return cross_section(light(), &dossier, cut, n, true_profile(casters, light(), cut, n));
+        const SectionCut cut = section_cut(light(), &diagnosis, s, n);
+        return cross_section(light(), &diagnosis, cut, n, true_profile(casters, light(), cut, n));
     }
 
     /// Floor under a sun that stands so many degrees high over the map's v axis.
@@ -65,21 +65,21 @@ protected:
             const glm::dvec4 h = uvd_from_surface * glm::dvec4(metres * p.account.receiver.to_light, 1);
             return (view().curve.convention.reversed ? -1 : 1) * (p.uvd.z - h.z / h.w);
         };
-        EXPECT_NEAR(depth_nearer(s.window_from), dossier.least.depth, 1e-6 * dossier.least.depth);
+        EXPECT_NEAR(depth_nearer(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
         if (s.light == LightType::Directional) {
-            EXPECT_NEAR(s.window_from, dossier.least.metres, 1e-6 * dossier.least.metres);
-            EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * dossier.least.metres) << "as is printed";
+            EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-6 * diagnosis.least.metres);
+            EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * diagnosis.least.metres) << "as is printed";
         }
-        EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(dossier.occluder.depth));
+        EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(diagnosis.occluder.depth));
         if (std::isfinite(s.window_to)) {
-            EXPECT_NEAR(depth_nearer(s.window_to), dossier.occluder.depth, 1e-6 * dossier.occluder.depth);
+            EXPECT_NEAR(depth_nearer(s.window_to), diagnosis.occluder.depth, 1e-6 * diagnosis.occluder.depth);
         }
         const auto end = std::ranges::find_if(d.marks, [](const Mark& m) {
             return m.kind == Mark::Kind::Line && (m.ink == Ink::Window || m.ink == Ink::NoWindow);
         });
         ASSERT_NE(end, d.marks.end());
         const glm::dvec2 drawn = 0.5 * (end->points[0] + end->points[1]) + glm::dvec2(0.75 * SectionPage().em, 0);
-        const glm::dvec2 wanted = dossier.least.metres * s.light_ray;
+        const glm::dvec2 wanted = diagnosis.least.metres * s.light_ray;
         EXPECT_NEAR(drawn.x - d.zero_x, wanted.x * d.across, 1e-6 * d.across * glm::length(wanted));
         EXPECT_NEAR(d.zero_y - drawn.y, wanted.y * d.along, 1e-6 * d.along * glm::length(wanted));
     }
@@ -201,7 +201,7 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
         EXPECT_TRUE(s.window_open());
         EXPECT_GE(s.window_from, 0.5 * texel * std::tan(theta));
         EXPECT_LT(s.window_from, (0.505 + 1.0 / 16) * texel * std::tan(theta) + 0.01 * texel);
-        EXPECT_NEAR(s.window_from, dossier.least.metres, 1e-9);
+        EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-9);
         EXPECT_GT(s.window_from, s.looked_up()->from.y) << "and clears this step";
         ASSERT_EQ(s.profile.size(), 1u) << "one surface in truth";
         EXPECT_GT(s.profile[0].size(), 8u * s.steps.size());
@@ -250,20 +250,20 @@ TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
     int aslant = 0, leave_the_cut = 0;
     for (const LightType type : test::kLightTypes)
         for (const double texels : {0.0, 3.0}) {
-            int judged = 0, bounded = 0;
-            for (int y = 18; y <= 114 && (judged < 12 || bounded < 2); y += 6)
-                for (int x = 16; x <= 144 && (judged < 12 || bounded < 2); x += 8) {
+            int classified = 0, bounded = 0;
+            for (int y = 18; y <= 114 && (classified < 12 || bounded < 2); y += 6)
+                for (int x = 16; x <= 144 && (classified < 12 || bounded < 2); x += 8) {
                     const Section s = section(scene, offset_alone(type, texels), {x, y});
                     if (!s.has_window || !s.looked_up()) continue;
                     SCOPED_TRACE(testing::Message() << int(type) << ", " << texels << " texels, " << x << "," << y);
                     const SectionDrawing d = draw_section(s, {.captions = false});
                     expect_window_before_surface(s, d);
                     expect_to_scale(s, d);
-                    ++judged, bounded += std::isfinite(s.window_to);
+                    ++classified, bounded += std::isfinite(s.window_to);
                     aslant += s.texel_long_m > 1.02 * s.texel_m;
                     leave_the_cut += std::abs(s.surface_aside) > 0.5;
                 }
-            EXPECT_GE(judged, 12) << int(type);
+            EXPECT_GE(classified, 12) << int(type);
             EXPECT_GE(bounded, 2) << int(type);
         }
     EXPECT_GT(aslant, 0);

@@ -14,10 +14,10 @@
 namespace si {
 namespace {
 
-class ShadingSavingsTest : public FrameTest {
+class ShadingOptimisationsTest : public FrameTest {
 protected:
     /// How many fragments of a frame drawn anew passed the depth test, and so were shaded and written.
-    std::uint64_t written_fragments(const Scene& scene, const Settings& s, const SavingSet& forced) {
+    std::uint64_t written_fragments(const Scene& scene, const Settings& s, const OptimisationSet& forced) {
         FrameRequest request = small();
         request.force = true;
         request.forced = forced;
@@ -64,18 +64,18 @@ const Sets kFromAbove = {{"camera.source", "manual"},
                          {"light.cast", "false"},
                          {"shading.sky", "plain"}};
 
-TEST_F(ShadingSavingsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
+TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
     const std::uint64_t spared = written_fragments(far_first, s, {}),
-                        forced = written_fragments(far_first, s, {Saving::Order}),
-                        least = written_fragments(row_of_plates(8, true), s, {Saving::Order});
+                        forced = written_fragments(far_first, s, {Optimisation::Order}),
+                        least = written_fragments(row_of_plates(8, true), s, {Optimisation::Order});
     EXPECT_GT(least, 2000u);
     EXPECT_EQ(spared, least) << "each pixel is shaded once";
     EXPECT_GT(forced, 2 * spared);
 }
 
-TEST_F(ShadingSavingsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
+TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     const Settings s = settings_for(scene, {{"light.cast", "false"}, {"shading.sky", "plain"}});
     FrameRequest request = small();
@@ -86,10 +86,10 @@ TEST_F(ShadingSavingsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
     EXPECT_LT(double(written_fragments(scene, s, {})), 1.05 * double(shown)) << "the ground is drawn last";
 }
 
-TEST_F(ShadingSavingsTest, OrderLeavesThePictureAlone) {
+TEST_F(ShadingOptimisationsTest, OrderLeavesThePictureAlone) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     FrameRequest forced = small();
-    forced.forced = {Saving::Order};
+    forced.forced = {Optimisation::Order};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }
@@ -101,7 +101,7 @@ Mesh plates(double aside) {
     return mesh;
 }
 
-TEST_F(ShadingSavingsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
+TEST_F(ShadingOptimisationsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
     Scene scene;
     const int red = add_material(scene, "red", {0.8f, 0.1f, 0.1f}),
               green = add_material(scene, "green", {0.1f, 0.8f, 0.1f});
@@ -126,7 +126,7 @@ TEST_F(ShadingSavingsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
     }
 }
 
-TEST_F(ShadingSavingsTest, ObjectsBesideThePictureAreNotDrawn) {
+TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
     Scene scene;
     const int mesh = add_mesh(scene, "ball", make_sphere(0.5, 16, 8), add_material(scene, "grey", glm::vec3(0.5f)));
     for (int x = -20; x <= 20; ++x) add_object(scene, "ball " + std::to_string(x), -1, mesh, moved(2 * x, 0, 0));
@@ -144,13 +144,13 @@ TEST_F(ShadingSavingsTest, ObjectsBesideThePictureAreNotDrawn) {
             const FrameResult saved = renderer.render(scene, s, request);
             const PassInfo shading = *saved.pass("shading (with visibility)");
             const ByteImage seen = renderer.read_colour(saved.colour);
-            request.forced = {Saving::InSight};
+            request.forced = {Optimisation::InSight};
             const FrameResult forced = renderer.render(scene, s, request);
             const std::string what = std::string(orthographic) + " " + target;
             EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << what;
             ASSERT_EQ(shading.parts.size(), 1u);
             const std::uint64_t left_out = shading.parts[0].left_out;
-            EXPECT_EQ(shading.parts[0].by, Saving::InSight);
+            EXPECT_EQ(shading.parts[0].by, Optimisation::InSight);
             EXPECT_GE(left_out, std::string(target) == "400" ? 41u : 20u) << what;
             EXPECT_LE(left_out, std::string(target) == "400" ? 41u : 38u) << what;
             const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
@@ -158,7 +158,7 @@ TEST_F(ShadingSavingsTest, ObjectsBesideThePictureAreNotDrawn) {
         }
 }
 
-TEST_F(ShadingSavingsTest, FusedVisibilityDrawsTheSceneOnce) {
+TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     FrameRequest request = small();
@@ -166,9 +166,9 @@ TEST_F(ShadingSavingsTest, FusedVisibilityDrawsTheSceneOnce) {
     const FrameResult fused = renderer.render(scene, s, request);
     EXPECT_EQ(fused.pass("visibility")->state, PassState::Skipped);
     EXPECT_EQ(fused.pass("visibility")->draws, 0);
-    request.forced = {Saving::Fused};
+    request.forced = {Optimisation::Fused};
     const FrameResult forced = renderer.render(scene, s, request);
-    EXPECT_EQ(forced.pass("visibility")->state, PassState::Ran);
+    EXPECT_EQ(forced.pass("visibility")->state, PassState::Drawn);
     EXPECT_GT(forced.pass("visibility")->draws, 0);
 }
 
@@ -189,7 +189,7 @@ int active_samplers() {
     return samplers;
 }
 
-TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
+TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
     const Scene scene = load_scene("boxes");
     const Sets lone[] = {{{"light.intensity", "0"}},
                          {{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}, {"light.type", "point"}},
@@ -205,13 +205,13 @@ TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
         const ByteImage seen = renderer.read_colour(saved.colour);
         for (const Effect& e : frame_effects(scene, s, saved))
             if (e.name == "look-ups of light 0") {
-                EXPECT_EQ(e.state, EffectState::NotCalledFor);
-                EXPECT_EQ(e.saving, Saving::Uncalled);
+                EXPECT_EQ(e.state, EffectState::NotNeeded);
+                EXPECT_EQ(e.saving, Optimisation::Uncalled);
                 EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"),
                           std::string::npos)
                     << e.reason;
             }
-        request.forced = {Saving::Uncalled};
+        request.forced = {Optimisation::Uncalled};
         const FrameResult forced = renderer.render(scene, s, request);
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(fetched, 0) << sets[0].first;
@@ -223,12 +223,12 @@ TEST_F(ShadingSavingsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
                              Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
         const Settings s = settings_for(scene, sets);
         FrameRequest forced = small();
-        forced.forced = {Saving::Uncalled};
+        forced.forced = {Optimisation::Uncalled};
         EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u) << sets.back().first;
     }
 }
 
-TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
+TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(20, 20), grey));
@@ -245,7 +245,7 @@ TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
         s.objects["Floor"].cast = floor_casts;
         return s;
     };
-    const auto draw = [&](const Settings& s, SavingSet forced) {
+    const auto draw = [&](const Settings& s, OptimisationSet forced) {
         FrameRequest request = small();
         request.forced = forced;
         return renderer.render(scene, s, request);
@@ -260,11 +260,11 @@ TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
         for (const Effect& e : frame_effects(scene, s, saved))
             if (e.name == "look-ups of light 0") {
                 told = true;
-                EXPECT_EQ(e.state, EffectState::NotCalledFor);
+                EXPECT_EQ(e.state, EffectState::NotNeeded);
                 EXPECT_NE(e.reason.find("that casts lies in what its map holds"), std::string::npos) << e.reason;
             }
         EXPECT_TRUE(told);
-        const FrameResult forced = draw(s, {Saving::Uncalled});
+        const FrameResult forced = draw(s, {Optimisation::Uncalled});
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);
     }
@@ -275,13 +275,13 @@ TEST_F(ShadingSavingsTest, WhereNothingCastsNothingIsLookedUp) {
         const FrameResult saved = draw(s, {});
         EXPECT_GT(active_samplers(), 0);
         const ByteImage seen = renderer.read_colour(saved.colour);
-        EXPECT_EQ(different_pixels(seen, renderer.read_colour(draw(s, {Saving::Uncalled}).colour)), 0u);
+        EXPECT_EQ(different_pixels(seen, renderer.read_colour(draw(s, {Optimisation::Uncalled}).colour)), 0u);
     }
 }
 
 // The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
 // step, and mostly the very one.
-TEST_F(ShadingSavingsTest, ColoursAreEncodedAsSrgb) {
+TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
     int other = 0, levels = 0;
     for (int wanted = 0; wanted <= 255; wanted += 3) {
         const double encoded = wanted / 255.0;
@@ -302,7 +302,7 @@ TEST_F(ShadingSavingsTest, ColoursAreEncodedAsSrgb) {
 }
 
 // Powers of two are squared, others raised: the highlight grows evenly from one to the next.
-TEST_F(ShadingSavingsTest, HighlightsArePowersHoweverTheyAreComputed) {
+TEST_F(ShadingOptimisationsTest, HighlightsArePowersHoweverTheyAreComputed) {
     const Scene scene = load_scene("boxes");
     const auto mean = [&](const char* shininess) {
         const ByteImage p = picture(scene, settings_for(scene, {{"shading.specular", "1"},
@@ -321,7 +321,7 @@ TEST_F(ShadingSavingsTest, HighlightsArePowersHoweverTheyAreComputed) {
 }
 
 // Grey light reads one channel for three: a hue that is barely there must show as it does beside it.
-TEST_F(ShadingSavingsTest, GreyLightIsAsBrightAsColouredLight) {
+TEST_F(ShadingOptimisationsTest, GreyLightIsAsBrightAsColouredLight) {
     const Scene scene = load_scene("boxes");
     const ByteImage grey = picture(scene, settings_for(scene, {}));
     const ByteImage tinted = picture(scene, settings_for(scene, {{"light.red", "0.999999"}}));

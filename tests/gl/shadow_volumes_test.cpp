@@ -38,7 +38,7 @@ struct Compared {
 
 class ShadowVolumesTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request{.width = 480, .height = 270, .outputs = {.colour = false, .visibility = true}};
 
     /// Edges are those of the truth and of the triangles that are seen: where one begins, a pixel's centre is on
@@ -48,13 +48,13 @@ protected:
         const FrameResult frame = renderer.render(scene, s, request);
         for (const std::string& note : frame.notes) ADD_FAILURE() << note;
         const FloatImage v = renderer.read_float(frame.visibility, 1);
-        const TruthTask task = truth_task(renderer, scene, s, request, 0, {.nearest = false});
-        const std::shared_ptr<const Truth> truth = cache.trace(task, {.threads = 2}).truth;
+        const ReferenceTask task = reference_task(renderer, scene, s, request, 0, {.nearest = false});
+        const std::shared_ptr<const Reference> reference = cache.trace(task, {.threads = 2}).reference;
         Compared c{.pixels = v.data.size()};
         for (int y = 0; y < v.height; ++y)
             for (int x = 0; x < v.width; ++x) {
-                const float t = truth->visibility.at(x, y);
-                c.dark += t < 0.5f && truth->state[std::size_t(y * v.width + x)] == PixelState::Counted;
+                const float t = reference->visibility.at(x, y);
+                c.dark += t < 0.5f && reference->state[std::size_t(y * v.width + x)] == PixelState::Counted;
                 EXPECT_TRUE(v.at(x, y) == 0 || v.at(x, y) == 1);
                 if (v.at(x, y) == t) continue;
                 ++c.off;
@@ -64,7 +64,7 @@ protected:
                 };
                 for (int j = std::max(y - 1, 0); j <= std::min(y + 1, v.height - 1); ++j)
                     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, v.width - 1); ++i)
-                        edge |= truth->visibility.at(i, j) != t || triangle(i, j) != triangle(x, y);
+                        edge |= reference->visibility.at(i, j) != t || triangle(i, j) != triangle(x, y);
                 if (!edge) ++c.off_inside, c.x = x, c.y = y;
             }
         return c;
@@ -280,21 +280,21 @@ TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
     const auto state = [&](const char* name) { return f.pass(name)->state; };
     EXPECT_EQ(f.passes[0].state, PassState::Skipped);
     EXPECT_EQ(f.passes[0].reason, "light.source is volumes-zfail, which needs no map");
-    EXPECT_EQ(state("shadow volumes 0"), PassState::Ran);
+    EXPECT_EQ(state("shadow volumes 0"), PassState::Drawn);
     EXPECT_EQ(f.pass("shadow volumes 0")->category, PassCategory::Maps) << "shadows' cost";
-    EXPECT_EQ(state("camera depth"), PassState::Ran);
+    EXPECT_EQ(state("camera depth"), PassState::Drawn);
     EXPECT_NE(f.pass("shading (reads visibility)"), nullptr);
     f = renderer.render(scene, s, colour);
-    EXPECT_EQ(state("shadow volumes 0"), PassState::Reused);
+    EXPECT_EQ(state("shadow volumes 0"), PassState::Cached);
     s.shading.ambient = 0.5;
     f = renderer.render(scene, s, colour);
-    EXPECT_EQ(state("shadow volumes 0"), PassState::Reused);
+    EXPECT_EQ(state("shadow volumes 0"), PassState::Cached);
     s.lights[0].azimuth += 1;
     f = renderer.render(scene, s, colour);
-    EXPECT_EQ(state("shadow volumes 0"), PassState::Ran);
+    EXPECT_EQ(state("shadow volumes 0"), PassState::Drawn);
     const ByteImage kept = renderer.read_colour(f.colour);
     colour.force = true;
-    colour.forced = SavingSet::all();
+    colour.forced = OptimisationSet::all();
     EXPECT_EQ(kept.data, picture(scene, s, colour).data);
     set_setting(s, "light.source", "map");
     EXPECT_EQ(renderer.render(scene, s, small()).pass("shadow volumes 0"), nullptr);

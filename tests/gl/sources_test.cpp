@@ -14,7 +14,7 @@ namespace {
 
 class SourcesTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     Workers workers{.threads = 2};
 
     static FrameRequest asks_for_visibility() {
@@ -24,11 +24,12 @@ protected:
     }
     FloatImage visibility(const Scene& scene, const Settings& s) {
         FrameRequest request = asks_for_visibility();
-        return renderer.read_float(render_with_truth(renderer, scene, s, request, cache, workers).visibility, 1);
+        return renderer.read_float(render_with_reference(renderer, scene, s, request, cache, workers).visibility, 1);
     }
-    Truth truth(const Scene& scene, const Settings& s, int light) {
-        const TruthTask task = truth_task(renderer, scene, s, asks_for_visibility(), light, truth_options(s));
-        return *cache.trace(task, workers).truth;
+    Reference reference(const Scene& scene, const Settings& s, int light) {
+        const ReferenceTask task =
+            reference_task(renderer, scene, s, asks_for_visibility(), light, reference_options(s));
+        return *cache.trace(task, workers).reference;
     }
 };
 
@@ -38,7 +39,7 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     for (const Source& s : sources()) {
         EXPECT_FALSE(s.key.empty() || s.label.empty() || s.help.empty()) << s.key;
         EXPECT_EQ(s.paper.empty(), s.key == "none") << s.key;
-        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.truth || s.needs.blobs || s.needs.light_map))
+        EXPECT_FALSE(s.fused && (s.needs.stencil || s.needs.reference || s.needs.blobs || s.needs.light_map))
             << s.key << ": shading has neither";
     }
 }
@@ -53,14 +54,14 @@ TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
             const Settings s = settings_for(scene, {{"light.type", type}, {"light.source", std::string(source.key)}});
             FrameRequest request = small();
             request.outputs.visibility = request.outputs.shadow_map = true;
-            const FrameResult f = render_with_truth(renderer, scene, s, request, cache, workers);
+            const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);
             EXPECT_EQ(f.lights[0].casts, source.needs.map);
             EXPECT_TRUE(f.lights[0].shadowed);
             EXPECT_EQ(f.passes[0].state == PassState::Skipped, !source.needs.map);
             if (!source.needs.map) {
                 EXPECT_NE(f.passes[0].reason.find(source.key), std::string::npos);
             }
-            EXPECT_EQ(f.pass("visibility")->state, PassState::Ran);
+            EXPECT_EQ(f.pass("visibility")->state, PassState::Drawn);
             const FloatImage v = renderer.read_float(f.visibility, 1);
             for (const float x : v.data) ASSERT_TRUE(x >= 0 && x <= 1) << x;
             const auto dark = std::count_if(v.data.begin(), v.data.end(), [](float x) { return x < 0.5f; });
@@ -84,7 +85,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
             test::move_camera(s, place.at);
             const test::Shot shot = test::shoot(scene, s, 160, 120);
-            const test::RayTruth rays(scene);
+            const test::RayReference rays(scene);
             const FittedLight& fitted = shot.light();
             const glm::dvec3 middle = place.at + glm::dvec3(0, 1, 0);
             const glm::dvec3 away = fitted.type == LightType::Directional ? -fitted.to_light : middle - fitted.position;
@@ -130,7 +131,7 @@ TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
         s.shading.separate_visibility = true;
         EXPECT_EQ(different_pixels(picture, this->picture(scene, s), 1), 0u);
         FrameRequest all = small();
-        all.forced = SavingSet::all();
+        all.forced = OptimisationSet::all();
         EXPECT_EQ(different_pixels(this->picture(scene, s), this->picture(scene, s, all)), 0u);
     }
 }
@@ -151,7 +152,7 @@ TEST_F(SourcesTest, TracedIsTheTruthItself) {
                 s.truth.area = area;
                 s.truth.step = area ? 2 : 1;
                 const FloatImage v = visibility(scene, s);
-                const Truth t = truth(scene, s, 0);
+                const Reference t = reference(scene, s, 0);
                 std::size_t grey = 0, dark = 0;
                 for (int y = 0; y < v.height; ++y)
                     for (int x = 0; x < v.width; ++x) {
@@ -179,7 +180,7 @@ TEST_F(SourcesTest, EachLightHasItsOwn) {
         EXPECT_EQ(visibility(scene, s).data, visibility(scene, maps).data) << light;
     }
     s.view.light = 1;
-    EXPECT_EQ(visibility(scene, s).data, truth(scene, s, 1).visibility.data);
+    EXPECT_EQ(visibility(scene, s).data, reference(scene, s, 1).visibility.data);
 }
 
 TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
@@ -195,7 +196,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
     EXPECT_NE(untraced.notes.back().find("light 0 has no shadow yet"), std::string::npos) << untraced.notes.back();
     const ByteImage lit = renderer.read_colour(untraced.colour);
     EXPECT_EQ(different_pixels(lit, picture(scene, none), 1), 0u);
-    const FrameResult traced = render_with_truth(renderer, scene, s, request, cache, workers);
+    const FrameResult traced = render_with_reference(renderer, scene, s, request, cache, workers);
     EXPECT_TRUE(traced.traced[0].met);
     EXPECT_TRUE(traced.notes.empty());
     EXPECT_GT(different_pixels(lit, renderer.read_colour(traced.colour), 8), 1000u);
@@ -212,15 +213,15 @@ TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
         s.view.light = light;
         FrameRequest request = small();
         request.outputs.true_colour = true;
-        const ByteImage truth =
-            renderer.read_colour(render_with_truth(renderer, scene, s, request, cache, workers).true_colour);
+        const ByteImage reference =
+            renderer.read_colour(render_with_reference(renderer, scene, s, request, cache, workers).true_colour);
         Settings traced = s;
         set_setting(traced, "light." + std::to_string(light) + ".source", "traced");
         FrameRequest plain = small();
         const ByteImage row =
-            renderer.read_colour(render_with_truth(renderer, scene, traced, plain, cache, workers).colour);
-        EXPECT_EQ(different_pixels(truth, row), 0u) << light;
-        EXPECT_GT(different_pixels(truth, picture(scene, s), 4), 20u) << light;
+            renderer.read_colour(render_with_reference(renderer, scene, traced, plain, cache, workers).colour);
+        EXPECT_EQ(different_pixels(reference, row), 0u) << light;
+        EXPECT_GT(different_pixels(reference, picture(scene, s), 4), 20u) << light;
     }
 }
 
@@ -235,18 +236,18 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
             Settings s = settings_for(
                 scene, {{"light.type", type}, {"light.source", "none"}, {"light.size", "1"}, {"truth.samples", "64"}});
             s.truth.area = area;
-            const Truth t = truth(scene, s, 0);
+            const Reference t = reference(scene, s, 0);
             std::size_t dark = 0, penumbra = 0;
             for (std::size_t i = 0; i < t.state.size(); ++i) {
                 if (t.state[i] != PixelState::Counted || !is_wrong(1, true_pixel(t, i))) continue;
                 ++dark, penumbra += t.hard().data[i] >= 0.5f;
             }
             ASSERT_GT(dark, 300u);
-            const FrameResult f = render_with_truth(renderer, scene, s, request, cache, workers);
+            const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);
             ASSERT_TRUE(f.error);
             const ErrorMetrics& gpu = f.error->metrics;
             const ErrorMetrics cpu =
-                measure_error(renderer, scene, s, request, 0, truth_options(s), cache, workers).metrics;
+                measure_error(renderer, scene, s, request, 0, reference_options(s), cache, workers).metrics;
             EXPECT_EQ(gpu.artefacts, cpu.artefacts);
             EXPECT_EQ(cpu.artefacts[std::size_t(Artefact::NoMap)], dark - penumbra);
             EXPECT_EQ(cpu.artefacts[std::size_t(Artefact::Penumbra)], penumbra);
@@ -257,7 +258,7 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
 
             set_setting(s, "light.source", "traced");
             const ErrorMetrics none =
-                measure_error(renderer, scene, s, request, 0, truth_options(s), cache, workers).metrics;
+                measure_error(renderer, scene, s, request, 0, reference_options(s), cache, workers).metrics;
             EXPECT_EQ(none.mae, 0);
             EXPECT_EQ(none.false_light + none.false_shadow, 0);
             EXPECT_EQ(none.iou, 1);
@@ -269,7 +270,7 @@ TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     FrameRequest request = asks_for_visibility();
     const FloatImage v =
-        renderer.read_float(render_with_truth(renderer, scene, s, request, cache, workers).visibility, 1);
+        renderer.read_float(render_with_reference(renderer, scene, s, request, cache, workers).visibility, 1);
     const SurfaceIds ids = [&] {
         FrameRequest r = asks_for_visibility();
         r.outputs = {.colour = false, .surface_ids = true};

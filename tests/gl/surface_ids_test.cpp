@@ -35,7 +35,7 @@ TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
     const Scene scene = ring_scene();
     const Settings settings = settings_for(scene);
     const SurfaceIds drawn = draw(scene, settings), traced = test::ids_by_rays(scene, frame.camera, 240, 160);
-    const TruthGeometry geometry(scene, settings);
+    const ReferenceGeometry geometry(scene, settings);
     const Receivers a = place_receivers(geometry, frame.camera, drawn, {});
     const Receivers b = place_receivers(geometry, frame.camera, traced, {});
     std::size_t shown = 0, differing = 0, far = 0;
@@ -59,10 +59,10 @@ TEST_F(SurfaceIdsTest, AreReusedAndFollowTheCamera) {
     const Scene scene = ring_scene();
     Settings settings = settings_for(scene);
     const SurfaceIds first = draw(scene, settings);
-    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Ran);
+    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Drawn);
     set_setting(settings, "bias.constant", "7");
     EXPECT_EQ(draw(scene, settings).data, first.data);
-    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Reused);
+    EXPECT_EQ(frame.pass("surface ids")->state, PassState::Cached);
     set_setting(settings, "camera.source", "manual");
     set_setting(settings, "camera.azimuth", "100");
     EXPECT_NE(draw(scene, settings).data, first.data);
@@ -108,7 +108,7 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
                                                            {"camera.target_y", "1"}});
             const SurfaceIds drawn = draw(scene, settings, 400, 300);
             const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // knows no masks
-            const TruthGeometry geometry(scene, settings);
+            const ReferenceGeometry geometry(scene, settings);
             const AlphaMask& mask = *geometry.objects[0].mesh->mask;
             std::size_t holes = 0, solid = 0, wrong = 0;
             for (int y = 0; y < 300; ++y)
@@ -142,18 +142,18 @@ TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
             request.outputs = {.colour = false, .shadow_map = true};
             request.force = true;
             const FrameResult result = renderer.render(session.scene, session.settings, request);
-            ASSERT_EQ(result.passes[0].state, PassState::Ran) << name;
-            const auto geometry = std::make_shared<TruthGeometry>(session.scene, session.settings);
+            ASSERT_EQ(result.passes[0].state, PassState::Drawn) << name;
+            const auto geometry = std::make_shared<ReferenceGeometry>(session.scene, session.settings);
             EXPECT_GT(result.passes[0].triangles, 0u) << name;
             EXPECT_LT(result.passes[0].triangles, session.scene.triangle_count()) << name;
-            EXPECT_EQ(TruthScene(geometry).triangle_count(), result.passes[0].triangles) << name;
+            EXPECT_EQ(ReferenceScene(geometry).triangle_count(), result.passes[0].triangles) << name;
             EXPECT_EQ(geometry->caster_triangles(), result.passes[0].triangles) << name;
         }
 }
 
 /// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
 std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
-    const TruthGeometry geometry(scene, s);
+    const ReferenceGeometry geometry(scene, s);
     std::vector<glm::ivec2> out;
     for (int y = 0; y < ids.height; ++y)
         for (int x = 0; x < ids.width; ++x) {

@@ -206,7 +206,7 @@ TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
             s.lights[0].fit = int(LightFit::Manual);
             s.lights[0].extent = 4;
             const FrameResult frame = renderer.render(scene, s, request);
-            EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Reused);
+            EXPECT_EQ(renderer.render(scene, s, request).pass("texels read")->state, PassState::Cached);
             const FloatImage read = renderer.read_float(frame.texels_read, 1);
             const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
             const int n = frame.map_resolution;

@@ -7,15 +7,15 @@
 namespace si {
 namespace {
 
-class TruthPackets : public FrameTest {};
+class ReferencePackets : public FrameTest {};
 
-TEST_F(TruthPackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
+TEST_F(ReferencePackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
     std::size_t rays = 0, occluded = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));
-        const TruthTask task =
-            truth_task(renderer, scene, settings_for(scene, {}), {.width = 192, .height = 108}, 0, {.nearest = false});
-        const TruthScene casters(task.geometry);
+        const ReferenceTask task = reference_task(renderer, scene, settings_for(scene, {}),
+                                                  {.width = 192, .height = 108}, 0, {.nearest = false});
+        const ReferenceScene casters(task.geometry);
         const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, {});
         std::vector<RTCRay> together;
         for (const Receiver& r : receivers.pixels) {

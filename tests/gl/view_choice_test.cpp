@@ -17,7 +17,7 @@ protected:
         request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage at = renderer.read_float(frame.map_coordinates, 4);
-        const TruthTask task = truth_task(renderer, scene, s, request, 0);
+        const ReferenceTask task = reference_task(renderer, scene, s, request, 0);
         const Receivers receivers = place_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         const FittedLight& light = frame.lights[0];
         std::vector<std::size_t> pixels(light.views.size());

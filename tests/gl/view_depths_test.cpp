@@ -67,7 +67,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
             EXPECT_EQ(frame.passes.front().name, "depths seen");
             // They are kept while nothing changes, and follow the camera when it moves.
             const FrameResult again = renderer.render(scene, s, request);
-            EXPECT_EQ(again.passes.front().state, PassState::Reused);
+            EXPECT_EQ(again.passes.front().state, PassState::Cached);
             EXPECT_EQ(again.seen_m, frame.seen_m);
             EXPECT_EQ(again.lights[0].chooser.spans[0].ends, frame.lights[0].chooser.spans[0].ends);
         }
@@ -281,7 +281,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
         std::vector<float> before;
         std::vector<std::size_t> chosen_before;
         std::size_t count = 0;
-        test::RayTruth rays(scene);
+        test::RayReference rays(scene);
         std::vector<std::optional<test::Hit>> hits;
         for (int i = 0; i < 120; ++i) {
             walking.camera.target_x += 0.0011, walking.camera.target_z -= 0.0007;

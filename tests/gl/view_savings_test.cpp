@@ -33,7 +33,7 @@ Sets joined(Sets a, const Sets& b) {
     return a;
 }
 
-class ViewSavingsTest : public FrameTest {
+class ViewOptimisationsTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s, FrameRequest request = {.width = 96, .height = 54}) {
         return renderer.render(scene, s, request);
@@ -47,16 +47,16 @@ protected:
     }
     static std::uint64_t drawn_triangles(const FrameResult& f) {
         const PassInfo& p = map_pass(f);
-        return p.state == PassState::Ran ? p.triangles : 0;
+        return p.state == PassState::Drawn ? p.triangles : 0;
     }
-    static FrameRequest cold(SavingSet forced = {}) {
+    static FrameRequest cold(OptimisationSet forced = {}) {
         return {.width = 96, .height = 54, .force = true, .forced = forced};
     }
     /// Draws both ways. @returns the triangles drawn into maps, saved and forced
     std::pair<std::uint64_t, std::uint64_t> expect_one_picture(const Scene& scene, const Settings& s,
                                                                const std::string& what,
                                                                const std::optional<MapCamera>& map_camera = {}) {
-        FrameRequest request = cold(), whole = cold({Saving::Views});
+        FrameRequest request = cold(), whole = cold({Optimisation::Views});
         request.map_camera = whole.map_camera = map_camera;
         const FrameResult saved = frame(scene, s, request);
         const std::uint64_t drawn = drawn_triangles(saved);
@@ -67,7 +67,7 @@ protected:
     }
 };
 
-TEST_F(ViewSavingsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     const Scene scene = row_of_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     for (const Sets& light : {Sets{}, Sets{{"light.type", "spot"}, {"light.distance", "30"}}}) {
@@ -78,13 +78,13 @@ TEST_F(ViewSavingsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
         EXPECT_GE(saved, ball);
         const FrameResult f = frame(scene, s, cold());
         const PartInfo& part = map_pass(f).parts.at(0);
-        EXPECT_EQ(part.by, Saving::Views);
+        EXPECT_EQ(part.by, Optimisation::Views);
         EXPECT_GE(part.left_out, 6u);
         EXPECT_NE(part.reason.find("camera"), std::string::npos) << part.reason;
     }
 }
 
-TEST_F(ViewSavingsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
@@ -95,7 +95,7 @@ TEST_F(ViewSavingsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
     EXPECT_LT(double(saved), 0.3 * double(forced)) << "its triangles go row by row along z";
 }
 
-TEST_F(ViewSavingsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
     const Scene scene = row_of_balls();
     const Settings s = settings_for(
         scene,
@@ -105,19 +105,19 @@ TEST_F(ViewSavingsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
     const FrameResult f = frame(scene, s, cold());
     const PassInfo& pass = map_pass(f);
     ASSERT_GE(pass.parts.size(), 6u);
-    EXPECT_EQ(pass.parts[0].state, PassState::Ran) << "face +x holds what is seen";
+    EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds what is seen";
     EXPECT_EQ(pass.parts[1].state, PassState::Skipped) << "face -x looks the other way";
     EXPECT_EQ(pass.parts[1].draws, 0u);
-    EXPECT_EQ(pass.parts[1].by, Saving::Views);
+    EXPECT_EQ(pass.parts[1].by, Optimisation::Views);
     EXPECT_EQ(pass.parts[2].state, PassState::Skipped) << "nothing is above";
     for (const Effect& e : frame_effects(scene, s, f))
         if (e.name == "face -x of light 0") {
-            EXPECT_EQ(e.state, EffectState::NotCalledFor);
+            EXPECT_EQ(e.state, EffectState::NotNeeded);
             EXPECT_NE(e.reason.find("camera"), std::string::npos) << e.reason;
         }
 }
 
-TEST_F(ViewSavingsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
     // A ball near the camera and a wall far behind it; between them, beside the picture, balls that only cast.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -146,13 +146,13 @@ TEST_F(ViewSavingsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
     for (const std::size_t between : {1u, 2u}) {
         EXPECT_EQ(cascades[between]->state, PassState::Skipped) << cascades[between]->name;
         EXPECT_EQ(cascades[between]->draws, 0u);
-        EXPECT_EQ(cascades[between]->by, Saving::Views);
+        EXPECT_EQ(cascades[between]->by, Optimisation::Views);
     }
-    EXPECT_EQ(cascades[0]->state, PassState::Ran) << "it holds the ball";
-    EXPECT_EQ(cascades[3]->state, PassState::Ran) << "it holds the wall";
+    EXPECT_EQ(cascades[0]->state, PassState::Drawn) << "it holds the ball";
+    EXPECT_EQ(cascades[3]->state, PassState::Drawn) << "it holds the wall";
 }
 
-TEST_F(ViewSavingsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
+TEST_F(ViewOptimisationsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
     // A large ball that fills the picture, and beside the picture many small ones between it and the light.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -183,7 +183,7 @@ TEST_F(ViewSavingsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
         }
 }
 
-TEST_F(ViewSavingsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
+TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(40, 40), grey), moved(7, 3, -2) * turned(20));
@@ -211,7 +211,7 @@ TEST_F(ViewSavingsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
 
 // A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
 // all of it.
-TEST_F(ViewSavingsTest, PicturesAreTheSameFromAnywhere) {
+TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
     const Scene scene = row_of_balls();
     const Sets lights[] = {{},
                            {{"light.elevation", "12"}, {"map.wrap", "clamp"}, {"light.fit", "manual"}},
@@ -244,11 +244,11 @@ TEST_F(ViewSavingsTest, PicturesAreTheSameFromAnywhere) {
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
 
-TEST_F(ViewSavingsTest, WhatNothingReadsIsNotBlurred) {
+TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
     const Scene scene = row_of_balls();
     const auto unread = [](const FrameResult& f, std::string_view name) {
         std::uint64_t count = 0;
-        for (const PartInfo& part : f.pass(name)->parts) count += part.by == Saving::Views ? part.left_out : 0;
+        for (const PartInfo& part : f.pass(name)->parts) count += part.by == Optimisation::Views ? part.left_out : 0;
         return count;
     };
     const Sets kinds[] = {{{"filter.kernel", "esm"}, {"filter.blur_shape", "gaussian"}},
@@ -263,7 +263,7 @@ TEST_F(ViewSavingsTest, WhatNothingReadsIsNotBlurred) {
         const std::uint64_t left_out = unread(frame(scene, s, cold()), pass);
         EXPECT_GT(left_out, 512u * 512u / 2) << kind[0].second << ": the camera sees one end of the row";
         EXPECT_LT(left_out, 512u * 512u) << kind[0].second;
-        EXPECT_EQ(unread(frame(scene, s, cold({Saving::Views})), pass), 0u) << kind[0].second;
+        EXPECT_EQ(unread(frame(scene, s, cold({Optimisation::Views})), pass), 0u) << kind[0].second;
     }
     for (const Sets& whole :
          {Sets{{"filter.kernel", "vsm"}, {"filter.mips", "true"}}, Sets{{"filter.kernel", "savsm"}}}) {
@@ -272,7 +272,7 @@ TEST_F(ViewSavingsTest, WhatNothingReadsIsNotBlurred) {
     }
 }
 
-TEST_F(ViewSavingsTest, ACameraThatMovesPaysForEachMapOnce) {
+TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
     const Scene scene = row_of_balls();
     const Sets point = {{"light.type", "point"}, {"light.distance", "2"}, {"map.resolution", "128"}};
     // The last two prepare the whole of maps for their look-ups.
@@ -291,18 +291,18 @@ TEST_F(ViewSavingsTest, ACameraThatMovesPaysForEachMapOnce) {
             const ByteImage kept = renderer.read_colour(f.colour);
             const std::uint64_t drawn = drawn_triangles(f);
             redrawn += drawn > 0, orbit += drawn;
-            EXPECT_EQ(map_pass(f).state, drawn > 0 ? PassState::Ran : PassState::Reused);
+            EXPECT_EQ(map_pass(f).state, drawn > 0 ? PassState::Drawn : PassState::Cached);
             Renderer other;
             EXPECT_EQ(different_pixels(kept, other.read_colour(other.render(scene, s, cold()).colour)), 0u) << i;
         }
         const std::size_t views = frame(scene, s).lights[0].views.size();
         EXPECT_LE(redrawn, int(views)) << "of no map is more than the rest drawn, once";
-        const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Saving::Views})));
+        const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Optimisation::Views})));
         EXPECT_LE(first + orbit, 2 * all);
     }
 }
 
-TEST_F(ViewSavingsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
+TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}}, Sets{{"filter.kernel", "vsm"}}}) {
         Settings s = settings_for(scene, joined(camera_over("-16"), light));
@@ -312,15 +312,15 @@ TEST_F(ViewSavingsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
         for (int i = 0; i < 12; ++i) {
             s.camera.azimuth += 30, s.camera.target_x += 2;
             const FrameResult f = frame(scene, s);
-            EXPECT_EQ(map_pass(f).state, PassState::Reused);
+            EXPECT_EQ(map_pass(f).state, PassState::Cached);
             if (const PassInfo* moments = f.pass("moments")) {
-                EXPECT_NE(moments->state, PassState::Ran);
+                EXPECT_NE(moments->state, PassState::Drawn);
             }
         }
     }
 }
 
-TEST_F(ViewSavingsTest, WhoeverReadsWholeMapsHasThemWhole) {
+TEST_F(ViewOptimisationsTest, WhoeverReadsWholeMapsHasThemWhole) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}, {"light.distance", "2"}}}) {
         const Settings s = settings_for(scene, joined(camera_over("-16"), joined({{"map.resolution", "128"}}, light)));
@@ -369,7 +369,7 @@ struct Uncalled {
     const char* reason;
 };
 
-TEST_F(ViewSavingsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
+TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
     const Scene scene = row_of_balls();
     const Uncalled all[] = {
         {{{"light.intensity", "0"}}, "intensity"},
@@ -400,7 +400,7 @@ TEST_F(ViewSavingsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
         const FrameResult f = frame(scene, s, asked);
         const std::vector<float> found = renderer.read_float(f.visibility, 1).data;
         Renderer other;
-        asked.forced = {Saving::Views};
+        asked.forced = {Optimisation::Views};
         EXPECT_EQ(found, other.read_float(other.render(scene, s, asked).visibility, 1).data) << u.reason;
     }
 }

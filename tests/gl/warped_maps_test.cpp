@@ -15,7 +15,7 @@ namespace {
 
 class WarpedMapsTest : public FrameTest {
 protected:
-    TruthCache cache;
+    ReferenceCache cache;
     inline static const FrameRequest kPicture{.width = 160, .height = 90};
 
     /// A ground of 60 m with boxes on it, of which one is mirrored, seen along the ground.
@@ -157,7 +157,7 @@ TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
 // depth's convention: of the rays that meet the ground or a box's top, away from edges.
 TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
     const Scene scene = long_ground({0, 0, 0});
-    const test::RayTruth rays(scene);
+    const test::RayReference rays(scene);
     for (const char* format : {"d16", "d24", "d32f", "colour"})
         for (const bool reversed : {false, true})
             for (const char* near_far : {"fitted", "casters", "scene"}) {

@@ -311,7 +311,7 @@ std::vector<const Change*> kinds_of(const Axis& table) {
         const std::string kind =
             fmt::format("{} {} {} {} | {} {} | {} {} {} {}", int(filter.samples), is_bilinear(filter, s), filter.linear,
                         filter.moments.summed, bias.per_texel, int(bias.stage), needs.map, source_of(s, 0).fused,
-                        needs.truth, needs.light_map);
+                        needs.reference, needs.light_map);
         if (seen.insert(kind).second) out.push_back(&choice);
     }
     return out;
@@ -384,7 +384,7 @@ protected:
                 renderer_->render(scene, s, untold);
                 request.outputs.evidence = request.outputs.health = true;
             }
-            render_with_truth(*renderer_, scene, s, request, truths_);
+            render_with_reference(*renderer_, scene, s, request, references_);
             if (recorder_) recorder_->probes_hit = chosen.size() == 1;
             renderer_->probe(scene, s, request, 4, 4);
             if (recorder_) recorder_->probes_hit = false;
@@ -515,7 +515,7 @@ protected:
 
     const HeadlessContext context_;
     std::unique_ptr<Renderer> renderer_ = std::make_unique<Renderer>();
-    TruthCache truths_;
+    ReferenceCache references_;
     Recorder* recorder_ = nullptr;
     int frames_ = 0;
 };

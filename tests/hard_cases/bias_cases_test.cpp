@@ -46,7 +46,7 @@ LeastBias predicted(const Shot& shot, const Settings& s) {
 /// Share of lit pixels that are not fully lit.
 double acne_share(const Shot& shot) {
     std::size_t acne = 0, seen = 0;
-    const RayTruth rays(plane_scene());
+    const RayReference rays(plane_scene());
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
             glm::dvec3 origin, dir;
@@ -212,7 +212,7 @@ TEST(HardCase2, SphereTerminator) {
     s.camera.elevation = 10;
     const auto energy = [&](const Shot& shot) {
         // A convex body: truth is lit wherever the facet faces the light.
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         double error = 0;
         int domain = 0;
         for (int y = 0; y < shot.height; ++y)

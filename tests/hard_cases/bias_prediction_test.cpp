@@ -55,7 +55,7 @@ struct Seen {
 };
 
 Seen seen_points(const Scene& scene, const FrameResult& frame) {
-    static const RayTruth rays(scene);
+    static const RayReference rays(scene);
     Seen seen;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
@@ -181,14 +181,14 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
     const RasterTraits& own = hard_renderer().driver();
     const RasterTraits recorded = std::getenv("SI_UPDATE_ASSETS") ? own : table_driver(lines);
     std::vector<Row> rows;
-    int judged = 0;
+    int classified = 0;
     for (const char* filter : kKernels)
         for (const double theta : kAngles) {
             const Row row = measured(scene, c, filter, theta, own);
             SCOPED_TRACE(row.text());
             EXPECT_EQ(row.acne[4], 0) << "at the predicted bias";
             if (theta > 0 && row.steps >= 20) {
-                ++judged;
+                ++classified;
                 EXPECT_GE(row.acne[0], 45) << "without bias half of the plane must shadow itself";
                 // Under a spot light only the point that needs most is short of a tenth, and it may be one of no texel.
                 if (c.light == LightType::Spot)
@@ -199,7 +199,7 @@ TEST_P(BiasPrediction, IsWhatIsMeasured) {
             rows.push_back(recorded.subpixel_bits == own.subpixel_bits ? row
                                                                        : measured(scene, c, filter, theta, recorded));
         }
-    EXPECT_GE(judged, 12) << "too few cases in which quantisation does not decide";
+    EXPECT_GE(classified, 12) << "too few cases in which quantisation does not decide";
     if (std::getenv("SI_UPDATE_ASSETS")) return write_section(c, rows);
     const auto [first, end] = section(lines, c.heading());
     ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it anew";

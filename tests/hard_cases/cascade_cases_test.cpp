@@ -20,7 +20,7 @@ int faults_of(const DrawnCase& c) {
         before = span.ends;
     }
     EXPECT_EQ(light.chooser.choice, ViewChoice::Interval);
-    static const RayTruth rays(c.scene);
+    static const RayReference rays(c.scene);
     int seen = 0;
     for (int y = 0; y < 60; ++y)
         for (int x = 0; x < 80; ++x) {

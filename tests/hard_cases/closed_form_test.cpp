@@ -49,7 +49,7 @@ TEST_P(BoxShadow, EdgeWithinATexel) {
     s.bias.constant = 4 * reach_of(s).bias;
     const Shot shot = shoot(scene, s, 320, 240);
     const FittedLight& light = shot.light();
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     const auto in_shadow = [&](const glm::dvec3& p) {
         const bool directional = light.type == LightType::Directional;
         return meets_box(p, directional ? light.to_light : light.position - p, directional ? 1e9 : 1, lo, hi);
@@ -114,7 +114,7 @@ TEST(PointLight, SeamsShowNoError) {
         s.bias.unit = int(BiasUnit::Texels);
         // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
         s.bias.constant = 4 * reach_of(s).bias;
-        const TruthErrors e = compare(shoot(scene, s), scene, reach_of(s).edge + 1);
+        const ReferenceErrors e = compare(shoot(scene, s), scene, reach_of(s).edge + 1);
         EXPECT_GT(e.shadow, 200) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.any_acne, 0) << filter;

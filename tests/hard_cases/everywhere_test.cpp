@@ -75,31 +75,31 @@ double resolved(const HardCase& row, const Placement& placement) {
 
 /// A picture with its truth.
 struct Judged {
-    std::vector<float> visibility, truth;
+    std::vector<float> visibility, reference;
     std::vector<PixelState> state;
     std::vector<Artefact> cause;
     bool operator==(const Judged&) const = default;
 };
 
 /// @param turn of the light's elevation, degrees
-std::optional<Judged> judged(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
+std::optional<Judged> classified(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
     DrawnCase c = hard_view(row.key, fixed);
     c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
     if (!place_settings(c.settings, placement) || resolved(row, placement) > allowance_of(row.key).finest_place)
         return {};
     c.settings.lights[0].elevation += turn;
     if (!placement.at_home()) place_scene(c.scene, placement.matrix());
-    TruthCache cache;
+    ReferenceCache cache;
     const MeasuredError e =
         measure_error(hard_renderer(), c.scene, c.settings, {.width = kAcross, .height = kDown}, 0, {}, cache);
     Judged out;
     for (int y = 0; y < kDown; ++y)
         for (int x = 0; x < kAcross; ++x) {
             const auto i = std::size_t(y * kAcross + (placement.mirrored ? kAcross - 1 - x : x));
-            out.visibility.push_back(e.judged[i].visibility);
-            out.truth.push_back(e.traced.truth->visibility.data[i]);
-            out.state.push_back(e.traced.truth->state[i]);
-            out.cause.push_back(e.judged[i].artefact);
+            out.visibility.push_back(e.classified[i].visibility);
+            out.reference.push_back(e.traced.reference->visibility.data[i]);
+            out.state.push_back(e.traced.reference->state[i]);
+            out.cause.push_back(e.classified[i].artefact);
         }
     for (const std::string& message : hard_renderer().take_gl_messages()) ADD_FAILURE() << "driver: " << message;
     return out;
@@ -111,7 +111,7 @@ bool near_edge(const Judged& home, std::size_t i) {
     for (int v = std::max(y - 2, 0); v <= std::min(y + 2, kDown - 1); ++v)
         for (int u = std::max(x - 2, 0); u <= std::min(x + 2, kAcross - 1); ++u) {
             const auto k = std::size_t(v * kAcross + u);
-            if (std::abs(home.visibility[k] - home.visibility[i]) > 0.02f || home.truth[k] != home.truth[i] ||
+            if (std::abs(home.visibility[k] - home.visibility[i]) > 0.02f || home.reference[k] != home.reference[i] ||
                 home.state[k] != home.state[i])
                 return true;
         }
@@ -119,7 +119,7 @@ bool near_edge(const Judged& home, std::size_t i) {
 }
 
 struct Differences {
-    std::size_t pixels = 0, visibility = 0, truth = 0, inside = 0, wrong = 0, other_cause = 0;
+    std::size_t pixels = 0, visibility = 0, reference = 0, inside = 0, wrong = 0, other_cause = 0;
     void add(const Judged& home, const Judged& there, double look) {
         pixels += home.state.size();
         for (std::size_t i = 0; i < home.state.size(); ++i) {
@@ -127,8 +127,8 @@ struct Differences {
             // Beside a cone, where no truth counts, a ray may run within a plane and meet it or not.
             const bool counts = home.state[i] != PixelState::OutsideCone;
             const bool known =
-                (counts && std::abs(home.truth[i] - there.truth[i]) > 0.02f) || home.state[i] != there.state[i];
-            visibility += seen, truth += known;
+                (counts && std::abs(home.reference[i] - there.reference[i]) > 0.02f) || home.state[i] != there.state[i];
+            visibility += seen, reference += known;
             inside += (seen || known) && !near_edge(home, i);
             if (home.cause[i] == Artefact::None || there.cause[i] == Artefact::None) continue;
             ++wrong, other_cause += home.cause[i] != there.cause[i];
@@ -138,15 +138,15 @@ struct Differences {
 
 /// What of two pictures is not the same, in words.
 std::string bytes_off(const Judged& a, const Judged& b) {
-    std::size_t visibility = 0, truth = 0, state = 0, cause = 0;
+    std::size_t visibility = 0, reference = 0, state = 0, cause = 0;
     float most = 0;
     for (std::size_t i = 0; i < a.state.size(); ++i) {
-        visibility += a.visibility[i] != b.visibility[i], truth += a.truth[i] != b.truth[i];
+        visibility += a.visibility[i] != b.visibility[i], reference += a.reference[i] != b.reference[i];
         state += a.state[i] != b.state[i], cause += a.cause[i] != b.cause[i];
         most = std::max(most, std::abs(a.visibility[i] - b.visibility[i]));
     }
     return std::to_string(visibility) + " visibilities by up to " + std::to_string(most) + ", " +
-           std::to_string(truth) + " truths, " + std::to_string(state) + " states and " + std::to_string(cause) +
+           std::to_string(reference) + " truths, " + std::to_string(state) + " states and " + std::to_string(cause) +
            " causes differ";
 }
 
@@ -156,7 +156,7 @@ public:
     const Judged& of(const HardCase& row, bool fixed, std::size_t light) {
         const auto key = std::tuple(row.number, fixed, light);
         if (const auto it = homes_.find(key); it != homes_.end()) return it->second;
-        return homes_[key] = *judged(row, fixed, {.light = light});
+        return homes_[key] = *classified(row, fixed, {.light = light});
     }
 
 private:
@@ -174,7 +174,7 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
         if (placement.at_home() || (placement.mirrored && !allowed.mirrors)) continue;
         SCOPED_TRACE(std::string(row.key) + ": " + placement.name());
         const Judged& home = homes.of(row, fixed, placement.light);
-        const auto there = judged(row, fixed, placement);
+        const auto there = classified(row, fixed, placement);
         if (!there) continue;
         ++compared;
         if (placement.exact() && resolved(row, placement) <= kFinestSameBytes) {
@@ -190,20 +190,20 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
         Differences here;
         here.add(home, *there, look);
         EXPECT_LE(here.inside, allowed.inside)
-            << "of " << here.visibility << " pixels that look and " << here.truth << " that are otherwise";
-        EXPECT_LE(std::max(here.visibility, here.truth), std::size_t(kMostOfOne * double(here.pixels)));
+            << "of " << here.visibility << " pixels that look and " << here.reference << " that are otherwise";
+        EXPECT_LE(std::max(here.visibility, here.reference), std::size_t(kMostOfOne * double(here.pixels)));
         all.add(home, *there, look);
     }
     return compared;
 }
 
 void expect_alike(const HardCase& row, const Differences& d) {
-    testing::Test::RecordProperty("differing", std::to_string(d.visibility) + " look and " + std::to_string(d.truth) +
-                                                   " are otherwise of " + std::to_string(d.pixels) + "; " +
-                                                   std::to_string(d.other_cause) + " of " + std::to_string(d.wrong) +
-                                                   " wrong ones have another cause");
+    testing::Test::RecordProperty("differing", std::to_string(d.visibility) + " look and " +
+                                                   std::to_string(d.reference) + " are otherwise of " +
+                                                   std::to_string(d.pixels) + "; " + std::to_string(d.other_cause) +
+                                                   " of " + std::to_string(d.wrong) + " wrong ones have another cause");
     EXPECT_LE(double(d.visibility), kMostDiffering * double(d.pixels)) << "pixels that look otherwise, of " << d.pixels;
-    EXPECT_LE(double(d.truth), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
+    EXPECT_LE(double(d.reference), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
     EXPECT_GE(double(d.wrong - d.other_cause), allowance_of(row.key).same_cause * double(d.wrong))
         << "wrong pixels of one cause";
 }
@@ -227,7 +227,7 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
     std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
     for (std::size_t light = 1; light < lights_from().size(); ++light) {
         const Judged& exact = homes.of(row, true, light);
-        const auto beside = judged(row, true, {.light = light}, turn);
+        const auto beside = classified(row, true, {.light = light}, turn);
         ASSERT_TRUE(beside);
         for (std::size_t i = 0; i < exact.state.size(); ++i) {
             // Faces parallel to the light face away from it, and a little towards it beside.

@@ -12,7 +12,7 @@ namespace si::test {
 namespace {
 
 /// Errors beyond the reach of the kernel and its blur.
-TruthErrors errors(const DrawnCase& c, const Shot& shot) {
+ReferenceErrors errors(const DrawnCase& c, const Shot& shot) {
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
     return compare(shot, c.scene, reach + 2);
 }
@@ -21,12 +21,13 @@ TruthErrors errors(const DrawnCase& c, const Shot& shot) {
 double grey_share(const DrawnCase& c) {
     const Shot shot = shoot(c);
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
-    const TruthImage truth = trace_truth(RayTruth(c.scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, reach + 2);
+    const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, reach + 2);
     int grey = 0, sheet = 0;
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Lit || glm::dot(truth.hits[i]->normal, shot.light().to_light) < 0.999) continue;
-        const glm::dvec3 p = truth.hits[i]->position - glm::dvec3(0, 2, 0);
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Lit || glm::dot(reference.hits[i]->normal, shot.light().to_light) < 0.999)
+            continue;
+        const glm::dvec3 p = reference.hits[i]->position - glm::dvec3(0, 2, 0);
         if (std::max(std::abs(p.x), glm::length(glm::dvec2(p.y, p.z))) > 4.75) continue;
         ++sheet, grey += shot.visibility.data[i] < 1 - 1e-3f;
     }
@@ -89,7 +90,7 @@ TEST(HardCase23, NoExponentMakesNumbersThatAreNone) {
 TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
     const auto grey = [](const char* kernel, bool fixed) {
         const DrawnCase c = hard_view("moment-steps", fixed, {{"filter.kernel", kernel}});
-        const TruthErrors e = errors(c, shoot(c));
+        const ReferenceErrors e = errors(c, shoot(c));
         EXPECT_GT(e.domain - e.shadow - e.boundary, 3000);
         return double(e.any_acne) / std::max(e.domain, 1);
     };
@@ -120,13 +121,15 @@ TEST(HardCase26, NothingAndAllBeforeTheSurface) {
             const DrawnCase c = hard_view("no-blockers", true, {{"filter.kernel", kernel}, {"light.size", size}});
             const Shot shot = shoot(c);
             const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
-            const TruthImage truth = trace_truth(RayTruth(c.scene), shot.frame.camera, shot.light(), shot.width,
-                                                 shot.height, shot.frame.map_resolution, reach);
+            const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(),
+                                                             shot.width, shot.height, shot.frame.map_resolution, reach);
             double worst = 0;
             int clear = 0, covered = 0;
-            for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-                if (truth.lit[i] == Lit::Lit) ++clear, worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
-                if (truth.lit[i] == Lit::Shadow) ++covered, worst = std::max(worst, double(shot.visibility.data[i]));
+            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+                if (reference.lit[i] == Lit::Lit)
+                    ++clear, worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
+                if (reference.lit[i] == Lit::Shadow)
+                    ++covered, worst = std::max(worst, double(shot.visibility.data[i]));
             }
             judge(26, worst);
             shows_fault(26, clear);

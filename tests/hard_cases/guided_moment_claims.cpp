@@ -23,15 +23,15 @@ struct Amiss {
 };
 
 Amiss amiss(const Guided& g) {
-    const TruthImage truth = trace_truth(RayTruth(g.scene), g.shot.frame.camera, g.shot.light(), g.shot.width,
-                                         g.shot.height, g.shot.frame.map_resolution, 6);
+    const ReferenceImage reference = trace_reference(RayReference(g.scene), g.shot.frame.camera, g.shot.light(),
+                                                     g.shot.width, g.shot.height, g.shot.frame.map_resolution, 6);
     Amiss sum;
     int dark = 0, lit = 0;
     for (int y = 0; y < g.shot.height; ++y)
         for (int x = 0; x < g.shot.width; ++x) {
             const double v = g.shot.visibility.at(x, y);
-            if (truth.at(x, y) == Lit::Shadow) ++dark, sum.bled += v;
-            if (truth.at(x, y) == Lit::Lit) ++lit, sum.darkened += 1 - v;
+            if (reference.at(x, y) == Lit::Shadow) ++dark, sum.bled += v;
+            if (reference.at(x, y) == Lit::Lit) ++lit, sum.darkened += 1 - v;
         }
     EXPECT_GT(dark, 40);
     EXPECT_GT(lit, 1000);
@@ -49,7 +49,7 @@ const Claims& guided_moment_claims() {
              hard_renderer().render(wide.scene, wide.settings, {.width = 16, .height = 9});
              const FrameResult dragged =
                  hard_renderer().render(wide.scene, narrow.settings, {.width = 16, .height = 9});
-             EXPECT_EQ(dragged.pass("moments")->state, PassState::Reused) << "nothing is made anew";
+             EXPECT_EQ(dragged.pass("moments")->state, PassState::Cached) << "nothing is made anew";
          }},
         {"savsm-float-sums",
          [] {

@@ -78,8 +78,8 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         FrameRequest request;
         request.width = 64, request.height = 36;
         request.outputs.health = true;
-        TruthCache truths;  // what is baked or traced for a picture is there when it is shown
-        trace_sources(hard_renderer(), session.scene, session.settings, request, truths);
+        ReferenceCache references;  // what is baked or traced for a picture is there when it is shown
+        trace_sources(hard_renderer(), session.scene, session.settings, request, references);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
         const auto health = hard_renderer().numeric_health(frame);
         EXPECT_TRUE(health->sound()) << health_text(*health);

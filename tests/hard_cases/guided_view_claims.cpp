@@ -54,7 +54,7 @@ struct Drawn {
         return std::ranges::count_if(shot.visibility.data, [](float v) { return v > 0.02f && v < 0.98f; });
     }
     double mae() const {
-        TruthCache cache;
+        ReferenceCache cache;
         return measure_error(hard_renderer(), scene, settings, {.width = 160, .height = 90}, 0, {}, cache).metrics.mae;
     }
     double depths_m() const {

@@ -28,7 +28,7 @@ TEST(HardCaseTable, HasThirtySixRowsWithWordsScenesAndLimits) {
         const HardCase& row = rows[i];
         EXPECT_EQ(row.number, int(i) + 1);
         EXPECT_TRUE(keys.insert(row.key).second && titles.insert(row.title).second) << row.key;
-        for (const std::string_view sentence : {row.fault, row.remedy}) {
+        for (const std::string_view sentence : {row.fault, row.fix}) {
             EXPECT_TRUE(sentence.size() > 30 && sentence.ends_with('.')) << row.key << ": " << sentence;
             EXPECT_LT(sentence.size(), 200u) << row.key << ": longer than a glance";
         }
@@ -111,7 +111,7 @@ TEST(HardCaseTable, PresetsOfFaultsShowThem) {
         double wrong[2] = {}, mae[2] = {};
         for (const bool fixed : {false, true}) {
             const DrawnCase c = hard_view(row.key, fixed);
-            TruthCache cache;
+            ReferenceCache cache;
             const MeasuredError e =
                 measure_error(hard_renderer(), c.scene, c.settings, {.width = 160, .height = 120}, 0, {}, cache);
             wrong[fixed] = e.metrics.false_light + e.metrics.false_shadow, mae[fixed] = e.metrics.mae;

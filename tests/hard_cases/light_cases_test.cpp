@@ -48,7 +48,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
             s.lights[0].type = int(type);
             s.lights[0].azimuth = angles.x, s.lights[0].elevation = angles.y;
             const Shot shot = shoot(scene, s);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int parallel = 0, lit = 0;
             for (int y = 0; y < shot.height; ++y)
                 for (int x = 0; x < shot.width; ++x) {
@@ -68,15 +68,15 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
         Settings s = hard_settings();
         s.lights[0].azimuth = azimuth, s.lights[0].elevation = 90;
-        TruthCache cache;
+        ReferenceCache cache;
         const MeasuredError m = measure_error(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0, {}, cache);
         const Shot shot = shoot(scene, s);
-        EXPECT_GT(m.traced.truth->pixels[std::size_t(PixelState::FacesAway)], 300u);
+        EXPECT_GT(m.traced.reference->pixels[std::size_t(PixelState::FacesAway)], 300u);
         EXPECT_EQ(m.metrics.any_acne, 0) << azimuth;
-        for (std::size_t i = 0; i < m.traced.truth->state.size(); ++i)
-            if (m.traced.truth->state[i] == PixelState::FacesAway) {
+        for (std::size_t i = 0; i < m.traced.reference->state.size(); ++i)
+            if (m.traced.reference->state[i] == PixelState::FacesAway) {
                 ASSERT_EQ(shot.visibility.data[i], 0) << azimuth;
-            } else if (m.traced.truth->state[i] == PixelState::Counted) {
+            } else if (m.traced.reference->state[i] == PixelState::Counted) {
                 ASSERT_GT(glm::dot(m.traced.receivers->pixels[i].normal_ws, glm::dvec3(0, 1, 0)), 1e-6);
             }
     }
@@ -89,7 +89,7 @@ TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
         Settings s;
         for (const auto& [key, value] : scene.suggested) set_setting(s, key, value);
         s.lights[0].elevation = elevation;
-        TruthCache cache;
+        ReferenceCache cache;
         return measure_error(hard_renderer(), scene, s, {.width = 320, .height = 180}, 0, {}, cache).metrics.iou;
     };
     EXPECT_NEAR(iou(90), iou(89.9), 0.05);
@@ -137,7 +137,7 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
             s.map.reversed_z = reversed;
             const Shot shot = shoot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             const LightView& view = shot.view();
             const FloatImage& map = shot.maps.at(0);
             int behind = 0, affected = 0, mirrored = 0;

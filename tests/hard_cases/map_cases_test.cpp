@@ -60,7 +60,7 @@ TEST(HardCase20, ErrorsFallWithResolution) {
         const Shot shot = shoot(scene, s);
         EXPECT_EQ(shot.frame.map_resolution, n);
         EXPECT_EQ(shot.maps.at(0).width, n);
-        const TruthErrors e = compare(shot, scene, 0);
+        const ReferenceErrors e = compare(shot, scene, 0);
         const double wrong = double(e.false_light + e.false_shadow) / e.domain;
         judge(20, std::max(0.0, wrong - before));
         before = wrong;
@@ -110,7 +110,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
         s.lights[0].fit = int(LightFit::Manual);
         s.lights[0].extent = 2;
         const auto wrong_outside = [&](const Shot& shot) {
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int wrong = 0, outside = 0;
             for (int y = 0; y < shot.height; ++y)
                 for (int x = 0; x < shot.width; ++x) {
@@ -156,7 +156,7 @@ TEST(HardCase29, NoErrorAlongTheBorder) {
         s.bias.unit = int(BiasUnit::Texels);
         s.bias.constant = 2.5 * reach_of(s).bias;
         const double reach = reach_of(s).edge + 1;
-        const TruthErrors e = compare(shoot(scene, s), scene, reach);
+        const ReferenceErrors e = compare(shoot(scene, s), scene, reach);
         EXPECT_GT(e.shadow, 100) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.false_light, 0) << filter;

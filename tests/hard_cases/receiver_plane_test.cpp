@@ -64,7 +64,7 @@ class ReceiverPlaneBias : public testing::TestWithParam<PlaneCase> {};
 
 TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
     const PlaneCase& c = GetParam();
-    std::size_t acne_without = 0, judged = 0;
+    std::size_t acne_without = 0, classified = 0;
     double most_texels = 0;
     // Each plane under each angle, and each kernel with each of both; SI_LONG=1: each kernel for every pair of these.
     const bool all = std::getenv("SI_LONG") != nullptr;
@@ -108,11 +108,11 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 choose(s, "constant");
                 s.bias.constant = middle.clears();
                 const Shot one = shoot(scene, s);
-                judged += pixels.size();
+                classified += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
             }
         }
-    EXPECT_GT(double(acne_without), 0.7 * double(judged));
+    EXPECT_GT(double(acne_without), 0.7 * double(classified));
     if (c.format == MapFormat::D32F) {
         // Corners snap by half a step of the driver's grid, which both axes' slopes of 85 degrees make depth of.
         const double snapping = 17 * std::exp2(-(hard_renderer().driver().subpixel_bits + 1));
@@ -207,7 +207,7 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
             choose(s, "constant");
             s.bias.constant = 4 * reach_of(s).bias;
             const Shot one = shoot(scene, s, 320, 240);
-            const RayTruth rays(scene);
+            const RayReference rays(scene);
             int floor = 0, partly = 0, dark = 0, differ = 0;
             for (int y = 0; y < plane.height; ++y)
                 for (int x = 0; x < plane.width; ++x) {

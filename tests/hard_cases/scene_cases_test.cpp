@@ -146,7 +146,7 @@ TEST(HardCase18, ZeroThicknessBounds) {
     s.bias = no_bias();
     s.bias.constant = 1e-3;
     set_setting(s, "filter.kernel", "hard");
-    const TruthErrors e = compare(shoot(two, s), two, 1);
+    const ReferenceErrors e = compare(shoot(two, s), two, 1);
     EXPECT_EQ(e.false_light, 0);
     EXPECT_EQ(e.false_shadow, 0);
 }

@@ -14,7 +14,7 @@ namespace si::test {
 namespace {
 
 MeasuredError measured(const DrawnCase& c, int width = 160, int height = 120) {
-    TruthCache cache;
+    ReferenceCache cache;
     return measure_error(hard_renderer(), c.scene, c.settings, {.width = width, .height = height}, 0, {}, cache);
 }
 
@@ -45,14 +45,14 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
         const double width = side * (std::abs(glm::dot(across, turn * glm::dvec3(1, 0, 0))) + std::abs(across.y));
         const double caught =
             caught_share(width, texel * glm::dvec2(glm::dot(across, view.axes[0]), glm::dot(across, view.axes[1])));
-        const RayTruth rays(c.scene);
-        const TruthImage truth =
-            trace_truth(rays, shot.frame.camera, shot.light(), shot.width, shot.height, shot.frame.map_resolution, 0);
+        const RayReference rays(c.scene);
+        const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
+                                                         shot.frame.map_resolution, 0);
         int shadow = 0, missing = 0;
-        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-            if (!truth.hits[i] || truth.hits[i]->position.y > 1e-3 || truth.lit[i] != Lit::Shadow) continue;
+        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+            if (!reference.hits[i] || reference.hits[i]->position.y > 1e-3 || reference.lit[i] != Lit::Shadow) continue;
             // Not the bar's shadow, which crosses that of the wires at their end.
-            const glm::dvec3 p = truth.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
+            const glm::dvec3 p = reference.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
             if (glm::dot(p - glm::dvec3(0, 0.75, -1.75), turn * glm::dvec3(0, 0, 1)) < 0.25) continue;
             ++shadow, missing += shot.visibility.data[i] > 0.5f;
         }
@@ -66,7 +66,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
             shows_fault(21, share);
             const MeasuredError e = measured(c, 320, 240);
             std::size_t lost = 0, told = 0;
-            for (const JudgedPixel& pixel : e.judged) {
+            for (const JudgedPixel& pixel : e.classified) {
                 lost += pixel.has(JudgedPixel::kFalseLight);
                 told += pixel.has(JudgedPixel::kFalseLight) && pixel.artefact == Artefact::Undersampled;
             }
@@ -80,7 +80,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
 
 TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
     const DrawnCase c = hard_view("edge-on-planes", true);
-    const TruthErrors e = compare(shoot(c), c.scene, reach_of(c.settings).edge + 1);
+    const ReferenceErrors e = compare(shoot(c), c.scene, reach_of(c.settings).edge + 1);
     EXPECT_GT(e.domain - e.boundary, 2000);
     EXPECT_GT(e.shadow, 1000);
     judge(27, double(e.false_shadow + e.false_light) / e.domain);
@@ -97,18 +97,18 @@ TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
 
 /// Wrong pixels, whatever their cause is called, about which all is shadow or all is light in truth.
 double wrong_share(const MeasuredError& e) {
-    const Truth& truth = *e.traced.truth;
+    const Reference& reference = *e.traced.reference;
     const auto inside = [&](int x, int y) {
         constexpr int kReach = 2;  // pixels, each several texels wide
-        for (int j = std::max(y - kReach, 0); j <= std::min(y + kReach, truth.height - 1); ++j)
-            for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, truth.width - 1); ++i)
-                if (truth.hard().at(i, j) != truth.hard().at(x, y)) return false;
+        for (int j = std::max(y - kReach, 0); j <= std::min(y + kReach, reference.height - 1); ++j)
+            for (int i = std::max(x - kReach, 0); i <= std::min(x + kReach, reference.width - 1); ++i)
+                if (reference.hard().at(i, j) != reference.hard().at(x, y)) return false;
         return true;
     };
     std::size_t wrong = 0;
-    for (int y = 0; y < truth.height; ++y)
-        for (int x = 0; x < truth.width; ++x) {
-            const JudgedPixel& pixel = e.judged[std::size_t(y) * std::size_t(truth.width) + std::size_t(x)];
+    for (int y = 0; y < reference.height; ++y)
+        for (int x = 0; x < reference.width; ++x) {
+            const JudgedPixel& pixel = e.classified[std::size_t(y) * std::size_t(reference.width) + std::size_t(x)];
             wrong += pixel.artefact != Artefact::None && inside(x, y);
         }
     return double(wrong) / double(std::max<std::size_t>(e.metrics.counted, 1));
@@ -149,10 +149,10 @@ TEST(HardCase35, FacetsTurnedAwayAreNoAcne) {
     const MeasuredError e = measured(c);
     const glm::dvec3 middle(0, 1.25, 0), to_light = e.lights[0].to_light;
     int smooth_lit = 0, counted_wrong = 0;
-    for (std::size_t i = 0; i < e.traced.truth->state.size(); ++i) {
+    for (std::size_t i = 0; i < e.traced.reference->state.size(); ++i) {
         const Receiver& r = e.traced.receivers->pixels[i];
-        if (!r.hit() || e.traced.truth->state[i] != PixelState::FacesAway) continue;
-        counted_wrong += e.judged[i].artefact != Artefact::None;
+        if (!r.hit() || e.traced.reference->state[i] != PixelState::FacesAway) continue;
+        counted_wrong += e.classified[i].artefact != Artefact::None;
         smooth_lit += r.position_ws.y > 1e-3 && glm::dot(glm::normalize(r.position_ws - middle), to_light) > 0.02;
     }
     judge(35, counted_wrong);
@@ -171,14 +171,14 @@ bool meets_own(const Triangle& t, const glm::vec3& from, const glm::vec3& along)
 TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
     const DrawnCase c = hard_view("truth", true);
     const MeasuredError e = measured(c);
-    const RayTruth rays(c.scene);
+    const RayReference rays(c.scene);
     EXPECT_EQ(rays.triangle_count(), c.scene.triangle_count()) << "truth and picture see different scenes";
     int shadowed = 0, bodies = 0, own = 0;
-    for (std::size_t i = 0; i < e.traced.truth->state.size(); ++i) {
+    for (std::size_t i = 0; i < e.traced.reference->state.size(); ++i) {
         const Receiver& r = e.traced.receivers->pixels[i];
-        if (e.traced.truth->state[i] != PixelState::Counted || r.position_ws.y < 1e-3) continue;
+        if (e.traced.reference->state[i] != PixelState::Counted || r.position_ws.y < 1e-3) continue;
         ++bodies;
-        shadowed += e.traced.truth->visibility.data[i] < 0.5f;
+        shadowed += e.traced.reference->visibility.data[i] < 0.5f;
         const auto hit = rays.first_hit(e.camera.eye, glm::normalize(r.position_ws - e.camera.eye));
         if (!hit) continue;
         const glm::dvec3 from = r.position_ws - c.scene.bounds.centre();
@@ -187,7 +187,7 @@ TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
     EXPECT_GT(bodies, 500);
     judge(36, shadowed);
     shows_fault(36, double(own) / std::max(bodies, 1));
-    EXPECT_GT(e.traced.truth->visibility.data.size(), 0u);
+    EXPECT_GT(e.traced.reference->visibility.data.size(), 0u);
     EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source are the truth";
 }
 

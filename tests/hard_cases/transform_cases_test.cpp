@@ -97,7 +97,7 @@ TEST(HardCase14, NormalsStandOnStretchedFaces) {
     Renderer& renderer = hard_renderer();
     const FrameResult frame = renderer.render(scene, s, request);
     const FloatImage image = renderer.read_float(frame.overlay, 4);
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     double worst = 0, naive_worst = 0;
     int seen = 0;
     for (int y = 0; y < image.height; ++y)

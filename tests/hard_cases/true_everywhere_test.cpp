@@ -118,7 +118,7 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
     for (std::size_t light = 1; light < lights_from().size(); ++light)
         placements.push_back({.distance = 4, .scale = 1 + light % (scales().size() - 1), .light = light});
     placements.push_back({.distance = 3, .scale = 3, .light = 4, .mirrored = true});
-    std::size_t judged = 0, dark = 0, parallel = 0;
+    std::size_t classified = 0, dark = 0, parallel = 0;
     for (const Placement& placement : placements) {
         SCOPED_TRACE(placement.name());
         Scene scene = solid_scene();
@@ -128,7 +128,7 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
         s.lights[0].type = int(type), s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
         if (type == LightType::Point) s.lights[0].distance = 6;
         ASSERT_TRUE(place_settings(s, placement) || placement.scale == 4);
-        TruthCache cache;
+        ReferenceCache cache;
         const int width = 96, height = 72;
         const MeasuredError e =
             measure_error(hard_renderer(), scene, s, {.width = width, .height = height}, 0, {}, cache);
@@ -153,21 +153,21 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
                         seen_by(solids, home(from - origin), factor * home(along), light, by_place, &facing));
                 const Seen& seen = answers[0];
                 if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
-                const PixelState state = e.traced.truth->state[i];
+                const PixelState state = e.traced.reference->state[i];
                 if (std::abs(facing) < 1e-12) ++parallel, otherwise += state != PixelState::FacesAway;
                 // Facets lean: near its terminator nothing is said of the ball.
                 if (std::abs(facing) < (seen.body == Body::Ball ? 0.1 : 1e-6)) continue;
-                ++judged;
+                ++classified;
                 if (facing < 0) {
                     otherwise += state != PixelState::FacesAway;
                     continue;
                 }
                 dark += !seen.lit;
-                otherwise += state != PixelState::Counted || (e.traced.truth->hard().data[i] > 0.5f) != seen.lit;
+                otherwise += state != PixelState::Counted || (e.traced.reference->hard().data[i] > 0.5f) != seen.lit;
             }
         EXPECT_EQ(otherwise, 0u);
     }
-    EXPECT_GT(judged, 100'000u);
+    EXPECT_GT(classified, 100'000u);
     EXPECT_GT(dark, 3'000u);
     if (type == LightType::Directional) {
         EXPECT_GT(parallel, 10'000u);

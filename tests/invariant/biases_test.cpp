@@ -124,17 +124,17 @@ protected:
         std::vector<std::size_t> cleared;
         std::size_t lit = 0, sloped = 0;
     };
-    Told told(const TruthImage& truth, const FrameResult& frame, const Settings& s, int step) const {
+    Told told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
         Told out;
-        for (std::size_t i = 0; i < truth.lit.size(); i += std::size_t(step)) {
-            if (truth.lit[i] != Lit::Lit || truth.hits[i]->normal.y < 0.5) continue;
+        for (std::size_t i = 0; i < reference.lit.size(); i += std::size_t(step)) {
+            if (reference.lit[i] != Lit::Lit || reference.hits[i]->normal.y < 0.5) continue;
             // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
-            const glm::dvec3 on_floor = truth.hits[i]->position - c.place.at;
+            const glm::dvec3 on_floor = reference.hits[i]->position - c.place.at;
             if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
                 std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
                 continue;
             ++out.lit;
-            const BiasAccount a = account(*truth.hits[i], frame, s);
+            const BiasAccount a = account(*reference.hits[i], frame, s);
             out.sloped += a.least.kernel > 4 * (a.least.quantum + a.least.rounding);
             if (a.clears() >= a.least.total()) out.cleared.push_back(i);
         }
@@ -164,20 +164,20 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     if (row.brings_need) set_setting(bare, "bias.kind", "constant");
     const Shot none = shoot(scene, bare);
     const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
-    const auto truth_within = [&](double texels) {
-        return trace_truth(RayTruth(scene), none.frame.camera, none.light(), none.width, none.height,
-                           none.frame.map_resolution, texels);
+    const auto reference_within = [&](double texels) {
+        return trace_reference(RayReference(scene), none.frame.camera, none.light(), none.width, none.height,
+                               none.frame.map_resolution, texels);
     };
-    TruthImage truth = truth_within(reach);
+    ReferenceImage reference = reference_within(reach);
     const double value = least_value([&](double v) {
         give(s, v);
-        const Told t = told(truth, none.frame, s, 13);
+        const Told t = told(reference, none.frame, s, 13);
         return double(t.cleared.size()) / double(std::max<std::size_t>(t.lit, 1));
     });
-    if (row.stage == BiasStage::LookUp) truth = truth_within(reach + value);  // edges move by as much
+    if (row.stage == BiasStage::LookUp) reference = reference_within(reach + value);  // edges move by as much
     give(s, value * 1.001);
     const Shot least = shoot(scene, s);
-    const Told t = told(truth, least.frame, s, 1);
+    const Told t = told(reference, least.frame, s, 1);
     const Tolerance& tolerance = filter_of(s).tolerance;
     ASSERT_GT(t.lit, 2000u);
     EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;
@@ -188,9 +188,9 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
         acne += least.visibility.data[i] < 1 - tolerance.lit;
         without += none.visibility.data[i] < 1 - tolerance.lit;
     }
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Shadow || truth.hits[i]->normal.y < 0.5) continue;
-        const BiasAccount a = account(*truth.hits[i], least.frame, s);
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Shadow || reference.hits[i]->normal.y < 0.5) continue;
+        const BiasAccount a = account(*reference.hits[i], least.frame, s);
         if (a.amount(a.lifts).metres > 2) continue;  // the cover is 2.25 m above
         ++dark, leaks += least.visibility.data[i] > tolerance.dark;
     }
@@ -214,11 +214,11 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         s.objects["box"].cast = true;
         const Shot shot = shoot(scene, s, 64, 48);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 5;
-        const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                             shot.frame.map_resolution, reach);
+        const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
+                                                         shot.width, shot.height, shot.frame.map_resolution, reach);
         int lit = 0;
-        for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-            if (truth.lit[i] != Lit::Lit || std::abs(truth.hits[i]->position.y - c.place.at.y) > 1e-3) continue;
+        for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+            if (reference.lit[i] != Lit::Lit || std::abs(reference.hits[i]->position.y - c.place.at.y) > 1e-3) continue;
             ++lit;
             ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit) << value;
         }

@@ -88,21 +88,21 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
     const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
-    const TruthImage truth = trace_truth(RayTruth(scene), whole.frame.camera, wider, whole.width, whole.height,
-                                         whole.frame.map_resolution, reach);
+    const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
+                                                     whole.height, whole.frame.map_resolution, reach);
     // Of a warped map some texels are wider, and some are not.
-    const TruthImage own = !shot.light().is_warped()
-                               ? truth
-                               : trace_truth(RayTruth(scene), whole.frame.camera, shot.light(), whole.width,
-                                             whole.height, whole.frame.map_resolution, reach);
+    const ReferenceImage own = !shot.light().is_warped()
+                                   ? reference
+                                   : trace_reference(RayReference(scene), whole.frame.camera, shot.light(), whole.width,
+                                                     whole.height, whole.frame.map_resolution, reach);
     const Tolerance& tolerance = filter_of(s).tolerance;
     int lit = 0, dark = 0, beyond = 0;
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        const Lit is = truth.lit[i];
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        const Lit is = reference.lit[i];
         if (is != Lit::Lit && is != Lit::Shadow && is != Lit::Boundary) continue;
-        if (truth.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
+        if (reference.hits[i]->normal.y < 0.5) continue;  // sides of the box lie within the bias of its top
         const double v = shot.visibility.data[i];
-        const glm::dvec4 at = uvdw(view_of(shot.light(), truth.hits[i]->position), truth.hits[i]->position);
+        const glm::dvec4 at = uvdw(view_of(shot.light(), reference.hits[i]->position), reference.hits[i]->position);
         const bool outside = std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0;
         if (outside && shot.light().closed) {
             ++beyond;
@@ -136,11 +136,11 @@ TEST_P(EachFit, LightsALonePlane) {
     Settings s = settings();
     set_setting(s, "light.fit", c.fit);
     const Shot shot = shoot(scene, s, 80, 60);
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, 0);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Lit) continue;
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Lit) continue;
         ++lit;
         ASSERT_GE(shot.visibility.data[i], 1 - filter_of(s).tolerance.lit);
     }
@@ -169,14 +169,14 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             FittedLight as_mapped = shot.light();
             as_mapped.type = sun ? LightType::Point : LightType::Directional;
             as_mapped.position = shot.view().eye;
-            const TruthImage truth =
-                trace_truth(RayTruth(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
-                            shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
+            const ReferenceImage reference =
+                trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
+                                shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
-            for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-                const Lit is = truth.lit[i];
-                if ((is != Lit::Lit && is != Lit::Shadow) || truth.hits[i]->normal.y < 0.5) continue;
-                const glm::dvec3 at = uvdw(shot.view(), truth.hits[i]->position);
+            for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+                const Lit is = reference.lit[i];
+                if ((is != Lit::Lit && is != Lit::Shadow) || reference.hits[i]->normal.y < 0.5) continue;
+                const glm::dvec3 at = uvdw(shot.view(), reference.hits[i]->position);
                 if (std::min({at.x, at.y, 1 - at.x, 1 - at.y}) < 0.02) continue;
                 (is == Lit::Lit ? lit : dark) += 1;
                 ASSERT_NEAR(shot.visibility.data[i], is == Lit::Lit, 1e-6) << "pixel " << i;

@@ -47,8 +47,8 @@ protected:
         FrameRequest request{.width = kPixels, .height = kPixels};
         request.outputs.health = health;
         request.outputs.overlay = health;
-        TruthCache truths;
-        trace_sources(*renderer, scene, s, request, truths);
+        ReferenceCache references;
+        trace_sources(*renderer, scene, s, request, references);
         return renderer->render(scene, s, request);
     }
 

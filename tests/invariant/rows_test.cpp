@@ -123,10 +123,10 @@ protected:
 /// Each pixel's truth and visibility; boundary pixels are those with an edge within so many texels.
 template <class Visit>
 void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit visit) {
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, reach_texels);
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, reach_texels);
     for (int y = 0; y < shot.height; ++y)
-        for (int x = 0; x < shot.width; ++x) visit(truth.at(x, y), double(shot.visibility.at(x, y)));
+        for (int x = 0; x < shot.width; ++x) visit(reference.at(x, y), double(shot.visibility.at(x, y)));
 }
 
 TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
@@ -138,9 +138,9 @@ TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
     const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
-    for_pixels(shot, scene, reach, [&](Lit truth, double v) {
-        if (truth == Lit::Lit) ++lit, darkened += v < 1 - row.tolerance.lit;
-        if (truth == Lit::Shadow) ++dark, most = std::max(most, v);
+    for_pixels(shot, scene, reach, [&](Lit reference, double v) {
+        if (reference == Lit::Lit) ++lit, darkened += v < 1 - row.tolerance.lit;
+        if (reference == Lit::Shadow) ++dark, most = std::max(most, v);
     });
     EXPECT_GT(lit, 2000);
     EXPECT_GT(dark, 100);
@@ -171,12 +171,12 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     int lit = 0;
     double least = 1;
     const Shot shot = shoot(scene, s);
-    const TruthImage truth = trace_truth(RayTruth(scene), shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, 0);
-    for (std::size_t i = 0; i < truth.lit.size(); ++i) {
-        if (truth.lit[i] != Lit::Lit) continue;
+    const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
+                                                     shot.height, shot.frame.map_resolution, 0);
+    for (std::size_t i = 0; i < reference.lit.size(); ++i) {
+        if (reference.lit[i] != Lit::Lit) continue;
         // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
-        const glm::dvec3 at = truth.hits[i]->position - c.place.at;
+        const glm::dvec3 at = reference.hits[i]->position - c.place.at;
         if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
         ++lit, least = std::min(least, double(shot.visibility.data[i]));
     }
@@ -191,8 +191,8 @@ TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
         s.lights[0].size *= 0.1;  // a penumbra stays as wide as it is
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(shoot(scene, s), scene, 0, [&](Lit truth, double v) {
-            if (truth == Lit::Lit || truth == Lit::Shadow) sum += std::abs(v - (truth == Lit::Lit ? 1 : 0));
+        for_pixels(shoot(scene, s), scene, 0, [&](Lit reference, double v) {
+            if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
         });
         return sum;
     };
@@ -297,7 +297,7 @@ Settings overhead(std::string_view kernel) {
 template <class Visit>
 void along_the_edge(const Shot& shot, const Scene& scene, Visit visit) {
     const LightView& view = shot.view();
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     const int n = shot.frame.map_resolution;
     const int axis = std::abs(view.axes[0].x) > 0.5 ? 0 : 1;
     const bool grows = view.axes[axis].x > 0;
@@ -391,16 +391,16 @@ TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
     EXPECT_EQ(off.pass("moments")->state, PassState::Skipped);
     set_setting(s, "filter.kernel", "vsm");
     const FrameResult on = renderer.render(scene, s, request);
-    EXPECT_EQ(on.pass("moments")->state, PassState::Ran);
+    EXPECT_EQ(on.pass("moments")->state, PassState::Drawn);
     EXPECT_EQ(on.pass("moments")->category, PassCategory::Maps);
-    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Reused) << "a kernel is no reason to draw anew";
+    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw anew";
     s.filter.bleed = 0.4;
-    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Reused);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Cached);
     s.filter.blur = 4;
-    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Ran);
+    EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Drawn);
     s.filter.radius = 7;  // of another kernel: nothing depends on it
     const FrameResult idle = renderer.render(scene, s, request);
-    for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Ran) << pass.name;
+    for (const PassInfo& pass : idle.passes) EXPECT_NE(pass.state, PassState::Drawn) << pass.name;
 }
 
 struct SizedLight {
@@ -438,7 +438,7 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         };
         const FloatImage gap = values("blocker-gap"), width = values("penumbra-width"), taps = values("taps");
         const FrameResult frame = hard_renderer().render(scene, s, request);
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         int found = 0;
         for (int y = 0; y < request.height; ++y)
             for (int x = 0; x < request.width; ++x) {

@@ -78,7 +78,7 @@ protected:
     }
     template <class Visit>
     void each_floor_pixel(const Shot& shot, const Scene& scene, Visit visit) const {
-        const RayTruth rays(scene);
+        const RayReference rays(scene);
         for (int y = 0; y < shot.height; ++y)
             for (int x = 0; x < shot.width; ++x) {
                 glm::dvec3 origin, dir;

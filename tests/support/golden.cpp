@@ -151,8 +151,9 @@ std::vector<GoldenPicture> golden_pictures(const std::string& table) {
 
 ByteImage draw_golden(Renderer& renderer, const GoldenPicture& picture) {
     FrameRequest request{.width = kWidth, .height = kHeight};
-    TruthCache cache;
-    return renderer.read_colour(render_with_truth(renderer, picture.scene, picture.settings, request, cache).colour);
+    ReferenceCache cache;
+    return renderer.read_colour(
+        render_with_reference(renderer, picture.scene, picture.settings, request, cache).colour);
 }
 
 std::filesystem::path golden_folder() {

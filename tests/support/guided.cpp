@@ -34,7 +34,7 @@ Guided::Guided(const std::string& key, const std::vector<std::string>& changes, 
     if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
 }
 
-const RayTruth& Guided::rays() const {
+const RayReference& Guided::rays() const {
     if (!rays_) rays_.emplace(scene);
     return *rays_;
 }
@@ -51,9 +51,10 @@ const std::vector<std::optional<Hit>>& Guided::hits() const {
 }
 
 ErrorMetrics Guided::error() const {
-    TruthCache cache;
+    ReferenceCache cache;
     const FrameRequest request{.width = shot.width, .height = shot.height};
-    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, truth_options(settings), cache)
+    return measure_error(hard_renderer(), scene, settings, request, settings.view.light, reference_options(settings),
+                         cache)
         .metrics;
 }
 
@@ -94,7 +95,7 @@ double Guided::mean_of_drawn(const std::function<double(int x, int y)>& value) c
     return sum / std::max(count, 1);
 }
 
-bool Guided::shadowed(const RayTruth& rays, const Hit& hit) const {
+bool Guided::shadowed(const RayReference& rays, const Hit& hit) const {
     return rays.occluded(hit.position + 1e-5 * hit.normal, shot.light(), -1);
 }
 
@@ -108,7 +109,7 @@ double Guided::wrongly_dark(const Nodes& receivers) const {
 }
 
 double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
-    std::optional<RayTruth> some;
+    std::optional<RayReference> some;
     if (!casters.empty()) some.emplace(only(scene, casters));
     int shadow = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {

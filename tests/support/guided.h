@@ -33,7 +33,7 @@ public:
     /// Share of the pixels with geometry that are drawn dark.
     double dark() const;
     /// Of the pixels that `chosen` holds for, given map coordinates and depth, the share that is drawn lit; -1: none.
-    double lit_where(const std::function<bool(const glm::dvec4& uvdw, bool shadow_in_truth)>& chosen) const;
+    double lit_where(const std::function<bool(const glm::dvec4& uvdw, bool shadow_in_reference)>& chosen) const;
 
     /// What is wrong in the whole picture, by cause.
     ErrorMetrics error() const;
@@ -50,15 +50,15 @@ private:
     bool looked_at(std::size_t pixel, const Nodes& receivers) const;
     template <class Use>
     void each_pixel(const Nodes& receivers, Use use) const;
-    bool shadowed(const RayTruth& rays, const Hit& hit) const;
+    bool shadowed(const RayReference& rays, const Hit& hit) const;
 
     /// Once something asks for them: every triangle is tried for every ray.
-    const RayTruth& rays() const;
+    const RayReference& rays() const;
     /// What each pixel shows.
     const std::vector<std::optional<Hit>>& hits() const;
 
     mutable std::vector<std::optional<Hit>> hits_;
-    mutable std::optional<RayTruth> rays_;
+    mutable std::optional<RayReference> rays_;
 };
 
 }  // namespace si::test

@@ -74,14 +74,14 @@ Shot shoot(const Scene& scene, const Settings& settings, int width, int height) 
     Renderer& renderer = hard_renderer();
     Shot shot;
     shot.width = width, shot.height = height;
-    TruthCache cache;
+    ReferenceCache cache;
     FrameRequest request;
     request.width = width, request.height = height;
     request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
     Settings s = settings;
     s.view.overlay = overlay_row("non-finite");
     s.view.overlay_opacity = 0;
-    shot.frame = render_with_truth(renderer, scene, s, request, cache);
+    shot.frame = render_with_reference(renderer, scene, s, request, cache);
     expect_finite(shot.frame);
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
@@ -118,15 +118,15 @@ double shadow_share(const Shot& shot) {
     return shot.visibility.data.empty() ? 0 : double(dark) / double(shot.visibility.data.size());
 }
 
-TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
-    const RayTruth rays(scene);
+ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
+    const RayReference rays(scene);
     EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
-    const TruthImage truth = trace_truth(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
-                                         shot.frame.map_resolution, reach_texels);
-    TruthErrors e;
+    const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
+                                                     shot.frame.map_resolution, reach_texels);
+    ReferenceErrors e;
     for (int y = 0; y < shot.height; ++y)
         for (int x = 0; x < shot.width; ++x) {
-            const Lit lit = truth.at(x, y);
+            const Lit lit = reference.at(x, y);
             if (lit == Lit::Nothing || lit == Lit::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);

@@ -36,13 +36,13 @@ double differing_share(const Shot& a, const Shot& b, double tolerance = 0.02);
 double shadow_share(const Shot& shot);
 
 /// Errors against the truth, as shares of the pixels that face the light (and lie in its map).
-struct TruthErrors {
+struct ReferenceErrors {
     int domain = 0, shadow = 0, boundary = 0;
     int false_shadow = 0, false_light = 0;  ///< inside, boundary pixels left out
     int any_acne = 0;                       ///< fully lit in truth, visibility below 1 - 1e-3
     int any_leak = 0;                       ///< fully shadowed in truth, visibility above 1e-3
 };
-TruthErrors compare(const Shot& shot, const Scene& scene, double reach_texels);
+ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels);
 
 /// Row of the filter table by key.
 int kernel(std::string_view key);

@@ -26,7 +26,7 @@ double intersect(const Triangle& t, const glm::dvec3& origin, const glm::dvec3& 
 
 }  // namespace
 
-RayTruth::RayTruth(const Scene& scene)
+RayReference::RayReference(const Scene& scene)
     : centre_(scene.bounds.centre()), radius_(std::max(scene.bounds.radius(), 1e-9)) {
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& o = scene.objects[i];
@@ -54,7 +54,7 @@ RayTruth::RayTruth(const Scene& scene)
 }
 
 template <class Visit>
-bool RayTruth::along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
+bool RayReference::along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
     const double length2 = glm::dot(direction, direction);
     for (const Group& g : groups_) {
         const glm::dvec3 aside = glm::cross(g.centre - origin, direction);
@@ -65,7 +65,7 @@ bool RayTruth::along(const glm::dvec3& origin, const glm::dvec3& direction, Visi
     return false;
 }
 
-std::optional<Hit> RayTruth::first_hit(const glm::dvec3& origin_ws, const glm::dvec3& direction) const {
+std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const glm::dvec3& direction) const {
     const glm::dvec3 origin = origin_ws - centre_;
     Hit hit;
     hit.distance = kFar;
@@ -81,7 +81,7 @@ std::optional<Hit> RayTruth::first_hit(const glm::dvec3& origin_ws, const glm::d
     return hit;
 }
 
-bool RayTruth::occluded(const glm::dvec3& point_ws, const FittedLight& light, int own, double least) const {
+bool RayReference::occluded(const glm::dvec3& point_ws, const FittedLight& light, int own, double least) const {
     const glm::dvec3 dir = direction_to(light, point_ws), origin = point_ws - centre_;
     const double reach = light.type == LightType::Directional ? kFar : glm::distance(light.position, point_ws);
     // Neighbours in the receiver's own plane are met at distance 0.
@@ -110,9 +110,9 @@ glm::dvec4 uvdw(const LightView& view, const glm::dvec3& point_ws) {
     return {0.5 * q.x / q.w + 0.5, 0.5 * q.y / q.w + 0.5, z, q.w};
 }
 
-TruthImage trace_truth(const RayTruth& scene, const Camera& camera, const FittedLight& light, int width, int height,
-                       int map_resolution, double reach_texels) {
-    TruthImage image;
+ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, const FittedLight& light, int width,
+                               int height, int map_resolution, double reach_texels) {
+    ReferenceImage image;
     image.width = width, image.height = height;
     image.lit.assign(std::size_t(width) * std::size_t(height), Lit::Nothing);
     image.hits.resize(image.lit.size());

@@ -24,9 +24,9 @@ struct Hit {
     double distance = 0;
 };
 
-class RayTruth {
+class RayReference {
 public:
-    explicit RayTruth(const Scene& scene);
+    explicit RayReference(const Scene& scene);
     std::optional<Hit> first_hit(const glm::dvec3& origin_ws, const glm::dvec3& direction) const;
     /// Whether a triangle other than `own` lies between the point and the light, two-sided. Hits nearer than
     /// `least` metres do not count.
@@ -55,15 +55,15 @@ enum class Lit { Nothing, Away, Lit, Shadow, Boundary };
 
 /// What each pixel should be, row by row from the top. Nothing: no geometry. Away: the surface is turned from the
 /// light. Boundary: within `reach_texels` (per map axis, on the receiver's plane) the truth changes.
-struct TruthImage {
+struct ReferenceImage {
     int width = 0, height = 0;
     std::vector<Lit> lit;
     std::vector<std::optional<Hit>> hits;
     Lit at(int x, int y) const { return lit[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
-TruthImage trace_truth(const RayTruth& scene, const Camera& camera, const FittedLight& light, int width, int height,
-                       int map_resolution, double reach_texels);
+ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, const FittedLight& light, int width,
+                               int height, int map_resolution, double reach_texels);
 
 /// Direction from a point towards the light, unit.
 glm::dvec3 direction_to(const FittedLight& light, const glm::dvec3& point_ws);

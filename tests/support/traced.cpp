@@ -4,8 +4,8 @@
 
 namespace si::test {
 
-Receiver receiver_on(const TruthGeometry& geometry, std::uint32_t object, std::uint32_t primitive, double u, double v,
-                     bool turned) {
+Receiver receiver_on(const ReferenceGeometry& geometry, std::uint32_t object, std::uint32_t primitive, double u,
+                     double v, bool turned) {
     const TriangleWs t = geometry.triangle(object, primitive);
     const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, normal = glm::normalize(glm::cross(e1, e2));
     Receiver r;
@@ -21,7 +21,7 @@ Receivers row_of(const std::vector<Receiver>& pixels) {
 }
 
 SurfaceIds ids_by_rays(const Scene& scene, const Camera& camera, int width, int height) {
-    const RayTruth rays(scene);
+    const RayReference rays(scene);
     std::vector<std::uint32_t> first;  // triangle of each object in the list
     std::uint32_t count = 0;
     for (const Object& o : scene.objects) {
@@ -51,12 +51,12 @@ Emitter sun(const glm::dvec3& to_light, double angular_radius_deg) {
     return e;
 }
 
-TruthQuery query_for(const Scene& scene, const Emitter& emitter, const TruthOptions& options) {
+ReferenceQuery query_for(const Scene& scene, const Emitter& emitter, const ReferenceOptions& options) {
     return {emitter, object_traits(scene, Settings{}), {}, {}, options};
 }
 
-std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Settings& settings) {
-    return std::make_shared<TruthGeometry>(scene, settings);
+std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene, const Settings& settings) {
+    return std::make_shared<ReferenceGeometry>(scene, settings);
 }
 
 }  // namespace si::test

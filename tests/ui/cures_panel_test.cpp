@@ -13,13 +13,14 @@
 namespace si::test {
 namespace {
 
-CureTable made_up_cures() {
-    CureTable table;
+FixTable made_up_fixes() {
+    FixTable table;
     table.wrong = 1234, table.wrong_of[std::size_t(Artefact::Acne)] = 1234;
-    Cure least{.name = "least bias", .settings = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}, .untried = {}};
+    MeasuredFix least{
+        .name = "least bias", .settings = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}, .untried = {}};
     least.cured = 1200, least.broken = 3, least.ms = CostChange{0.1, 0.4};
     least.cured_of[std::size_t(Artefact::Acne)] = 1200;
-    Cure finer{.name = "twice the resolution", .settings = {{"map.resolution", "4096"}}, .untried = {}};
+    MeasuredFix finer{.name = "twice the resolution", .settings = {{"map.resolution", "4096"}}, .untried = {}};
     finer.cured = 600, finer.ms = CostChange{12.5, 0.4}, finer.map_bytes = 48 << 20;
     table.rows = {least, finer, {.name = "tighter fit", .settings = {}, .untried = "only for a directional light"}};
     return table;
@@ -38,11 +39,11 @@ std::string printed(const UiHarness& ui) {
     return packed(out);
 }
 
-TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
-    const CureTable table = made_up_cures();
+TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
+    const FixTable table = made_up_fixes();
     UiHarness ui(1600, 900);
     ui.state.open_tab = BottomTab::Error;
-    ui.truth = TruthFacts{.current = true, .wanted = true};
+    ui.reference = ReferenceFacts{.current = true, .wanted = true};
     ui.error = LiveError();
     ui.error->metrics.counted = 5000, ui.error->metrics.false_shadow = 0.2;
     ui.state.layout.bottom_height = 32;
@@ -50,17 +51,17 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     auto find = ui.find("Error", "", "Find cures");
     ASSERT_TRUE(find);
     ui.click(*find);
-    ASSERT_TRUE(ui.last_wish.find_cures);
-    EXPECT_FALSE(ui.last_wish.find_cures->pixel) << "of the picture";
+    ASSERT_TRUE(ui.last_wish.find_fixes);
+    EXPECT_FALSE(ui.last_wish.find_fixes->pixel) << "of the picture";
 
-    ui.cures.running = TuneFacts{"least bias, normal offset", 0.4};
+    ui.fixes.running = TuneFacts{"least bias, normal offset", 0.4};
     ui.frames(3);
     const auto cancel = ui.find("Error", "", "Cancel##cures");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_wish.cancel_cures);
+    EXPECT_TRUE(ui.last_wish.cancel_fixes);
 
-    ui.cures = {.running = {}, .table = &table, .pixel = {}, .current = true};
+    ui.fixes = {.running = {}, .table = &table, .pixel = {}, .current = true};
     ui.frames(3);
     const std::string text = printed(ui);
     for (const char* part :
@@ -69,7 +70,7 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     const auto close = ui.find("Error", "", "Close##cures");
     ASSERT_TRUE(close);
     ui.click(*close);
-    EXPECT_TRUE(ui.last_wish.forget_cures);
+    EXPECT_TRUE(ui.last_wish.forget_fixes);
     const Settings before = ui.state.settings;
     // The row spans the table; its name is below the button.
     const auto button = ui.find("Error", "", "Find cures");
@@ -83,10 +84,10 @@ TEST(CuresPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     ui.frames(3);
     EXPECT_EQ(ui.state.history.undo(), before);
 
-    ui.cures.current = false;
+    ui.fixes.current = false;
     ui.frames(3);
     EXPECT_NE(printed(ui).find(packed("of other settings")), std::string::npos);
-    ui.cures.pixel = glm::ivec2(1, 2);
+    ui.fixes.pixel = glm::ivec2(1, 2);
     ui.frames(3);
     EXPECT_EQ(printed(ui).find("<noise"), std::string::npos) << "a pixel's table is not the picture's";
 }
@@ -120,7 +121,7 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
     EXPECT_NE(printed(ui).find(packed("of other settings")), std::string::npos);
 }
 
-TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
+TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.constant=0", "bias.normal=0", "map.resolution=512"};
@@ -136,13 +137,13 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EditorActions wish;
     wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
     wish.want_error = true;
-    wish.find_cures = CureWish{};
+    wish.find_fixes = FixWish{};
     const Settings settings = model.state.settings;
     model.fulfil(wish);
-    EXPECT_TRUE(model.facts().cures.running);
+    EXPECT_TRUE(model.facts().fixes.running);
     EXPECT_EQ(model.state.settings, settings);
     editor.settle();
-    const CureSearch search = model.facts().cures;
+    const FixSearch search = model.facts().fixes;
     EXPECT_FALSE(search.running);
     ASSERT_TRUE(search.table);
     EXPECT_TRUE(search.current);
@@ -151,18 +152,18 @@ TEST(EditorCuresTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EditorActions narrower;
     narrower.scene_width = wish.scene_width - 16, narrower.scene_height = wish.scene_height, narrower.want_error = true;
     model.fulfil(narrower);
-    EXPECT_FALSE(model.facts().cures.current) << "a picture of another size";
+    EXPECT_FALSE(model.facts().fixes.current) << "a picture of another size";
     narrower.scene_width = wish.scene_width;
     model.fulfil(narrower);
-    EXPECT_TRUE(model.facts().cures.current);
+    EXPECT_TRUE(model.facts().fixes.current);
     std::size_t wrong = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) wrong += before.artefacts[a];
     EXPECT_EQ(search.table->wrong, wrong);
-    const Cure first = search.table->rows.at(0);
+    const MeasuredFix first = search.table->rows.at(0);
     EXPECT_GT(double(first.cured), 0.9 * double(wrong));
     for (const auto& [key, value] : first.settings) set_setting(model.state.settings, key, value);
     editor.settle();
-    EXPECT_FALSE(model.facts().cures.current) << "other settings now";
+    EXPECT_FALSE(model.facts().fixes.current) << "other settings now";
     ASSERT_TRUE(model.facts().error);
     std::size_t left = 0;
     for (std::size_t a = 1; a < kArtefacts; ++a) left += model.facts().error->metrics.artefacts[a];

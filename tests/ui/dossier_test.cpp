@@ -13,21 +13,21 @@
 namespace si::test {
 namespace {
 
-Dossier acne_dossier() {
-    Dossier d;
-    d.truth.state = PixelState::Counted;
+PixelDiagnosis acne_diagnosis() {
+    PixelDiagnosis d;
+    d.reference.state = PixelState::Counted;
     d.least = {0.001, 1.8, 0.02}, d.has = {0.0003, 0.6, 0.007};
     d.right = false;
     d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
-    d.remedy = Remedy{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
     return d;
 }
 
-TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
+TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     UiHarness ui(1280, 720);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.open_tab = BottomTab::Probe;
-    ui.dossiers = {acne_dossier()};
+    ui.diagnoses = {acne_diagnosis()};
     ui.frames(5);
     const Settings before = ui.state.settings;
     const int light = 0;
@@ -41,26 +41,26 @@ TEST(DossierPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(DossierPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
-    const Dossier d = acne_dossier();
-    Remedy worth = *d.remedy;
+TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+    const PixelDiagnosis d = acne_diagnosis();
+    SuggestedFix worth = *d.fix;
     worth.worth_texels = 1.804;
     EXPECT_EQ(fix_text(worth, Settings{}) + fix_worth_text(worth),
               "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
-    EXPECT_EQ(fix_worth_text(*d.remedy), "");
-    const Remedy two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
+    EXPECT_EQ(fix_worth_text(*d.fix), "");
+    const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
     UiHarness ui(1600, 900);
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.open_tab = BottomTab::Probe;
-    ui.dossiers = {d};
-    ui.dossiers[0].remedy = worth;
+    ui.diagnoses = {d};
+    ui.diagnoses[0].fix = worth;
     ui.frames(5);
     EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
-TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
     for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
         UiHarness ui(w, h, scale);
         ui.state.probe_pixel = glm::ivec2(3, 4);
@@ -68,9 +68,9 @@ TEST(DossierPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
         ui.tracing_probe = true;
         ui.frames(4);
         ui.tracing_probe = false;
-        ui.dossiers = {acne_dossier()};
+        ui.diagnoses = {acne_diagnosis()};
         ui.frames(4);
-        ui.dossiers[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
+        ui.diagnoses[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
         ui.frames(4);
     }
 }
@@ -136,13 +136,13 @@ EditorOptions boxes() {
     return o;
 }
 
-TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
     HeadlessEditor editor(boxes());
     editor.settle();
     EditorState& state = editor.model().state;
     // A pixel that acne darkens: some on a grid of the picture.
-    const Dossier* found = nullptr;
-    Dossier dossier;
+    const PixelDiagnosis* found = nullptr;
+    PixelDiagnosis diagnosis;
     for (int y = 100; y < 400 && !found; y += 12)
         for (int x = 40; x < 500 && !found; x += 12) {
             state.probe_pixel = glm::ivec2(x, y);
@@ -150,17 +150,18 @@ TEST(EditorDossierTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
             const EditorFrame facts = editor.model().facts();
             EXPECT_FALSE(facts.tracing_probe) << "settled";
             if (!facts.probe || !facts.probe->hit) continue;
-            ASSERT_EQ(facts.dossiers.size(), facts.probe->lights.size());
-            if (facts.dossiers[0].cause().artefact == Artefact::Acne) dossier = facts.dossiers[0], found = &dossier;
+            ASSERT_EQ(facts.diagnoses.size(), facts.probe->lights.size());
+            if (facts.diagnoses[0].cause().artefact == Artefact::Acne)
+                diagnosis = facts.diagnoses[0], found = &diagnosis;
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
-    ASSERT_TRUE(found->remedy);
-    for (const auto& [key, value] : found->remedy->settings) set_setting(state.settings, key, value);
+    ASSERT_TRUE(found->fix);
+    for (const auto& [key, value] : found->fix->settings) set_setting(state.settings, key, value);
     editor.settle();
     const EditorFrame after = editor.model().facts();
-    ASSERT_EQ(after.dossiers.size(), 1u);
-    EXPECT_TRUE(after.dossiers[0].right) << after.dossiers[0].verdict;
+    ASSERT_EQ(after.diagnoses.size(), 1u);
+    EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
 }
 
 TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {

@@ -112,7 +112,7 @@ TEST(Editor, EveryOverlayAndMapView) {
             editor.model().state.settings.view.overlay = int(overlay);
             editor.model().state.settings.view.map = (int(overlay) + map) % 3;
             for (int i = 0; i < 3; ++i) editor.frame();
-            if (editor.model().facts().result->panes.front().lacks_truth) editor.settle();
+            if (editor.model().facts().result->panes.front().lacks_reference) editor.settle();
             EXPECT_EQ(editor.model().facts().overlay_values != nullptr, overlay > 0) << overlay << ", " << map;
         }
     }

@@ -18,15 +18,15 @@ std::string letters(const UiHarness& ui) {
 
 const std::vector<Effect>& made_up_effects() {
     static const std::vector<Effect> all = {
-        {.name = "shadow map 0", .state = EffectState::Simulated, .reason = "It casts.", .pass = "shadow map 0"},
+        {.name = "shadow map 0", .state = EffectState::Drawn, .reason = "It casts.", .pass = "shadow map 0"},
         {.name = "look-ups of light 7",
-         .state = EffectState::NotCalledFor,
+         .state = EffectState::NotNeeded,
          .reason = "light.7.cast is off.",
-         .saving = Saving::Uncalled,
+         .saving = Optimisation::Uncalled,
          .pass = "visibility",
          .part = true},
-        {.name = "shading", .state = EffectState::Reused, .reason = "Kept.", .pass = "shading"},
-        {.name = "posing", .state = EffectState::NotCalledFor, .reason = "Nothing moves."}};
+        {.name = "shading", .state = EffectState::Cached, .reason = "Kept.", .pass = "shading"},
+        {.name = "posing", .state = EffectState::NotNeeded, .reason = "Nothing moves."}};
     return all;
 }
 
@@ -40,14 +40,15 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
     SavedTimes saved;
-    saved.savings.push_back({Saving::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
+    saved.savings.push_back(
+        {Optimisation::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved, ui.effects.saved_current = true;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
     EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
     EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
     std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
-    more.push_back({.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Saving::Uncalled});
+    more.push_back({.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Optimisation::Uncalled});
     ui.effects.effects = more;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
@@ -62,7 +63,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(text.find("light.7.castisoff."), std::string::npos) << "a saving calls for nothing";
     EXPECT_NE(text.find("Itcasts."), std::string::npos);
     EXPECT_NE(text.find("Kept."), std::string::npos);
-    ui.state.effects.forced = {Saving::Uncalled};
+    ui.state.effects.forced = {Optimisation::Uncalled};
     ui.frames(2);
     EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
 }
@@ -134,9 +135,9 @@ TEST(EffectsPanel, TimesStayInGreyWhileTheirPassIsSparedAndFramesAreALine) {
 TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     FrameTimes times;
     FrameResult frame;
-    frame.passes = {{.name = "map", .state = PassState::Ran, .gpu_ms = 2, .category = PassCategory::Maps},
-                    {.name = "shading", .state = PassState::Ran, .gpu_ms = 5},
-                    {.name = "overlay", .state = PassState::Reused, .gpu_ms = 9}};
+    frame.passes = {{.name = "map", .state = PassState::Drawn, .gpu_ms = 2, .category = PassCategory::Maps},
+                    {.name = "shading", .state = PassState::Drawn, .gpu_ms = 5},
+                    {.name = "overlay", .state = PassState::Cached, .gpu_ms = 9}};
     keep_times(times, frame, "stage", 100);
     keep_times(times, frame, "stage", 101);
     ASSERT_EQ(times.frames.size(), 1u);
@@ -173,7 +174,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const Settings before = ui.state.settings;
-    ui.state.effects.forced = {Saving::Uncalled};
+    ui.state.effects.forced = {Optimisation::Uncalled};
     ui.frames(2);
     EXPECT_NE(letters(ui).find("1forced"), std::string::npos);
     const auto reset = ui.find("bottom", "", "Reset##forced");
@@ -188,7 +189,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
             ui.frame();
             if (ui.hovered() == 0) continue;
             ui.click({x, y});
-            clicked = ui.state.effects.forced.contains(Saving::Uncalled);
+            clicked = ui.state.effects.forced.contains(Optimisation::Uncalled);
         }
     EXPECT_TRUE(clicked);
     EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
@@ -232,7 +233,7 @@ TEST(EditorEffects, AreMadeWhileThePanelIsShownOnly) {
     EXPECT_TRUE(shown_effect(editor.model().facts(), "depth blur"));
     const Effect* objects = shown_effect(editor.model().facts(), "panel: objects lost to culling");
     ASSERT_TRUE(objects);
-    EXPECT_EQ(objects->state, EffectState::NotCalledFor);
+    EXPECT_EQ(objects->state, EffectState::NotNeeded);
     editor.model().state.open_tab = BottomTab::Log;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().effects.empty());
@@ -250,15 +251,15 @@ TEST(EditorEffects, LoupeAndComparisonAreToldOfWhileTheyAreShown) {
         const Effect* e = shown_effect(editor.model().facts(), name);
         return e ? std::optional(e->state) : std::nullopt;
     };
-    EXPECT_EQ(state_of("panel: loupe"), EffectState::NotCalledFor);
-    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of("panel: loupe"), EffectState::NotNeeded);
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotNeeded);
     state.against.view = AgainstView::SideBySide;
-    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::Simulated);
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::Drawn);
     state.against.view = AgainstView::Off;
-    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotCalledFor);
+    EXPECT_EQ(state_of("panel: other side of the comparison"), EffectState::NotNeeded);
     state.probe_pixel = glm::ivec2(300, 200);
-    EXPECT_EQ(state_of("panel: loupe"), EffectState::Simulated);
-    EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotCalledFor) << "its panel is hidden";
+    EXPECT_EQ(state_of("panel: loupe"), EffectState::Drawn);
+    EXPECT_EQ(state_of("panel: cross-section"), EffectState::NotNeeded) << "its panel is hidden";
 }
 
 TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
@@ -269,17 +270,17 @@ TEST(EditorEffects, TheNextArtefactIsLookedForOnceAndToldOf) {
         const Effect* e = shown_effect(editor.model().facts(), "panel: next artefact");
         return e ? *e : Effect{};
     };
-    EXPECT_EQ(told().state, EffectState::NotCalledFor);
+    EXPECT_EQ(told().state, EffectState::NotNeeded);
     state.artefacts = {Artefact::Acne, 1};
     const Effect found = told();
-    EXPECT_EQ(found.state, EffectState::Simulated) << found.reason;
+    EXPECT_EQ(found.state, EffectState::Drawn) << found.reason;
     state.settings.shading.exposure += 0.5;
     const Effect kept = told();
-    EXPECT_EQ(kept.state, EffectState::Reused) << kept.reason;
+    EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
     EXPECT_EQ(kept.reason.substr(0, kept.reason.find(' ')), found.reason.substr(0, found.reason.find(' ')));
     EXPECT_GT(std::stoi(found.reason), 0) << found.reason;
     state.artefacts.number = 2;
-    EXPECT_EQ(told().state, EffectState::Simulated);
+    EXPECT_EQ(told().state, EffectState::Drawn);
 }
 
 TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
@@ -287,10 +288,10 @@ TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
     editor.settle();
     const auto spared = [&] {
         const Effect* e = shown_effect(editor.model().facts(), "look-ups of light 0");
-        return e && e->state == EffectState::NotCalledFor;
+        return e && e->state == EffectState::NotNeeded;
     };
     EXPECT_TRUE(spared());
-    editor.model().state.effects.forced = {Saving::Uncalled};
+    editor.model().state.effects.forced = {Optimisation::Uncalled};
     editor.settle();
     EXPECT_FALSE(spared());
     EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
@@ -309,7 +310,7 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.settle();
     ASSERT_TRUE(editor.model().facts().saved);
     EXPECT_TRUE(editor.model().facts().saved_current);
-    const Spread* ms = editor.model().facts().saved->of(Saving::Uncalled);
+    const Spread* ms = editor.model().facts().saved->of(Optimisation::Uncalled);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedRounds);
     EXPECT_LE(ms->median_low, ms->median_high);

@@ -25,7 +25,7 @@ LiveError made_up_error() {
     return e;
 }
 
-TruthFacts made_up_truth() {
+ReferenceFacts made_up_reference() {
     return {.current = true,
             .wanted = true,
             .build_ms = 100,
@@ -51,10 +51,10 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
         ui.state.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
         for (int variant = 0; variant < 4; ++variant) {
-            ui.truth = made_up_truth();
+            ui.reference = made_up_reference();
             ui.error = made_up_error();
-            if (variant == 1) ui.truth->current = false, ui.truth->doing = "Tracing rays", ui.error.reset();
-            if (variant == 2) ui.truth->current = false, ui.truth->problem = "Cancelled", ui.error.reset();
+            if (variant == 1) ui.reference->current = false, ui.reference->doing = "Tracing rays", ui.error.reset();
+            if (variant == 2) ui.reference->current = false, ui.reference->problem = "Cancelled", ui.error.reset();
             if (variant == 3) ui.state.settings.truth.area = true;
             ui.frames(4);
             ASSERT_EQ(ui.state.tab, BottomTab::Error);
@@ -76,7 +76,7 @@ TEST(ErrorPanel, WhatHasNoRoomEndsInAnEllipsis) {
         UiHarness ui(width, 900);
         ui.state.open_tab = BottomTab::Error;
         ui.state.layout.bottom_height = 17.2f;
-        ui.truth = made_up_truth();
+        ui.reference = made_up_reference();
         ui.error = made_up_error();
         ui.frames(4);
         const std::u32string all = ui.drawn().read();
@@ -108,7 +108,7 @@ TEST(ErrorPanel, AsksForNumbersOnlyWhileTheyAreShown) {
 TEST(ErrorPanel, TheLegendHasEveryColour) {
     UiHarness ui(1280, 720);
     set_setting(ui.state.settings, "view.overlay", "artefacts");
-    ui.truth = made_up_truth();
+    ui.reference = made_up_reference();
     ui.frames(3);
     std::set<ImU32> seen = colours();
     for (const ArtefactStyle& style : artefact_styles()) EXPECT_TRUE(seen.contains(theme::rgb(style.rgb))) << style.key;
@@ -119,12 +119,12 @@ TEST(ErrorPanel, TheLegendHasEveryColour) {
 TEST(Against, EveryViewFitsAndSaysWhatIsMissing) {
     for (const auto& [width, height, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}}) {
         UiHarness ui(width, height, scale);
-        ui.truth = made_up_truth();
+        ui.reference = made_up_reference();
         for (const AgainstView view : {AgainstView::Swipe, AgainstView::SideBySide, AgainstView::Difference,
                                        AgainstView::Alone, AgainstView::Off}) {
             ui.state.against.view = view;
             for (int variant = 0; variant < 3; ++variant) {
-                ui.state.against.truth = variant != 1;
+                ui.state.against.reference = variant != 1;
                 ui.against.reset();
                 if (variant > 0) {
                     ui.against = AgainstFacts{.label = "x", .mae = 0.01};

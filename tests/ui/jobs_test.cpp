@@ -167,8 +167,8 @@ protected:
     }
     /// The twin's, of the probed pixel.
     std::string verdict() {
-        const std::span<const Dossier> dossiers = editor_->model().facts().dossiers;
-        return dossiers.empty() ? std::string() : dossiers.front().verdict;
+        const std::span<const PixelDiagnosis> diagnoses = editor_->model().facts().diagnoses;
+        return diagnoses.empty() ? std::string() : diagnoses.front().verdict;
     }
     /// Whether the window shows the pixels that its twin does where that has written a text.
     bool reads_as_twin(std::u32string_view text) {

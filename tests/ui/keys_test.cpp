@@ -23,12 +23,12 @@ struct Keys : testing::Test {
 
 TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
     settings().light_count = 2;
-    Dossier of_other;
+    PixelDiagnosis of_other;
     of_other.light = 1;
-    of_other.remedy = Remedy{{{"bias.slope", "7"}}, ""};
-    Dossier d;
-    d.remedy = Remedy{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
-    ui.dossiers = {of_other, d};
+    of_other.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
+    PixelDiagnosis d;
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}, {"bias.normal", "1"}}, ""};
+    ui.diagnoses = {of_other, d};
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
@@ -39,7 +39,7 @@ TEST_F(Keys, CAppliesTheFixOfTheShownLightsVerdictOnly) {
 }
 
 TEST_F(Keys, CWithoutAFixChangesNothing) {
-    ui.dossiers = {Dossier{}};
+    ui.diagnoses = {PixelDiagnosis{}};
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
@@ -50,21 +50,21 @@ TEST_F(Keys, CWithoutAFixChangesNothing) {
 }
 
 TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
-    Dossier stale;
-    stale.remedy = Remedy{{{"bias.slope", "7"}}, ""};
-    ui.dossiers = {stale};  // of the picture before
+    PixelDiagnosis stale;
+    stale.fix = SuggestedFix{{{"bias.slope", "7"}}, ""};
+    ui.diagnoses = {stale};  // of the picture before
     ui.verdict_follows = true;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     const Settings before = settings();
     key('C');
     EXPECT_EQ(settings(), before);
-    ui.verdict_follows = false, ui.tracing_probe = true, ui.dossiers.clear();
+    ui.verdict_follows = false, ui.tracing_probe = true, ui.diagnoses.clear();
     ui.frames(3);
     EXPECT_EQ(settings(), before);
-    Dossier d;
-    d.remedy = Remedy{{{"bias.slope", "4.5"}}, ""};
-    ui.tracing_probe = false, ui.dossiers = {d};
+    PixelDiagnosis d;
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, ""};
+    ui.tracing_probe = false, ui.diagnoses = {d};
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
@@ -128,11 +128,11 @@ TEST_F(Keys, XSaysThatItLooks) {
 TEST_F(Keys, PComparesWithThePinWhileNothingIsCompared) {
     key('P');
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Pinned);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_FALSE(ui.state.against.reference);
     key('P');  // off
-    ui.state.against.view = AgainstView::Swipe, ui.state.against.truth = true;
+    ui.state.against.view = AgainstView::Swipe, ui.state.against.reference = true;
     key('P');
-    EXPECT_TRUE(ui.state.against.truth) << "what is compared stays";
+    EXPECT_TRUE(ui.state.against.reference) << "what is compared stays";
 }
 
 TEST_F(Keys, UTakesAllBiasAway) {

@@ -253,7 +253,7 @@ TEST(Layout, ChoosingTheOtherSideBeginsToCompare) {
     ASSERT_TRUE(defaults);
     ui.click(*defaults);
     EXPECT_EQ(ui.state.against.view, AgainstView::Swipe);
-    EXPECT_FALSE(ui.state.against.truth);
+    EXPECT_FALSE(ui.state.against.reference);
     EXPECT_EQ(ui.state.compare.kind, CompareKind::Defaults);
 }
 

@@ -18,7 +18,7 @@ TEST(PrintedText, OfEveryTabIsWhatItsSourceSays) {
     ui.state.settings.light_count = 2;
     ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.state.layout.bottom_height = 100;  // em
-    ui.truth = TruthFacts{
+    ui.reference = ReferenceFacts{
         .current = true, .rays = 1'000'000, .noise = "noise 0.0031, 64 samples a pixel", .width = 8, .height = 8};
     ui.error = LiveError{};
     ui.map_facts = MapFacts{};

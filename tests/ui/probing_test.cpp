@@ -263,8 +263,8 @@ TEST(ArtefactTour, GoesFromClusterToClusterAndProbesThem) {
         EXPECT_LT(glm::distance(editor.probe()->position_ws, spot.position_ws),
                   0.05 * view.metres_per_pixel(spot.position_ws))
             << "the very point that is wrong";
-        ASSERT_FALSE(editor.model().facts().dossiers.empty());
-        EXPECT_EQ(editor.model().facts().dossiers[0].cause().artefact, cause);
+        ASSERT_FALSE(editor.model().facts().diagnoses.empty());
+        EXPECT_EQ(editor.model().facts().diagnoses[0].cause().artefact, cause);
         EXPECT_NEAR(editor.probe()->x, 0.5 * editor.probe()->width, 1.5) << "in the middle of the picture";
         EXPECT_NEAR(editor.probe()->y, 0.5 * editor.probe()->height, 1.5);
         seen.push_back(spot.position_ws);
@@ -284,7 +284,7 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     UiHarness ui(1600, 900);
     ui.state.open_tab = BottomTab::Error;
     ui.state.layout.bottom_height = 17;
-    ui.truth = TruthFacts{.current = true, .wanted = true};
+    ui.reference = ReferenceFacts{.current = true, .wanted = true};
     LiveError e;
     e.metrics.counted = 1000, e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
     ui.error = e;

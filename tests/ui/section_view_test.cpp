@@ -14,7 +14,7 @@ namespace {
 
 Section step_of_shadow() {
     Section s;
-    s.shadowed = true, s.judged = true;
+    s.shadowed = true, s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 5, .reach_texels = 0.5};
     s.looked_up_texel = 102, s.texel_m = 0.04, s.lit = false, s.visibility = 0;
     s.verdict = "acne: needs 0.6 texels of bias here, has 0";
@@ -157,7 +157,7 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     editor.settle();
     const Sections shown = editor.model().facts().sections;
     ASSERT_TRUE(shown && shown->size() == 1);
-    EXPECT_TRUE(shown->at(0).judged) << "with the truth";
+    EXPECT_TRUE(shown->at(0).classified) << "with the truth";
     EXPECT_FALSE(shown->at(0).profile.empty());
     for (int i = 0; i < 5; ++i) editor.frame();
     EXPECT_EQ(editor.model().facts().sections, shown) << "kept";

@@ -29,7 +29,7 @@ protected:
         return options;
     }
     /// Another picture, of which there is one shading and no smooth one.
-    void begin_anew() {
+    void begin_again() {
         model.smooths = false;
         model.state.settings.lights[0].azimuth += 1;
         editor.settle();
@@ -61,7 +61,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
          },
          nullptr},
         {"tuning", [](EditorActions& a) { a.tune = TuneWish{}; }, [](EditorActions& a) { a.cancel_tune = true; }},
-        {"cures", [](EditorActions& a) { a.find_cures = CureWish{}; }, [](EditorActions& a) { a.cancel_cures = true; }},
+        {"cures", [](EditorActions& a) { a.find_fixes = FixWish{}; }, [](EditorActions& a) { a.cancel_fixes = true; }},
         {"advice", [](EditorActions& a) { a.find_advice = AdviceWish{}; },
          [](EditorActions& a) { a.cancel_advice = true; }},
         {"ways", [](EditorActions& a) { a.compare_pipelines = true; },
@@ -71,7 +71,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
     };
     for (const Measurement& m : measurements) {
         SCOPED_TRACE(m.name);
-        ASSERT_NO_FATAL_FAILURE(begin_anew());
+        ASSERT_NO_FATAL_FAILURE(begin_again());
         EditorActions actions = editor.frame();
         ASSERT_TRUE(actions.at_rest && is_smooth()) << "nothing is measured yet";
         const auto begun = picture();
@@ -127,7 +127,7 @@ TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
     const auto effects = model.facts().effects;
     const auto row = std::ranges::find(effects, kSmoothingPass, &Effect::name);
     ASSERT_NE(row, effects.end());
-    EXPECT_EQ(row->state, EffectState::Simulated) << row->reason;
+    EXPECT_EQ(row->state, EffectState::Drawn) << row->reason;
     EXPECT_EQ(model.state.times.frames.size(), frames) << "a shading counts as a frame";
 }
 

@@ -34,18 +34,18 @@ void expect_calm(HeadlessEditor& editor) {
     for (const LogLine& line : editor.model().state.log.lines()) EXPECT_EQ(line.kind, LogKind::Info) << line.text;
 }
 
-TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
+TEST(EditorReference, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     HeadlessEditor editor(options(kNoBias));
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error) << "nothing asked for it";
-    EXPECT_FALSE(editor.model().facts().truth->wanted);
+    EXPECT_FALSE(editor.model().facts().reference->wanted);
 
     EditorState& state = editor.model().state;
     state.open_tab = BottomTab::Error;
     editor.settle();
     const auto error = [&] { return editor.model().facts().error; };
     ASSERT_TRUE(error());
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
     const ErrorMetrics before = error()->metrics;
     EXPECT_GT(before.acne, 0.1);
     write_png(kOut / "editor_error.png", editor.picture());
@@ -54,7 +54,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     {
         const FrameResult& shown = *editor.model().facts().result;
         Renderer renderer;
-        TruthCache cache;
+        ReferenceCache cache;
         const MeasuredError measured =
             measure_error(renderer, load_scene("boxes"), state.settings,
                           {.width = shown.colour.width, .height = shown.colour.height}, 0, {}, cache);
@@ -64,17 +64,17 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     state.settings.bias.constant = 4;
     for (int i = 0; i < 2; ++i) {
         editor.frame();
-        EXPECT_NE(editor.model().facts().truth->doing, "Tracing rays") << "a slider that moves waits for nothing";
+        EXPECT_NE(editor.model().facts().reference->doing, "Tracing rays") << "a slider that moves waits for nothing";
         EXPECT_TRUE(error());
     }
     ASSERT_TRUE(error());
     EXPECT_LT(error()->metrics.acne, 0.2 * before.acne);
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
 
     state.settings.lights[0].azimuth += 10;
     editor.frame();
     EXPECT_FALSE(error()) << "the light moved: the old truth says nothing of it";
-    EXPECT_FALSE(editor.model().facts().truth->current);
+    EXPECT_FALSE(editor.model().facts().reference->current);
     editor.settle();
     EXPECT_TRUE(error());
     state.open_tab = BottomTab::Effects;
@@ -83,7 +83,7 @@ TEST(EditorTruth, TracesOnlyWhatIsAskedForAndFollowsTheBias) {
     expect_calm(editor);
 }
 
-TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
+TEST(EditorReference, CancelIsHeededUntilSomethingChanges) {
     // More rays than can be traced before it is cancelled.
     std::vector<std::string> sets = kNoBias;
     for (const char* set : {"truth.area=true", "truth.samples=4096", "truth.noise=0", "light.size=5"})
@@ -96,17 +96,17 @@ TEST(EditorTruth, CancelIsHeededUntilSomethingChanges) {
     }
     ASSERT_TRUE(editor.model().tracing());
     EditorActions cancel = editor.frame();
-    cancel.cancel_truth = true;
+    cancel.cancel_reference = true;
     editor.model().fulfil(cancel);
     editor.settle();
     EXPECT_FALSE(editor.model().facts().error);
-    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
     editor.model().state.settings.truth.area = false;
     editor.settle();
     EXPECT_TRUE(editor.model().facts().error);
 }
 
-TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
+TEST(EditorReference, OverlayWaitsForTheTruthAndThenShowsIt) {
     HeadlessEditor editor(options(kNoBias));
     set_setting(editor.model().state.settings, "view.overlay", "artefacts");
     set_setting(editor.model().state.settings, "view.overlay_2", "truth");
@@ -114,13 +114,13 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     editor.model().finish_loading();
     for (int i = 0; i < 3; ++i) editor.frame();
     ASSERT_TRUE(editor.model().facts().result);
-    EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_truth);
+    EXPECT_TRUE(editor.model().facts().result->panes.front().lacks_reference);
     const ByteImage waiting = editor.picture();
     const int width = editor.model().facts().result->colour.width,
               height = editor.model().facts().result->colour.height;
     editor.settle();
     for (const Pane& pane : editor.model().facts().result->panes) {
-        EXPECT_FALSE(pane.lacks_truth);
+        EXPECT_FALSE(pane.lacks_reference);
         EXPECT_GT(pane.overlay, 0);
     }
     ASSERT_TRUE(editor.model().facts().error) << "for the legend";
@@ -131,7 +131,7 @@ TEST(EditorTruth, OverlayWaitsForTheTruthAndThenShowsIt) {
     expect_calm(editor);
 }
 
-TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
+TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     const auto receivers = [] {
         for (const HeldBytes& h : memory_facts().holders)
             if (h.holder == "receivers") return h.count;
@@ -141,7 +141,7 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     HeadlessEditor editor(options(kNoBias));
     EditorState& state = editor.model().state;
     state.open_tab = BottomTab::Error;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.against = {.view = AgainstView::SideBySide, .reference = false};
     editor.settle();
     EXPECT_GE(receivers(), others + 1);
     // The other side is not shown any more when the truth about another view comes.
@@ -157,7 +157,7 @@ TEST(EditorTruth, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     EXPECT_EQ(receivers(), others) << "no picture needs any";
 }
 
-TEST(EditorTruth, SavesAllNumbers) {
+TEST(EditorReference, SavesAllNumbers) {
     const std::filesystem::path file = kOut / "editor_error.json";
     std::filesystem::remove(file);
     HeadlessEditor editor(options(kNoBias));
@@ -193,7 +193,7 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
                                    "view.axes=false", "map.resolution=256"}));
     editor.settle();
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::Swipe, .truth = true, .at = 1};
+    state.against = {.view = AgainstView::Swipe, .reference = true, .at = 1};
     editor.settle();
     ASSERT_TRUE(editor.model().facts().against && editor.model().facts().against->picture.texture);
     ASSERT_TRUE(state.scene_view);
@@ -262,7 +262,7 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
 TEST(EditorAgainst, HoldsAgainstPresetsInAllViews) {
     HeadlessEditor editor(options({"filter.kernel=hard", "map.resolution=128", "view.frustum=false"}));
     EditorState& state = editor.model().state;
-    state.against = {.view = AgainstView::SideBySide, .truth = false};
+    state.against = {.view = AgainstView::SideBySide, .reference = false};
     state.compare = {CompareKind::Defaults, {}};
     editor.settle();
     const auto facts = [&] { return editor.model().facts().against; };
@@ -325,13 +325,13 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
         key('A', false);
         EXPECT_EQ(seen(), changed);
         EXPECT_EQ(state.against.view, before.view);
-        EXPECT_EQ(state.against.truth, before.truth);
+        EXPECT_EQ(state.against.reference, before.reference);
     }
     EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
     EXPECT_EQ(state.history.at(), 1u);
 
     state.compare = {CompareKind::Pinned, {}};
-    state.against = {.view = AgainstView::Swipe, .truth = false, .at = 0};
+    state.against = {.view = AgainstView::Swipe, .reference = false, .at = 0};
     editor.settle();
     EXPECT_EQ(part(editor, *state.scene_view, 0.05, 0.9), [&] {
         key('A', true);
@@ -361,7 +361,7 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     const auto need = [&] { return editor.model().facts().result->light_maps.at(0); };
     editor.settle();
     EXPECT_TRUE(need().met);
-    EXPECT_TRUE(editor.model().facts().truth->current);
+    EXPECT_TRUE(editor.model().facts().reference->current);
     const ByteImage first = editor.picture();
     write_png(kOut / "editor_light_map.png", first);
 
@@ -374,10 +374,10 @@ TEST(EditorLightMap, IsBakedInTheBackgroundAndAnewWhenTheLightMoves) {
     state.settings.lights[0].azimuth += 40;
     editor.frame();
     EXPECT_FALSE(need().met);
-    EXPECT_TRUE(editor.model().facts().truth->lacks_light_map);
+    EXPECT_TRUE(editor.model().facts().reference->lacks_light_map);
     editor.settle();
     EXPECT_TRUE(need().met);
-    EXPECT_FALSE(editor.model().facts().truth->lacks_light_map);
+    EXPECT_FALSE(editor.model().facts().reference->lacks_light_map);
     EXPECT_NE(editor.picture().data, first.data);
     const std::size_t baked = light_maps().counts().baked;
     state.settings.lights[0].azimuth -= 40;
@@ -396,8 +396,8 @@ TEST(EditorLightMap, MapsThatDoNotFitAreTriedOnceEach) {
         editor.frame();
         editor.settle();
     }
-    EXPECT_NE(editor.model().facts().truth->problem.find("light_map.resolution"), std::string::npos)
-        << editor.model().facts().truth->problem;
+    EXPECT_NE(editor.model().facts().reference->problem.find("light_map.resolution"), std::string::npos)
+        << editor.model().facts().reference->problem;
     EXPECT_FALSE(editor.model().tracing());
     int said = 0;
     for (const LogLine& line : editor.model().state.log.lines()) said += line.kind == LogKind::Error ? line.count : 0;
@@ -417,12 +417,12 @@ TEST(EditorLightMap, CancelIsHeededUntilSomethingChanges) {
     }
     ASSERT_TRUE(editor.model().tracing());
     EditorActions cancel = editor.frame();
-    EXPECT_EQ(editor.model().facts().truth->doing, "Baking the light map");
+    EXPECT_EQ(editor.model().facts().reference->doing, "Baking the light map");
     write_png(kOut / "editor_light_map_baking.png", editor.picture());
-    cancel.cancel_truth = true;
+    cancel.cancel_reference = true;
     editor.model().fulfil(cancel);
     editor.settle();
-    EXPECT_EQ(editor.model().facts().truth->problem, "Cancelled");
+    EXPECT_EQ(editor.model().facts().reference->problem, "Cancelled");
     EXPECT_FALSE(editor.model().facts().result->light_maps.at(0).met);
     editor.model().state.settings.light_map = {.resolution = 128, .samples = 1};
     editor.settle();

@@ -27,9 +27,9 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.map_view_size = glm::ivec2(settings.map.resolution);
     if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
     r.map_black = float(settings.view.map_black), r.map_white = float(settings.view.map_white);
-    r.passes = {{"shadow map 0", PassState::Ran, "its inputs changed", 1.5, 0.2, 12, 34567},
+    r.passes = {{"shadow map 0", PassState::Drawn, "its inputs changed", 1.5, 0.2, 12, 34567},
                 {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
-                {"shading", PassState::Reused, "unchanged since frame 12", 0, 0, 0, 0}};
+                {"shading", PassState::Cached, "unchanged since frame 12", 0, 0, 0, 0}};
     r.notes = {"view.light was clamped"};
     r.clock = "a made-up clock";
     return r;
@@ -111,20 +111,20 @@ EditorActions UiHarness::frame() {
         facts.result = &result_;
         facts.scene = &scene;
         facts.driver = &driver_;
-        facts.truth = truth;
+        facts.reference = reference;
         facts.error = error ? &*error : nullptr;
         facts.against = against;
         if (state.probe_pixel) facts.probe = &probe_;
         if (map_facts) facts.map_facts = &*map_facts;
         facts.lost_casters = lost_casters;
-        if (facts.probe) facts.dossiers = dossiers;
+        if (facts.probe) facts.diagnoses = diagnoses;
         facts.sections = sections;
         facts.tracing_probe = tracing_probe;
         facts.verdict_follows = verdict_follows;
         facts.tuning = tuning;
         facts.tuned = tuned;
         facts.tuned_current = tuned_current;
-        facts.cures = cures;
+        facts.fixes = fixes;
         static_cast<EffectsShown&>(facts) = effects;
         if (effects.effects.empty()) facts.effects = effects_;
         static_cast<AdviceShown&>(facts) = advice;
@@ -137,7 +137,7 @@ EditorActions UiHarness::frame() {
     EditorActions actions = draw_editor(state, facts);
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
-    if (actions.tune || actions.cancel_tune || actions.find_cures || actions.cancel_cures || actions.forget_cures ||
+    if (actions.tune || actions.cancel_tune || actions.find_fixes || actions.cancel_fixes || actions.forget_fixes ||
         actions.measure_saved || actions.cancel_saved || actions.find_advice || actions.cancel_advice ||
         actions.compare_pipelines || actions.measure_shimmer)
         last_wish = actions;

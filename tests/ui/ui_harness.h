@@ -38,19 +38,19 @@ public:
     std::vector<std::string> recent_scenes, recent_presets;
     std::optional<ComparisonFacts> comparison;
     std::optional<LostFacts> lost;
-    std::optional<TruthFacts> truth;
+    std::optional<ReferenceFacts> reference;
     std::optional<LiveError> error;
     std::optional<AgainstFacts> against;
     std::optional<MapFacts> map_facts;
     std::vector<LostCaster> lost_casters;
-    std::vector<Dossier> dossiers;
+    std::vector<PixelDiagnosis> diagnoses;
     Sections sections;
     bool tracing_probe = false;
     bool verdict_follows = false;  ///< the probe is of an earlier picture
     std::optional<TuneFacts> tuning;
     std::vector<TunedFamily> tuned;
     bool tuned_current = true;
-    CureSearch cures;
+    FixSearch fixes;
     EffectsShown effects;  ///< where its list is empty, that of the made-up frame
     AdviceShown advice;
     LabShown lab;

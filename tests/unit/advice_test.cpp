@@ -183,10 +183,10 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
 }
 
 TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
-    int judged = 0;
+    int classified = 0;
     AdviceMeter meter;
     meter.judge = [&](const Settings& s, int) {
-        return ++judged,
+        return ++classified,
                JudgedSettings{.error = s.map.resolution == 1 ? 0.03 : 0.01, .noise = 0, .work = {}, .camera = {}};
     };
     meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
@@ -198,7 +198,7 @@ TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].idea.sentence, "coarser");
     EXPECT_TRUE(all[0].why_not.empty());
-    EXPECT_EQ(judged, 2) << "before, and once after";
+    EXPECT_EQ(classified, 2) << "before, and once after";
 }
 
 TEST(Advice, ClaimsThatPixelsGetRightAreHeldToIt) {
@@ -227,16 +227,16 @@ TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
     f.lights[0].limits.one_texel = true;
     f.error.artefacts[std::size_t(Artefact::Acne)] = 200;
     f.error.artefacts[std::size_t(Artefact::EdgeAliasing)] = 2;
-    CureTable cures;
-    Cure little{.name = "little", .settings = {}, .untried = {}};
+    FixTable fixes;
+    MeasuredFix little{.name = "little", .settings = {}, .untried = {}};
     little.cured = 50, little.cured_of[std::size_t(Artefact::Acne)] = 50;
-    Cure most = little;
+    MeasuredFix most = little;
     most.name = "most", most.settings = {{"bias.normal", "3"}};
     most.cured = 190, most.broken = 1, most.cured_of[std::size_t(Artefact::Acne)] = 190;
-    Cure harm = little;
+    MeasuredFix harm = little;
     harm.name = "harm", harm.cured = 200, harm.broken = 900, harm.cured_of[std::size_t(Artefact::Acne)] = 200;
-    cures.rows = {little, most, harm};
-    const std::vector<Finding> found = findings_of(f, cures);
+    fixes.rows = {little, most, harm};
+    const std::vector<Finding> found = findings_of(f, fixes);
     ASSERT_EQ(found.size(), 4u);
     EXPECT_EQ(found[0].severity, Severity::Error);
     for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i - 1].severity, found[i].severity);
@@ -244,7 +244,7 @@ TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
         return x.text.find("200 pixels, 20 %") != std::string::npos;
     });
     ASSERT_NE(acne, found.end());
-    EXPECT_EQ(acne->cure, "most puts 190 of them right, and breaks 1 others");
+    EXPECT_EQ(acne->fix, "most puts 190 of them right, and breaks 1 others");
     EXPECT_EQ(acne->settings.front().second, "3");
 }
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int kWidth = 8;
 
 /// 'a' acne, 'l' a leak, anything else is right.
-std::vector<JudgedPixel> judged(const std::string& picture) {
+std::vector<JudgedPixel> classified(const std::string& picture) {
     std::vector<JudgedPixel> out;
     for (const char c : picture) {
         out.emplace_back();
@@ -21,7 +21,7 @@ std::vector<JudgedPixel> judged(const std::string& picture) {
 }
 
 TEST(ArtefactClusters, AreConnectedPixelsOfOneCauseLargestFirst) {
-    const auto picture = judged(
+    const auto picture = classified(
         "a......a"
         "......a."
         "..ll...."
@@ -44,7 +44,7 @@ TEST(ArtefactClusters, AreConnectedPixelsOfOneCauseLargestFirst) {
 }
 
 TEST(ArtefactClusters, TheMiddleIsAPixelOfIt) {
-    const auto ring = judged(
+    const auto ring = classified(
         "aaaaaaaa"
         "a......a"
         "a......a"

@@ -16,7 +16,7 @@ struct World {
     double now = 0;
     double seconds_each = 0;  ///< of a judgement or a time
     double seconds_pair = 0;  ///< that times against each other take besides
-    int judged = 0, timed = 0;
+    int classified = 0, timed = 0;
 
     static double ms(const Settings& s) {
         return 1 + 1e-6 * s.lights[0].cascades * s.map.resolution * s.map.resolution +
@@ -31,7 +31,7 @@ struct World {
     AutopilotMeter meter() {
         AutopilotMeter m;
         m.judge = [this](const Settings& s, int) {
-            ++judged, now += seconds_each;
+            ++classified, now += seconds_each;
             const auto texels =
                 std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
             return JudgedSettings{.error = error(s),
@@ -128,7 +128,7 @@ TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
     EXPECT_NEAR(contact->ms.value, 1, 1e-9);
     EXPECT_EQ(contact->before, "0.1");
     EXPECT_EQ(contact->now, "0");
-    EXPECT_NEAR(contact->error, r.best.judged.error - 1e-5, 1e-12);
+    EXPECT_NEAR(contact->error, r.best.classified.error - 1e-5, 1e-12);
 }
 
 TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
@@ -137,7 +137,7 @@ TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
     EXPECT_FALSE(r.held);
     EXPECT_NE(r.summary.find("mae at most 1e-09 cannot be held by what was tried; nearest came"), std::string::npos)
         << r.summary;
-    for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.judged.error, c.judged.error);
+    for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.classified.error, c.classified.error);
     World fast;
     const AutopilotResult slow = run_autopilot(Settings{}, axes_of(false), {.most_ms = 0.01}, fast.meter());
     EXPECT_FALSE(slow.held);

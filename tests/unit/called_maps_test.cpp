@@ -167,7 +167,7 @@ Scene boxes_and_balls(bool alone) {
 }
 
 // Points of triangles that the camera sees, looked up as choose_view() has it, lie within what is called for.
-TEST(CalledMaps, HoldAllThatIsSeen) {
+TEST(NeededMaps, HoldAllThatIsSeen) {
     const Scene scenes[] = {boxes_and_balls(false), boxes_and_balls(true)};
     const std::vector<std::vector<Cluster>> of_scenes[] = {all_clusters(scenes[0]), all_clusters(scenes[1])};
     Random random(3);
@@ -193,7 +193,7 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
                                   .normal_texels = 4,
                                   .wrap = MapWrap(s.map.wrap),
                                   .light_alone = light_alone};
-            const CalledMaps called = called_maps(light, seen, area);
+            const NeededMaps called = needed_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());
             for (const MapCells& r : called.views) ++views, unread += !r.is_whole();
             for (const Object& object : scene.objects) {
@@ -243,7 +243,7 @@ TEST(CalledMaps, HoldAllThatIsSeen) {
     }
 }
 
-TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
+TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
     Scene scene;
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(1, 200, 100), -1));
     finalise(scene);
@@ -256,7 +256,7 @@ TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
         const Camera camera = make_camera(scene, s, 1.5);
         const SeenBodies seen =
             seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
-        const CalledMaps maps = called_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
+        const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
         int& cells = called[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
@@ -266,7 +266,7 @@ TEST(CalledMaps, AreNotCalledForByWhatFacesAway) {
     EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
 }
 
-TEST(CalledMaps, SayWhyNothingOfThemIs) {
+TEST(NeededMaps, SayWhyNothingOfThemIs) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_of({{"light.intensity", "0"}});
     const Camera camera = make_camera(scene, s, 1.5);
@@ -274,12 +274,12 @@ TEST(CalledMaps, SayWhyNothingOfThemIs) {
     const SeenBodies seen =
         seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
     const FittedLight dark = fit_lights(scene, s, &camera)[0];
-    EXPECT_NE(called_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
+    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
               std::string::npos);
-    EXPECT_EQ(called_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
-    EXPECT_NE(called_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
+    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
+    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
     SeenBodies unknown{seen.view, {}, true};
-    EXPECT_TRUE(called_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
+    EXPECT_TRUE(needed_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
 }
 
 }  // namespace

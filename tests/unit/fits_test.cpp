@@ -264,7 +264,7 @@ OnSurface surface_point(const Scene& scene, const test::Triangle& t, const glm::
 
 /// Points on all surfaces, wherever a camera may be.
 template <class Use>
-void each_surface_point(const Scene& scene, const test::RayTruth& rays, int count, Use use) {
+void each_surface_point(const Scene& scene, const test::RayReference& rays, int count, Use use) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> unit(0, 1);
     std::vector<double> area{0};
@@ -285,7 +285,7 @@ void each_surface_point(const Scene& scene, const test::RayTruth& rays, int coun
 /// What each pixel of a small picture shows: the first surface between the near and far planes that is not the back of
 /// a single-sided one.
 template <class Use>
-void each_seen_point(const Scene& scene, const test::RayTruth& rays, const Camera& camera, int width, int height,
+void each_seen_point(const Scene& scene, const test::RayReference& rays, const Camera& camera, int width, int height,
                      Use use) {
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
@@ -313,7 +313,7 @@ class Beyond {
 public:
     int beyond = 0, within = 0, shadowed = 0;
 
-    Beyond(const Scene& scene, const test::RayTruth& rays, const LightView& view, const MapRegion& region)
+    Beyond(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
         : scene_(scene), rays_(rays), view_(view), region_(region) {
         light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
         light_.to_light = view.axes[2], light_.position = view.eye;
@@ -338,14 +338,14 @@ public:
 
 private:
     const Scene& scene_;
-    const test::RayTruth& rays_;
+    const test::RayReference& rays_;
     LightView view_;
     MapRegion region_;
     FittedLight light_;
 };
 
 Beyond expect_lit_beyond(const Scene& scene, const LightView& view, const MapRegion& region, int points) {
-    const test::RayTruth rays(scene);
+    const test::RayReference rays(scene);
     Beyond out(scene, rays, view, region);
     each_surface_point(scene, rays, points, [&](const OnSurface& p) { out.look_at(p, 16); });
     return out;
@@ -466,7 +466,7 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).holds(*region)) << "at most what casters need";
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
-        const test::RayTruth rays(scene);
+        const test::RayReference rays(scene);
         Beyond n(scene, rays, view, *region);
         each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
         beyond[std::size_t(kind)] += n.beyond, shadowed[std::size_t(kind)] += n.shadowed;

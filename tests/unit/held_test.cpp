@@ -86,7 +86,7 @@ TEST(HeldMemory, ScenesAndHierarchiesTellWhatTheyTake) {
         EXPECT_FALSE(copy.meshes[0].positions.shares(scene.meshes[0].positions));
         EXPECT_TRUE(copy.meshes[0].indices.shares(scene.meshes[0].indices));
         const std::uint64_t before = of("scenes").bytes;
-        const auto geometry = std::make_shared<const TruthGeometry>(scene, Settings());
+        const auto geometry = std::make_shared<const ReferenceGeometry>(scene, Settings());
         EXPECT_EQ(of("scenes").bytes, before);
         for (std::size_t i = 0; i < scene.objects.size(); ++i) {
             const Mesh& mesh = scene.meshes[std::size_t(scene.objects[i].mesh)];

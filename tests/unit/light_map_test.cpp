@@ -19,8 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene) {
-    return std::make_shared<const TruthGeometry>(scene, Settings());
+std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene) {
+    return std::make_shared<const ReferenceGeometry>(scene, Settings());
 }
 
 LightMapTask task_of(const Scene& scene, int side = 128, const glm::dvec3& to_light = {0.6, 0.8, 0}) {
@@ -53,7 +53,7 @@ Mesh make_spiral() {
 }
 
 /// Demands that charts lie apart and their triangles within them.
-void expect_sound(const TruthGeometry& geometry, const LightMapLayout& layout) {
+void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layout) {
     std::vector<std::uint32_t> owner(std::size_t(layout.side) * std::size_t(layout.side), 0);
     for (std::uint32_t c = 0; c < layout.charts.size(); ++c) {
         const glm::ivec4 r = layout.charts[c].rect;
@@ -172,7 +172,7 @@ TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
     EXPECT_EQ(light_map_content(other), content) << "one ray goes to the middle";
     Settings no_cast;
     no_cast.objects[scene.nodes[std::size_t(scene.objects[1].node)].path].cast = false;
-    other.geometry = std::make_shared<const TruthGeometry>(scene, no_cast);
+    other.geometry = std::make_shared<const ReferenceGeometry>(scene, no_cast);
     EXPECT_NE(light_map_content(other), content) << "a box that casts nothing";
     LightMapTask spot = task;
     spot.emitter = {.type = LightType::Spot, .position_ws = {0, 5, 0}, .cos_cone = 0.5, .range_m = 0};

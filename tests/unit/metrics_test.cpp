@@ -17,8 +17,8 @@ constexpr float kInf = std::numeric_limits<float>::infinity();
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
 /// A truth from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
-Truth truth_of(const std::vector<std::string>& rows) {
-    Truth t;
+Reference reference_of(const std::vector<std::string>& rows) {
+    Reference t;
     t.width = int(rows[0].size()), t.height = int(rows.size());
     for (const std::string& row : rows)
         for (const char c : row) {
@@ -34,14 +34,14 @@ Truth truth_of(const std::vector<std::string>& rows) {
 }
 
 /// What a frame shows by the same characters; every wrong pixel has the cause.
-std::vector<JudgedPixel> judged_of(const std::vector<std::string>& rows, const Truth& truth,
-                                   Artefact cause = Artefact::EdgeAliasing) {
-    const Truth drawn = truth_of(rows);
+std::vector<JudgedPixel> classified_of(const std::vector<std::string>& rows, const Reference& reference,
+                                       Artefact cause = Artefact::EdgeAliasing) {
+    const Reference drawn = reference_of(rows);
     std::vector<JudgedPixel> out(drawn.state.size());
     for (std::size_t i = 0; i < out.size(); ++i) {
-        if (i >= truth.state.size() || truth.state[i] != PixelState::Counted) continue;
+        if (i >= reference.state.size() || reference.state[i] != PixelState::Counted) continue;
         const float v = drawn.visibility.data[i];
-        out[i] = {Artefact::None, compared_bits(v, true_pixel(truth, i), false), v};
+        out[i] = {Artefact::None, compared_bits(v, true_pixel(reference, i), false), v};
         if (out[i].has(JudgedPixel::kFalseShadow) || out[i].has(JudgedPixel::kFalseLight)) out[i].artefact = cause;
     }
     return out;
@@ -66,8 +66,8 @@ TEST(DistanceTransform, IsTheNearestOfAll) {
 
 TEST(Metrics, OfEqualPicturesAreZero) {
     const std::vector<std::string> rows = {"..##", "..##", "o.. "};
-    const Truth truth = truth_of(rows);
-    const ErrorMetrics m = error_metrics(judged_of(rows, truth), truth);
+    const Reference reference = reference_of(rows);
+    const ErrorMetrics m = error_metrics(classified_of(rows, reference), reference);
     EXPECT_EQ(m.counted, 10u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::Background)], 1u);
     EXPECT_EQ(m.pixels[std::size_t(PixelState::FacesAway)], 1u);
@@ -80,12 +80,12 @@ TEST(Metrics, OfEqualPicturesAreZero) {
 
 TEST(Metrics, AreTheSumsOfTheirCauses) {
     // One false shadow and one false light of each cause that can be either.
-    const Truth truth = truth_of({"......................######################"});
-    std::vector<JudgedPixel> judged = judged_of({"##############........########.............."}, truth);
-    for (std::size_t a = 1; a < kArtefacts; ++a) judged[a - 1].artefact = judged[29 + a].artefact = Artefact(a);
-    judged[std::size_t(Artefact::PeterPanningRaster) - 1].artefact = Artefact::Acne;
-    judged[std::size_t(Artefact::Contact) + 29].artefact = Artefact::Leak;
-    const ErrorMetrics m = error_metrics(judged, truth);
+    const Reference reference = reference_of({"......................######################"});
+    std::vector<JudgedPixel> classified = classified_of({"##############........########.............."}, reference);
+    for (std::size_t a = 1; a < kArtefacts; ++a) classified[a - 1].artefact = classified[29 + a].artefact = Artefact(a);
+    classified[std::size_t(Artefact::PeterPanningRaster) - 1].artefact = Artefact::Acne;
+    classified[std::size_t(Artefact::Contact) + 29].artefact = Artefact::Leak;
+    const ErrorMetrics m = error_metrics(classified, reference);
     EXPECT_DOUBLE_EQ(m.false_shadow * 44, 14);
     EXPECT_DOUBLE_EQ(m.false_light * 44, 14);
     std::size_t wrong = 0;
@@ -103,23 +103,23 @@ TEST(Metrics, AreTheSumsOfTheirCauses) {
 }
 
 TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
-    Truth truth = truth_of({"++++++"});
-    truth.point_visibility = truth.visibility;
-    truth.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
-    truth.standard_error = truth.visibility;
-    truth.standard_error.data = {0.05f, 0.01f, 0.f, kNaN, 0.05f, 0.f};
-    std::vector<JudgedPixel> judged(6);
+    Reference reference = reference_of({"++++++"});
+    reference.point_visibility = reference.visibility;
+    reference.visibility.data = {0.55f, 0.55f, 0.55f, 0.55f, 0.45f, 1.f};
+    reference.standard_error = reference.visibility;
+    reference.standard_error.data = {0.05f, 0.01f, 0.f, kNaN, 0.05f, 0.f};
+    std::vector<JudgedPixel> classified(6);
     const float v[] = {0.45f, 0.45f, 0.45f, 0.f, 0.55f, 0.9f};
     for (std::size_t i = 0; i < 6; ++i)
-        judged[i] = {Artefact::None, compared_bits(v[i], true_pixel(truth, i), false), v[i]};
+        classified[i] = {Artefact::None, compared_bits(v[i], true_pixel(reference, i), false), v[i]};
     using J = JudgedPixel;
-    EXPECT_EQ(judged[0].bits, J::kCounts | J::kWithinNoise);
-    EXPECT_EQ(judged[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
-    EXPECT_EQ(judged[2].bits, J::kCounts | J::kFalseShadow);
-    EXPECT_EQ(judged[3].bits, J::kCounts | J::kWithinNoise) << "unknown noise decides nothing";
-    EXPECT_EQ(judged[4].bits, J::kCounts | J::kWithinNoise);
-    EXPECT_EQ(judged[5].bits, J::kCounts | J::kFaint);
-    const ErrorMetrics m = error_metrics(judged, truth);
+    EXPECT_EQ(classified[0].bits, J::kCounts | J::kWithinNoise);
+    EXPECT_EQ(classified[1].bits, J::kCounts | J::kFalseShadow) << "0.1 apart, noise 0.01";
+    EXPECT_EQ(classified[2].bits, J::kCounts | J::kFalseShadow);
+    EXPECT_EQ(classified[3].bits, J::kCounts | J::kWithinNoise) << "unknown noise decides nothing";
+    EXPECT_EQ(classified[4].bits, J::kCounts | J::kWithinNoise);
+    EXPECT_EQ(classified[5].bits, J::kCounts | J::kFaint);
+    const ErrorMetrics m = error_metrics(classified, reference);
     EXPECT_DOUBLE_EQ(m.within_noise, 0.5);
     EXPECT_DOUBLE_EQ(m.false_shadow, 2.0 / 6);
     EXPECT_EQ(m.false_light, 0);
@@ -130,25 +130,26 @@ TEST(Metrics, CallNothingWrongThatTheTruthsNoiseExplains) {
 TEST(Metrics, MeasureHowFarContoursAreApart) {
     const std::vector<std::string> rows(8, "....########");
     const std::vector<std::string> moved(8, "......######");
-    const ErrorMetrics m = error_metrics(judged_of(moved, truth_of(rows)), truth_of(rows));
+    const ErrorMetrics m = error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows));
     EXPECT_DOUBLE_EQ(m.boundary_px_mean, 1.5) << "one contour pixel of each lies 1 px off, the other 2";
     EXPECT_EQ(m.boundary_px_max, 2);
     EXPECT_EQ(m.boundary_px_p95, 2);
-    const ErrorMetrics none =
-        error_metrics(judged_of(std::vector<std::string>(8, "............"), truth_of(rows)), truth_of(rows));
+    const ErrorMetrics none = error_metrics(
+        classified_of(std::vector<std::string>(8, "............"), reference_of(rows)), reference_of(rows));
     EXPECT_TRUE(std::isnan(none.boundary_px_mean));
     // Every fourth pixel of a picture: the same contours are four times as far apart in it.
-    Truth coarse = truth_of(rows);
+    Reference coarse = reference_of(rows);
     coarse.step = 4;
-    const ErrorMetrics far = error_metrics(judged_of(moved, coarse), coarse);
+    const ErrorMetrics far = error_metrics(classified_of(moved, coarse), coarse);
     EXPECT_DOUBLE_EQ(far.boundary_px_mean, 6);
     EXPECT_EQ(far.boundary_px_max, 8);
     EXPECT_EQ(far.boundary_px_p95, 8);
     // Where two surfaces meet in the picture there is no contour.
     std::vector<std::uint8_t> joins(96, 3);
     for (std::size_t y = 0; y < 8; ++y) joins[y * 12 + 3] = 2;
-    EXPECT_TRUE(std::isnan(error_metrics(judged_of(moved, truth_of(rows)), truth_of(rows), joins).boundary_px_mean));
-    EXPECT_THROW(error_metrics({}, truth_of(rows)), Error);
+    EXPECT_TRUE(std::isnan(
+        error_metrics(classified_of(moved, reference_of(rows)), reference_of(rows), joins).boundary_px_mean));
+    EXPECT_THROW(error_metrics({}, reference_of(rows)), Error);
 }
 
 TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
@@ -169,9 +170,9 @@ TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
 
 TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
     // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
-    Truth truth;
-    truth.state.assign(1 << 16, PixelState::Counted), truth.pixels[0] = truth.state.size();
-    const double n = double(truth.state.size());
+    Reference reference;
+    reference.state.assign(1 << 16, PixelState::Counted), reference.pixels[0] = reference.state.size();
+    const double n = double(reference.state.size());
     using A = Artefact;
     const A dark[] = {A::Acne,   A::EdgeAliasing, A::OutsideMap, A::OffsetShadow,
                       A::Filter, A::Undersampled, A::Penumbra};
@@ -181,7 +182,7 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
     double all_dark = 0, all_bright = 0, weight = 1;
     for (const A a : dark) all_dark += sums.dark[std::size_t(a)] = weight, weight *= 2;
     for (const A a : bright) all_bright += sums.bright[std::size_t(a)] = weight, weight *= 2;
-    const ErrorMetrics m = metrics_of(sums, truth);
+    const ErrorMetrics m = metrics_of(sums, reference);
     EXPECT_EQ(m.false_shadow * n, all_dark);
     EXPECT_EQ(m.false_light * n, all_bright);
     for (const char* sum : {"false_shadow", "false_light"}) {

@@ -31,7 +31,7 @@ TEST(PlanTest, WhatIsWantedRunsWithAllThatItReads) {
     const auto ran = [&](std::vector<ResultRef> wanted) {
         std::set<std::string> names;
         for (const PassInfo& p : plan_passes(passes, wanted, false, false))
-            if (p.state == PassState::Ran) names.insert(p.name);
+            if (p.state == PassState::Drawn) names.insert(p.name);
         return names;
     };
     using Names = std::set<std::string>;
@@ -62,23 +62,23 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
     const Plan plain = plan_with(false), aided = plan_with(true);
     EXPECT_EQ(plain.passes()[2].key, aided.passes()[2].key);
     EXPECT_FALSE(aided.holds(Result::ShadowMaps));
-    EXPECT_EQ(states(aided), (States{PassState::Ran, PassState::Ran, PassState::Ran}));
+    EXPECT_EQ(states(aided), (States{PassState::Drawn, PassState::Drawn, PassState::Drawn}));
     maps_held = aided.passes()[0].key;
     EXPECT_TRUE(aided.holds(Result::ShadowMaps));
-    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Ran, PassState::Ran}));
+    EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Drawn, PassState::Drawn}));
     shading_held = aided.passes()[2].key;
-    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Skipped, PassState::Reused}))
+    EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Skipped, PassState::Cached}))
         << "nothing is made anew that it could help";
     aid_held = aided.passes()[1].key;
-    EXPECT_EQ(states(aided), (States{PassState::Reused, PassState::Reused, PassState::Reused}));
-    EXPECT_EQ(states(plain), (States{PassState::Reused, PassState::Skipped, PassState::Reused}));
+    EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Cached, PassState::Cached}));
+    EXPECT_EQ(states(plain), (States{PassState::Cached, PassState::Skipped, PassState::Cached}));
 }
 
 TEST(PlanTest, EachDecisionSaysWhy) {
     std::uint64_t holds = 7, other = 6;
     std::vector<Pass> passes = {pass_of("held", {}, {Result::Shaded}, &holds),
                                 pass_of("changed", {}, {Result::Visibility}, &other),
-                                pass_of("uncalled", {}, {Result::Moments}), pass_of("unread", {}, {Result::Truth})};
+                                pass_of("uncalled", {}, {Result::Moments}), pass_of("unread", {}, {Result::Reference})};
     passes[2].unneeded = "no kernel reads them";
     const std::vector<ResultRef> wanted = {Result::Shaded, Result::Visibility, Result::Moments};
     const auto told = [&](bool force, bool uncalled) {
@@ -87,13 +87,13 @@ TEST(PlanTest, EachDecisionSaysWhy) {
         return out;
     };
     using Told = std::vector<std::pair<PassState, std::string>>;
-    EXPECT_EQ(told(false, false), (Told{{PassState::Reused, "nothing it depends on changed"},
-                                        {PassState::Ran, "its inputs changed"},
+    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "nothing it depends on changed"},
+                                        {PassState::Drawn, "its inputs changed"},
                                         {PassState::Skipped, "no kernel reads them"},
                                         {PassState::Skipped, "idle"}}));
-    EXPECT_EQ(told(true, true), (Told{{PassState::Ran, "asked to run"},
-                                      {PassState::Ran, "its inputs changed"},
-                                      {PassState::Ran, "its inputs changed"},
+    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "asked to run"},
+                                      {PassState::Drawn, "its inputs changed"},
+                                      {PassState::Drawn, "its inputs changed"},
                                       {PassState::Skipped, "idle"}}));
     EXPECT_EQ(holds, 7u) << "a plan changes nothing";
 }

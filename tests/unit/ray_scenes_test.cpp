@@ -12,10 +12,10 @@
 namespace si {
 namespace {
 
-using Weak = std::weak_ptr<const TruthScene>;
+using Weak = std::weak_ptr<const ReferenceScene>;
 
-std::shared_ptr<const TruthGeometry> geometry_of(const Scene& scene, const Settings& settings = {}) {
-    return std::make_shared<const TruthGeometry>(scene, settings);
+std::shared_ptr<const ReferenceGeometry> geometry_of(const Scene& scene, const Settings& settings = {}) {
+    return std::make_shared<const ReferenceGeometry>(scene, settings);
 }
 
 TEST(RayScenes, TwoUsersGetTheSameObjectAndItIsFreed) {
@@ -68,7 +68,7 @@ TEST(RayScenes, ThreadsThatAskAtOnceWaitForOneBuild) {
     const auto geometry = geometry_of(boxes);
     std::promise<void> building, go_on;
     std::atomic<int> built{0};
-    std::shared_ptr<const TruthScene> first, others[3];
+    std::shared_ptr<const ReferenceScene> first, others[3];
     std::thread builder([&] {
         first = scenes.get(geometry, {.progress = [&](double) {  // called while it builds
                                ++built;

@@ -8,15 +8,15 @@
 namespace si {
 namespace {
 
-using Draws = RestingCasters::Draws;
+using Draws = StaticCasters::Draws;
 
 /// Of contents, each of so many triangles.
 std::vector<WeighedCaster> casters(std::vector<std::uint64_t> contents, std::uint64_t triangles = 10) {
     return weighed_casters(contents, std::vector<std::uint64_t>(contents.size(), triangles));
 }
 
-TEST(RestingCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
-    RestingCasters r;
+TEST(StaticCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
+    StaticCasters r;
     std::string_view reason;
     EXPECT_EQ(r.choose(1, casters({5, 3, 9}), reason), Draws::All);
     EXPECT_EQ(reason, "") << "nothing is known of what moved";
@@ -36,22 +36,22 @@ TEST(RestingCasters, AreThoseThatTwoFramesOfTheSameViewsHold) {
     EXPECT_FALSE(r.keeps(2) || r.keeps(1));
 }
 
-TEST(RestingCasters, SeveralOfOneContentAreOne) {
+TEST(StaticCasters, SeveralOfOneContentAreOne) {
     const std::vector<WeighedCaster> all = casters({4, 0, 2, 4}, 10);
     EXPECT_EQ(all, (std::vector<WeighedCaster>{{2, 10}, {4, 20}})) << "0 casts nothing";
-    RestingCasters r;
+    StaticCasters r;
     std::string_view reason;
     r.choose(1, casters({2, 4, 4}), reason);
     EXPECT_EQ(r.choose(1, casters({2, 4, 9}), reason), Draws::Anew);
     EXPECT_TRUE(r.rests(4)) << "one of them still is where both were";
 }
 
-TEST(RestingCasters, FewTrianglesAreNotWorthACopy) {
-    RestingCasters r;
+TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
+    StaticCasters r;
     std::string_view reason;
     const auto one_of_many = [](std::uint64_t moved, std::uint64_t triangles) {
         return weighed_casters(std::vector<std::uint64_t>{2, moved},
-                               std::vector<std::uint64_t>{1, kLeastRestingShare * triangles});
+                               std::vector<std::uint64_t>{1, kLeastStaticShare * triangles});
     };
     r.choose(1, one_of_many(9, 1), reason);
     EXPECT_EQ(r.choose(1, one_of_many(8, 1), reason), Draws::All);
@@ -60,8 +60,8 @@ TEST(RestingCasters, FewTrianglesAreNotWorthACopy) {
     EXPECT_NE(reason.find("all that casts has moved"), std::string_view::npos);
 }
 
-TEST(RestingCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
-    RestingCasters r;
+TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {
+    StaticCasters r;
     std::string_view reason;
     std::vector<std::uint64_t> all(10);
     std::iota(all.begin(), all.end(), 100);

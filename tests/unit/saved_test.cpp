@@ -6,14 +6,14 @@
 namespace si {
 namespace {
 
-constexpr Saving kSaving = Saving::Uncalled;
-const std::vector<Saving> kOne = {kSaving};
+constexpr Optimisation kOptimisation = Optimisation::Uncalled;
+const std::vector<Optimisation> kOne = {kOptimisation};
 
 TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
     double drift = 0;  // of a machine that gets slower, three times what is saved in each frame
-    const auto saved = saved_in_turns(kOne, 16, [&](SavingSet forced) {
+    const auto saved = saved_in_turns(kOne, 16, [&](OptimisationSet forced) {
         drift += 3;
-        return 100 + drift + (forced.contains(kSaving) ? 5 : 0);
+        return 100 + drift + (forced.contains(kOptimisation) ? 5 : 0);
     });
     ASSERT_EQ(saved.size(), 1u);
     EXPECT_NEAR(saved[0].ms.median, 5, 1e-9);
@@ -24,8 +24,9 @@ TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
 
 TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     int frame = 0;
-    const auto saved = saved_in_turns(
-        kOne, 20, [&](SavingSet forced) { return 10 + 0.1 * (++frame % 7) - (forced.contains(kSaving) ? 4.0 : 0.0); });
+    const auto saved = saved_in_turns(kOne, 20, [&](OptimisationSet forced) {
+        return 10 + 0.1 * (++frame % 7) - (forced.contains(kOptimisation) ? 4.0 : 0.0);
+    });
     const Spread& ms = saved[0].ms;
     EXPECT_NEAR(ms.median, -4, 0.7);
     EXPECT_LT(ms.median_low, ms.median_high);
@@ -39,7 +40,7 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
     double share = 0;
     saved_in_turns(
         kOne, 7,
-        [&](SavingSet f) {
+        [&](OptimisationSet f) {
             ++(f.empty() ? plain : forced);
             return 1.0;
         },
@@ -54,23 +55,23 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
 
 TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
     SavedTimes times;
-    times.savings.push_back({kSaving, {.median = 2}});
+    times.savings.push_back({kOptimisation, {.median = 2}});
     PassTime pass;
     pass.name = "shadow map 0 (spot)", pass.gpu_ms.median = 7;
     times.frame.passes.push_back(pass);
-    Effect effect{.name = "map", .state = EffectState::Reused, .pass = pass.name};
+    Effect effect{.name = "map", .state = EffectState::Cached, .pass = pass.name};
     ASSERT_TRUE(times.of(effect));
     EXPECT_EQ(times.of(effect)->median, 7);
     effect.part = true;
     EXPECT_FALSE(times.of(effect)) << "the pass's time is not this one's alone";
-    effect.saving = kSaving;
+    effect.saving = kOptimisation;
     ASSERT_TRUE(times.of(effect));
     EXPECT_EQ(times.of(effect)->median, 2);
-    effect = {.name = "blur", .state = EffectState::NotCalledFor, .pass = pass.name};
+    effect = {.name = "blur", .state = EffectState::NotNeeded, .pass = pass.name};
     EXPECT_FALSE(times.of(effect)) << "nothing spares it";
-    EXPECT_EQ(named_savings(std::vector<Effect>{effect}).size(), 0u);
-    effect.saving = kSaving;
-    EXPECT_EQ(named_savings(std::vector<Effect>{effect, effect}).size(), 1u);
+    EXPECT_EQ(named_optimisations(std::vector<Effect>{effect}).size(), 0u);
+    effect.saving = kOptimisation;
+    EXPECT_EQ(named_optimisations(std::vector<Effect>{effect, effect}).size(), 1u);
 }
 
 }  // namespace

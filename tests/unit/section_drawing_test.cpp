@@ -18,7 +18,7 @@ namespace {
 /// Acne on a plane of 45 degrees, ten texels of 40 mm, as no driver need draw it.
 Section acne() {
     Section s;
-    s.shadowed = true, s.judged = true;
+    s.shadowed = true, s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 10, .reach_texels = 1.5};
     s.row = 7, s.looked_up_texel = 104, s.texel_m = 0.04;
     s.lit = false, s.visibility = 0.25, s.theta_rad = M_PI / 4;
@@ -158,7 +158,7 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
         {Area, Ink::Moments},
     };
     Section untraced = acne();
-    untraced.profile.clear(), untraced.judged = untraced.has_window = false;
+    untraced.profile.clear(), untraced.classified = untraced.has_window = false;
     Section hopeless = acne();
     hopeless.window_to = 0.01;
     Section no_map;

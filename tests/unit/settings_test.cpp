@@ -84,9 +84,9 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
               rows::members<CameraSettings>() + rows::members<MapSettings>() + rows::members<CasterSettings>() +
                   rows::members<BiasSettings>() + rows::members<FilterSettings>() + rows::members<LightSettings>() +
                   rows::members<ShadingSettings>() + rows::members<ViewSettings>() + rows::members<ObjectSettings>() +
-                  rows::members<TruthSettings>() + rows::members<SceneSettings>() + rows::members<VolumeSettings>() +
-                  rows::members<ContactSettings>() + rows::members<BlobSettings>() + rows::members<LightMapSettings>() +
-                  1 /* light.count */);
+                  rows::members<ReferenceSettings>() + rows::members<SceneSettings>() +
+                  rows::members<VolumeSettings>() + rows::members<ContactSettings>() + rows::members<BlobSettings>() +
+                  rows::members<LightMapSettings>() + 1 /* light.count */);
 }
 
 TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {

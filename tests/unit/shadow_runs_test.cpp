@@ -13,16 +13,16 @@ constexpr double kPixel_m = 0.1;
 
 /// Rows of '.' lit, '#' dark, ' ' background, '|' a surface that stands before the floor.
 struct Floor {
-    Truth truth;
+    Reference reference;
     Receivers receivers;
     Camera camera;
     PixelRaster raster;
-    TruthQuery query;
+    ReferenceQuery query;
 
     explicit Floor(const std::vector<std::string>& rows, const glm::dvec3& at = {0, 0, 0}) {
         const int w = int(rows[0].size()), h = int(rows.size());
-        truth.width = w, truth.height = h;
-        truth.visibility = {w, h, 1, {}};
+        reference.width = w, reference.height = h;
+        reference.visibility = {w, h, 1, {}};
         receivers.width = w, receivers.height = h;
         camera.axes = glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
         camera.eye = at + glm::dvec3(0.5 * w * kPixel_m, 10, 0.5 * h * kPixel_m);
@@ -33,8 +33,8 @@ struct Floor {
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 const char c = rows[std::size_t(y)][std::size_t(x)];
-                truth.state.push_back(c == ' ' ? PixelState::Background : PixelState::Counted);
-                truth.visibility.data.push_back(c == '#' ? 0.f : 1.f);
+                reference.state.push_back(c == ' ' ? PixelState::Background : PixelState::Counted);
+                reference.visibility.data.push_back(c == '#' ? 0.f : 1.f);
                 Receiver r;
                 if (c != ' ') {
                     r.object = c == '|' ? 1 : 0;
@@ -55,7 +55,7 @@ struct Floor {
         view.axes = camera.axes;
         query.views = {view};
     }
-    ShadowRuns runs() const { return shadow_runs(truth, receivers, camera, raster, query, {.threads = 1}); }
+    ShadowRuns runs() const { return shadow_runs(reference, receivers, camera, raster, query, {.threads = 1}); }
 };
 
 std::string row(int lit_before, int dark, int lit_after) {
@@ -120,7 +120,7 @@ TEST(ShadowRuns, OfAPartReachingFarEnoughAreThoseOfTheWhole) {
 
 TEST(ShadowRuns, WithoutAMapOrBeyondWhatCountsAreEndless) {
     Floor floor(std::vector<std::string>(10, row(5, 5, 5)));
-    floor.truth.state[5 * 15 + 7] = PixelState::FacesAway;
+    floor.reference.state[5 * 15 + 7] = PixelState::FacesAway;
     EXPECT_TRUE(std::isinf(floor.runs().run_m.at(7, 5)));
     floor.query.views.clear();
     for (const float v : floor.runs().run_m.data) EXPECT_TRUE(std::isinf(v));

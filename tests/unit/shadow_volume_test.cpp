@@ -136,9 +136,9 @@ TEST(ShadowVolume, EnclosesPointsAsOftenAsCastersStandBeforeThem) {
                         // Without caps not out of the far end, which is open.
                         const glm::dvec3 along =
                             capped ? random.direction() : glm::normalize(random.direction() + 1.5 * towards);
-                        const int is = volume.encloses(p, along), truth = volume.between(p);
-                        shadowed += truth > 0;
-                        off += c.exact ? is != truth : (is > 0) != (truth > 0) || is < 0;
+                        const int is = volume.encloses(p, along), reference = volume.between(p);
+                        shadowed += reference > 0;
+                        off += c.exact ? is != reference : (is > 0) != (reference > 0) || is < 0;
                     }
                     EXPECT_EQ(off, 0);
                     if (c.mesh.indices.size() > 30) {

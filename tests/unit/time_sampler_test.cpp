@@ -12,9 +12,10 @@ namespace {
 FrameResult frame_of(double shadow_ms, double shade_ms, bool reused = false) {
     FrameResult f;
     f.clock = "a clock";
-    f.passes = {{"a map", reused ? PassState::Reused : PassState::Ran, "", shadow_ms, 0.1, 3, 100, PassCategory::Maps},
-                {"shading", PassState::Ran, "", shade_ms, 0.2, 5, 200},
-                {"overlay", PassState::Skipped, "", 99, 99, 9, 900}};
+    f.passes = {
+        {"a map", reused ? PassState::Cached : PassState::Drawn, "", shadow_ms, 0.1, 3, 100, PassCategory::Maps},
+        {"shading", PassState::Drawn, "", shade_ms, 0.2, 5, 200},
+        {"overlay", PassState::Skipped, "", 99, 99, 9, 900}};
     return f;
 }
 
@@ -119,7 +120,7 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
 
 TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
     FrameResult f = frame_of(2, 3);
-    f.passes.push_back({"another change of the maps", PassState::Ran, "", 7, 0, 0, 0, PassCategory::Maps});
+    f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});
     TimeSamples samples;
     samples.add(f);
     const TimeMeasurement m = summary(samples);

@@ -50,10 +50,10 @@ Texture stripes(int width, int height) {
     return t;
 }
 
-double lit_share(const Truth& truth) {
+double lit_share(const Reference& reference) {
     double sum = 0;
-    for (const float v : truth.hard().data) sum += v;
-    return sum / double(truth.hard().data.size());
+    for (const float v : reference.hard().data) sum += v;
+    return sum / double(reference.hard().data.size());
 }
 
 TEST(AlphaTexture, WrapsAndFiltersAsGlDoes) {
@@ -97,15 +97,15 @@ TEST(Casters, MasksHaveTheirHoles) {
     const auto shares = [&](const Settings& settings = {}) {
         finalise(scene);
         const auto geometry = geometry_of(scene, settings);
-        const Truth truth =
-            trace_visibility(TruthScene(geometry), floor_points(3, 60), query_for(scene, sun({0, 1, 0})), {});
+        const Reference reference =
+            trace_visibility(ReferenceScene(geometry), floor_points(3, 60), query_for(scene, sun({0, 1, 0})), {});
         std::size_t wrong = 0;
         for (int z = 0; z < 60; ++z)
             for (int x = 0; x < 60; ++x) {
                 const bool solid = std::lround(std::floor(3 * (2 * (x + 0.5) / 60 - 1))) & 1;
-                wrong += (truth.hard().at(x, z) < 0.5f) != solid;
+                wrong += (reference.hard().at(x, z) < 0.5f) != solid;
             }
-        return std::pair(lit_share(truth), wrong);
+        return std::pair(lit_share(reference), wrong);
     };
     EXPECT_EQ(shares(), std::pair(0.5, std::size_t(0)));
     Material& m = scene.materials[1];
@@ -130,9 +130,9 @@ TEST(Casters, ObjectsThatDoNotCastAreAir) {
     Settings settings;
     const auto lit = [&] {
         const auto geometry = geometry_of(scene, settings);
-        EXPECT_EQ(TruthScene(geometry).triangle_count(), geometry->caster_triangles());
+        EXPECT_EQ(ReferenceScene(geometry).triangle_count(), geometry->caster_triangles());
         return lit_share(
-            trace_visibility(TruthScene(geometry), floor_points(2, 40), query_for(scene, sun({0, 1, 0})), {}));
+            trace_visibility(ReferenceScene(geometry), floor_points(2, 40), query_for(scene, sun({0, 1, 0})), {}));
     };
     EXPECT_NEAR(lit(), 0.75, 0.01);
     const std::uint64_t before = geometry_of(scene, settings)->key;
@@ -164,22 +164,22 @@ TEST(Casters, CulledFacesCastInTruthAndNotAsRasterised) {
             set_setting(settings, "caster.cull", c.cull);
             set_setting(settings, "object.caster.cull", c.object_cull);
             const auto geometry = geometry_of(scene, settings);
-            const TruthScene casters(geometry, {}, instancing);
+            const ReferenceScene casters(geometry, {}, instancing);
             EXPECT_EQ(casters.instance_count(), instancing == Instancing::Always ? 2u : 0u);
-            TruthQuery query = query_for(scene, sun({0, 1, 0}));
+            ReferenceQuery query = query_for(scene, sun({0, 1, 0}));
             query.traits = object_traits(scene, settings);
             const Receivers receivers = floor_points(0.9, 8);
-            const Truth truth = trace_visibility(casters, receivers, query, {});
+            const Reference reference = trace_visibility(casters, receivers, query, {});
             query.options.as_rasterised = true;
-            const Truth raster = trace_visibility(casters, receivers, query, {});
+            const Reference raster = trace_visibility(casters, receivers, query, {});
             const std::string what = std::string(c.cull) + "/" + c.object_cull + (c.mirrored ? " mirrored" : "") +
                                      (c.from_below ? " below" : "") + (casters.instance_count() ? " instanced" : "");
-            EXPECT_EQ(lit_share(truth), 0) << what << ": every triangle is two-sided in truth";
+            EXPECT_EQ(lit_share(reference), 0) << what << ": every triangle is two-sided in truth";
             EXPECT_EQ(lit_share(raster), c.casts ? 0 : 1) << what;
             if (c.casts)
-                EXPECT_NEAR(truth.nearest_m.at(3, 3), 1, 1e-5) << what;
+                EXPECT_NEAR(reference.nearest_m.at(3, 3), 1, 1e-5) << what;
             else
-                EXPECT_TRUE(std::isnan(truth.nearest_m.at(3, 3))) << what << ": the map stores nothing there";
+                EXPECT_TRUE(std::isnan(reference.nearest_m.at(3, 3))) << what << ": the map stores nothing there";
         }
 }
 
@@ -187,27 +187,27 @@ TEST(Casters, TheMapStoresTheSurfaceNearestTheLight) {
     Scene scene = floor_and(make_plane(2, 2), {moved(0, 1, 0), moved(0, 3, 0), moved(0, 2, 0)});
     finalise(scene);
     const auto geometry = geometry_of(scene);
-    const TruthScene casters(geometry);
+    const ReferenceScene casters(geometry);
     Emitter lamp = sun({0, 1, 0});
     lamp.type = LightType::Point;
     lamp.position_ws = {0, 10, 0};
     for (const Emitter& light : {sun({0, 1, 0}), sun({0, 1, 0.1}), lamp}) {
-        TruthQuery query = query_for(scene, light);
-        const Truth truth = trace_visibility(casters, floor_points(0.5, 9), query, {});
+        ReferenceQuery query = query_for(scene, light);
+        const Reference reference = trace_visibility(casters, floor_points(0.5, 9), query, {});
         double distance = 0;
         const double rises = light.direction_from({0, 0, 0}, distance).y;
-        EXPECT_EQ(lit_share(truth), 0);
-        EXPECT_NEAR(truth.nearest_m.at(4, 4), 3 / rises, 1e-5);
+        EXPECT_EQ(lit_share(reference), 0);
+        EXPECT_NEAR(reference.nearest_m.at(4, 4), 3 / rises, 1e-5);
     }
     // A near plane between the upper two planes hides the topmost from the map.
     LightView view;
     view.eye = {0, 10, 0};
     view.axes = orthonormal_basis({0, 1, 0});
     view.curve = {.perspective = false, .near = 7.5, .far = 11};
-    TruthQuery query = query_for(scene, sun({0, 1, 0}));
+    ReferenceQuery query = query_for(scene, sun({0, 1, 0}));
     query.views = {view};
     EXPECT_NEAR(trace_visibility(casters, floor_points(0.5, 9), query, {}).nearest_m.at(4, 4), 2, 1e-5);
-    const Truth beside = trace_visibility(casters, floor_points(8, 9), query, {});
+    const Reference beside = trace_visibility(casters, floor_points(8, 9), query, {});
     EXPECT_TRUE(std::isnan(beside.nearest_m.at(0, 0)));
     EXPECT_EQ(beside.hard().at(0, 0), 1);
 }
@@ -229,14 +229,15 @@ Scene many_rings() {
 TEST(Instances, ShareAndFlattenAlike) {
     const Scene scene = many_rings();
     const auto geometry = geometry_of(scene);
-    const TruthScene flat(geometry, {}, Instancing::Never), shared(geometry, {}, Instancing::Always);
+    const ReferenceScene flat(geometry, {}, Instancing::Never), shared(geometry, {}, Instancing::Always);
     EXPECT_EQ(flat.instance_count(), 0u);
     EXPECT_EQ(shared.instance_count(), 60u);
     EXPECT_EQ(flat.triangle_count(), scene.triangle_count());
     EXPECT_EQ(shared.triangle_count(), scene.triangle_count());
     const Receivers receivers = floor_points(7, 200);
-    const TruthQuery query = query_for(scene, sun({0.4, 1, 0.2}));
-    const Truth a = trace_visibility(flat, receivers, query, {}), b = trace_visibility(shared, receivers, query, {});
+    const ReferenceQuery query = query_for(scene, sun({0.4, 1, 0.2}));
+    const Reference a = trace_visibility(flat, receivers, query, {}),
+                    b = trace_visibility(shared, receivers, query, {});
     std::size_t differing = 0;
     for (std::size_t i = 0; i < a.hard().data.size(); ++i) differing += a.hard().data[i] != b.hard().data[i];
     EXPECT_LE(differing, 2u) << "of 40000, at edges that rounding moves";
@@ -249,7 +250,7 @@ TEST(Instances, DoNotShadowThemselves) {
                             {moved(300, 2, -200) * turned(30, {1, 2, 3}) * scaled(1, 2, 0.5), moved(-1e3, 500, 0)});
     finalise(scene);
     const auto geometry = geometry_of(scene);
-    const TruthScene casters(geometry, {}, Instancing::Always);
+    const ReferenceScene casters(geometry, {}, Instancing::Always);
     ASSERT_EQ(casters.instance_count(), 2u);
     std::vector<Receiver> pixels;
     for (std::uint32_t object : {1u, 2u})
@@ -260,9 +261,9 @@ TEST(Instances, DoNotShadowThemselves) {
     for (int i = 0; i < 10; ++i) {
         glm::dvec3 d = random.direction();
         d.y = std::abs(d.y);
-        const Truth truth = trace_visibility(casters, row_of(pixels), query_for(scene, sun(d)), {});
+        const Reference reference = trace_visibility(casters, row_of(pixels), query_for(scene, sun(d)), {});
         for (std::size_t k = 0; k < pixels.size(); ++k)
-            if (truth.state[k] == PixelState::Counted) ++counted, dark += truth.hard().data[k] < 0.5f;
+            if (reference.state[k] == PixelState::Counted) ++counted, dark += reference.hard().data[k] < 0.5f;
     }
     EXPECT_GT(counted, 5000u);
     EXPECT_EQ(dark, 0u);
@@ -271,13 +272,13 @@ TEST(Instances, DoNotShadowThemselves) {
 TEST(Tracing, IsTheSameForAnyNumberOfThreads) {
     const Scene scene = many_rings();
     const auto geometry = geometry_of(scene);
-    const TruthScene casters(geometry);
+    const ReferenceScene casters(geometry);
     const Receivers receivers = floor_points(6, 100);
-    const TruthQuery query = query_for(scene, sun({0.4, 1, 0.2}, 3), {.area = true, .samples = 256});
-    const Truth one = trace_visibility(casters, receivers, query, {.threads = 1});
+    const ReferenceQuery query = query_for(scene, sun({0.4, 1, 0.2}, 3), {.area = true, .samples = 256});
+    const Reference one = trace_visibility(casters, receivers, query, {.threads = 1});
     EXPECT_GT(one.partial, 300u);
     for (const int threads : {2, 7}) {
-        const Truth many = trace_visibility(casters, receivers, query, {.threads = threads});
+        const Reference many = trace_visibility(casters, receivers, query, {.threads = threads});
         EXPECT_EQ(one.visibility.data, many.visibility.data);
         EXPECT_EQ(one.pixels, many.pixels);
         EXPECT_EQ(one.rays, many.rays);
@@ -289,9 +290,9 @@ TEST(Tracing, IsTheSameForAnyNumberOfThreads) {
 TEST(Tracing, StopsWhenAskedAndTellsHowFarItIs) {
     const Scene scene = many_rings();
     const auto geometry = geometry_of(scene);
-    const TruthScene casters(geometry);
+    const ReferenceScene casters(geometry);
     const Receivers receivers = floor_points(6, 320);
-    const TruthQuery query = query_for(scene, sun({0.4, 1, 0.2}, 3), {.area = true});
+    const ReferenceQuery query = query_for(scene, sun({0.4, 1, 0.2}, 3), {.area = true});
     std::stop_source stop;
     double last = 0;
     Workers workers{.threads = 2, .stop = stop.get_token()};
@@ -303,7 +304,7 @@ TEST(Tracing, StopsWhenAskedAndTellsHowFarItIs) {
     EXPECT_THROW(trace_visibility(casters, receivers, query, workers), Cancelled);
     EXPECT_GT(last, 0.2);
     EXPECT_LT(last, 0.9) << "it went on";
-    EXPECT_THROW(TruthScene(geometry, workers), Cancelled);
+    EXPECT_THROW(ReferenceScene(geometry, workers), Cancelled);
     last = 0;
     workers = {.progress = [&](double t) { last = t; }};
     trace_visibility(casters, receivers, query_for(scene, sun({0.4, 1, 0.2})), workers);
@@ -313,10 +314,11 @@ TEST(Tracing, StopsWhenAskedAndTellsHowFarItIs) {
 TEST(Tracing, OutlivesItsScene) {
     auto scene = std::make_unique<Scene>(many_rings());
     const auto geometry = geometry_of(*scene);
-    const TruthQuery query = query_for(*scene, sun({0.4, 1, 0.2}));
-    const Truth before = trace_visibility(TruthScene(geometry), floor_points(6, 64), query, {});
+    const ReferenceQuery query = query_for(*scene, sun({0.4, 1, 0.2}));
+    const Reference before = trace_visibility(ReferenceScene(geometry), floor_points(6, 64), query, {});
     scene.reset();
-    EXPECT_EQ(trace_visibility(TruthScene(geometry), floor_points(6, 64), query, {}).hard().data, before.hard().data);
+    EXPECT_EQ(trace_visibility(ReferenceScene(geometry), floor_points(6, 64), query, {}).hard().data,
+              before.hard().data);
 }
 
 TEST(Workers, PassOnWhatFails) {

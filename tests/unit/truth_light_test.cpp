@@ -38,12 +38,12 @@ Scene half_plane() {
 struct Penumbra {
     double rms = 0, mean = 0, largest = 0;
     std::size_t partial = 0;
-    Truth truth;
+    Reference reference;
 };
 
 /// Traces floor points along x in [-reach, reach] against share(x).
 template <typename Share>
-Penumbra penumbra(const Emitter& light, double reach, const TruthOptions& options, Share&& share) {
+Penumbra penumbra(const Emitter& light, double reach, const ReferenceOptions& options, Share&& share) {
     const Scene scene = half_plane();
     const auto geometry = geometry_of(scene);
     Receivers receivers;
@@ -57,11 +57,11 @@ Penumbra penumbra(const Emitter& light, double reach, const TruthOptions& option
             receivers.pixels.push_back(r);
         }
     Penumbra p;
-    p.truth = trace_visibility(TruthScene(geometry), receivers, query_for(scene, light, options), {});
+    p.reference = trace_visibility(ReferenceScene(geometry), receivers, query_for(scene, light, options), {});
     double squares = 0, sum = 0;
     for (std::size_t i = 0; i < receivers.pixels.size(); ++i) {
         const double expected = share(receivers.pixels[i].position_ws.x);
-        const double error = p.truth.visibility.data[i] - expected;
+        const double error = p.reference.visibility.data[i] - expected;
         if (expected > 0 && expected < 1) {
             ++p.partial;
             squares += error * error, sum += error;
@@ -79,7 +79,7 @@ void expect_penumbra(const Penumbra& p, const char* what) {
     EXPECT_LT(p.largest, 0.02) << what;
 }
 
-const TruthOptions kFine{.area = true, .samples = 1024, .noise = 0};
+const ReferenceOptions kFine{.area = true, .samples = 1024, .noise = 0};
 
 TEST(AreaLight, SunBehindAnEdge) {
     const double radius_deg = 2, tangent = std::tan(radius_deg * kPi / 180);
@@ -130,7 +130,7 @@ TEST(AreaLight, NoiseFallsAsStratifiedSamplesDo) {
     EXPECT_GT(coarse.rms, middle.rms);
     for (const Penumbra* p : {&coarse, &middle, &fine}) {
         // The estimate is over all counted pixels; it may err on the safe side.
-        const double own = p->truth.noise * std::sqrt(double(p->truth.counted()) / double(p->partial));
+        const double own = p->reference.noise * std::sqrt(double(p->reference.counted()) / double(p->partial));
         EXPECT_GT(own, 0.8 * p->rms);
         EXPECT_LT(own, 3 * p->rms);
     }
@@ -144,7 +144,9 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
                         share);
     };
     const Penumbra coarse = at(1), target = at(0.008), fine = at(0);
-    const auto per_pixel = [](const Penumbra& p) { return double(p.truth.rays) / double(p.truth.counted()) - 1; };
+    const auto per_pixel = [](const Penumbra& p) {
+        return double(p.reference.rays) / double(p.reference.counted()) - 1;
+    };
     // A tenth of the pixels lies in the penumbra; they and their neighbours get 256, the others 64.
     EXPECT_NEAR(per_pixel(coarse), 64 + 0.1 * 256, 5);
     EXPECT_GT(per_pixel(target), 1.2 * per_pixel(coarse));
@@ -152,7 +154,7 @@ TEST(AreaLight, RefinesOnlyWherePartsAreSeen) {
     EXPECT_NEAR(per_pixel(fine), 64 + 0.1 * (256 + 1024), 25);
     EXPECT_LT(fine.rms, 0.6 * coarse.rms);
     EXPECT_LT(target.rms, 0.008);
-    EXPECT_NEAR(double(target.truth.partial), double(target.partial), 0.1 * double(target.partial));
+    EXPECT_NEAR(double(target.reference.partial), double(target.partial), 0.1 * double(target.partial));
 }
 
 TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
@@ -160,10 +162,10 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
     const auto at = [&](int samples, double noise = 0) {
         return penumbra(sun({0, 1, 0}, 0.5), 10 * kHeight * tangent, {.area = true, .samples = samples, .noise = noise},
                         [&](double x) { return disk_share(-x / (kHeight * tangent)); })
-            .truth;
+            .reference;
     };
     for (const int few : {1, 2, 3}) {
-        const Truth one = at(few);
+        const Reference one = at(few);
         EXPECT_TRUE(std::isnan(one.noise)) << "a single sample varies from nothing";
         EXPECT_EQ(one.noise_unknown, one.counted());
         EXPECT_TRUE(std::all_of(one.standard_error.data.begin(), one.standard_error.data.end(),
@@ -171,7 +173,7 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
         EXPECT_EQ(one.samples.most, 1) << few << " parts do not fill a square of two by two";
         EXPECT_NE(noise_text(one).find("noise unknown, 1 sample a pixel"), std::string::npos) << noise_text(one);
     }
-    const Truth fine = at(1000);
+    const Reference fine = at(1000);
     EXPECT_EQ(fine.noise_unknown, 0u);
     EXPECT_EQ(fine.samples.least, 64) << "what sees all of the light or none";
     EXPECT_EQ(fine.samples.most, 31 * 31) << "the largest square within what was allowed";
@@ -181,7 +183,7 @@ TEST(AreaLight, SaysHowManySamplesAndHowSureItIs) {
     EXPECT_EQ(fine.standard_error.data[0], 0) << "wholly lit";
     EXPECT_EQ(fine.standard_error.data[399], 0) << "wholly dark";
     EXPECT_GT(fine.standard_error.data[200], 0) << "half";
-    const Truth hard = penumbra(sun({0, 1, 0}), 1, {}, [](double x) { return x < 0 ? 1.0 : 0.0; }).truth;
+    const Reference hard = penumbra(sun({0, 1, 0}), 1, {}, [](double x) { return x < 0 ? 1.0 : 0.0; }).reference;
     EXPECT_TRUE(hard.standard_error.data.empty());
     EXPECT_EQ(hard.noise, 0);
     EXPECT_EQ(noise_text(hard), "");
@@ -195,10 +197,10 @@ TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
         const Penumbra p =
             penumbra(sun({0, 1, 0}, 2), 2 * kHeight * tangent, {.area = true, .samples = samples, .noise = 0}, share);
         double ratio = 0;
-        for (std::size_t i = 0; i < p.truth.state.size(); ++i) {
+        for (std::size_t i = 0; i < p.reference.state.size(); ++i) {
             const double x = 2 * kHeight * tangent * (2 * (double(i % 400) + 0.5) / 400 - 1);
-            const double expected = share(x), error = p.truth.visibility.data[i] - expected;
-            if (expected > 0 && expected < 1) ratio += error * error - std::pow(p.truth.standard_error.data[i], 2);
+            const double expected = share(x), error = p.reference.visibility.data[i] - expected;
+            if (expected > 0 && expected < 1) ratio += error * error - std::pow(p.reference.standard_error.data[i], 2);
         }
         // In the mean the square of the estimate is that of the error, or errs on the safe side.
         EXPECT_LT(ratio / double(p.partial), 0.3 * p.rms * p.rms) << samples;
@@ -209,8 +211,8 @@ TEST(AreaLight, KnowsTheErrorOfEachPixelHoweverTheSamplesDivide) {
 TEST(AreaLight, OfSizeZeroIsHard) {
     const Penumbra p = penumbra(sun({0.3, 1, 0}, 0), 2, {.area = true, .samples = 64},
                                 [](double x) { return x + 0.3 * kHeight < 0 ? 1.0 : 0.0; });
-    EXPECT_EQ(p.truth.visibility.data, p.truth.hard().data);
-    EXPECT_EQ(p.truth.noise, 0) << "nothing is estimated";
+    EXPECT_EQ(p.reference.visibility.data, p.reference.hard().data);
+    EXPECT_EQ(p.reference.noise, 0) << "nothing is estimated";
     EXPECT_LT(p.largest, 1e-6);
 }
 
@@ -218,7 +220,7 @@ TEST(AreaLight, GrazingSunCountsOnlyWhatIsAboveTheHorizon) {
     // Half of this sun is below the floor's horizon; of the rest the floor hides nothing.
     const Penumbra p =
         penumbra(sun({-1, 0.001, 0}, 3), 0.5, {.area = true, .samples = 256, .noise = 0}, [](double) { return 1.0; });
-    EXPECT_EQ(p.truth.counted(), p.truth.state.size());
+    EXPECT_EQ(p.reference.counted(), p.reference.state.size());
     EXPECT_EQ(p.largest, 0);
 }
 

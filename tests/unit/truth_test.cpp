@@ -20,15 +20,15 @@ using test::receiver_on;
 using test::row_of;
 using test::sun;
 
-std::size_t dark(const Truth& truth) {
+std::size_t dark(const Reference& reference) {
     std::size_t count = 0;
-    for (std::size_t i = 0; i < truth.state.size(); ++i)
-        count += truth.state[i] == PixelState::Counted && truth.hard().data[i] < 0.5f;
+    for (std::size_t i = 0; i < reference.state.size(); ++i)
+        count += reference.state[i] == PixelState::Counted && reference.hard().data[i] < 0.5f;
     return count;
 }
 
 /// A body alone in the world: receivers all over each triangle, its corners and edges included.
-Receivers all_over(const TruthGeometry& geometry) {
+Receivers all_over(const ReferenceGeometry& geometry) {
     std::vector<Receiver> pixels;
     constexpr double kEps = 1e-7;
     const double places[][2] = {{1.0 / 3, 1.0 / 3}, {kEps, kEps}, {1 - 2 * kEps, kEps}, {0.5, 0}, {0, 0.5}, {0.5, 0.5}};
@@ -50,24 +50,24 @@ TEST_P(ConvexCaster, NeverShadowsItself) {
     for (const Mesh& body : bodies) {
         const Scene scene = make_scene(body, moved(centre, -0.7 * centre, centre));
         const auto geometry = geometry_of(scene);
-        const TruthScene casters(geometry);
+        const ReferenceScene casters(geometry);
         const Receivers receivers = all_over(*geometry);
         Random random(7);
         std::size_t facing = 0;
         std::vector<glm::dvec3> directions = {{0, 1, 0}, {1, 0, 0}, {0, 1e-4, 1}, {0.3, 0.5, -0.8}};
         for (int i = 0; i < 8; ++i) directions.push_back(random.direction());
         for (const glm::dvec3& to_light : directions) {
-            const Truth truth = trace_visibility(casters, receivers, query_for(scene, sun(to_light)), {});
-            facing += truth.counted();
-            EXPECT_EQ(dark(truth), 0u) << scene.nodes[0].path << " towards " << to_light.x << ' ' << to_light.y << ' '
-                                       << to_light.z;
+            const Reference reference = trace_visibility(casters, receivers, query_for(scene, sun(to_light)), {});
+            facing += reference.counted();
+            EXPECT_EQ(dark(reference), 0u)
+                << scene.nodes[0].path << " towards " << to_light.x << ' ' << to_light.y << ' ' << to_light.z;
         }
         Emitter lamp = sun({0, 1, 0});
         lamp.type = LightType::Point;
         lamp.position_ws = glm::dvec3(centre, -0.7 * centre, centre) + glm::dvec3(3, 4, -2) * radius;
-        const Truth truth = trace_visibility(casters, receivers, query_for(scene, lamp), {});
-        EXPECT_EQ(dark(truth), 0u) << scene.nodes[0].path << ", point light";
-        EXPECT_GT(facing + truth.counted(), receivers.pixels.size() * 4) << "too little was asked";
+        const Reference reference = trace_visibility(casters, receivers, query_for(scene, lamp), {});
+        EXPECT_EQ(dark(reference), 0u) << scene.nodes[0].path << ", point light";
+        EXPECT_GT(facing + reference.counted(), receivers.pixels.size() * 4) << "too little was asked";
     }
 }
 
@@ -86,13 +86,14 @@ INSTANTIATE_TEST_SUITE_P(ScalesAndPlaces, ConvexCaster,
 TEST(ConvexCaster, IsWhollyLitByALargeLight) {
     const Scene scene = make_scene(make_sphere(1));
     const auto geometry = geometry_of(scene);
-    const Truth truth = trace_visibility(TruthScene(geometry), all_over(*geometry),
-                                         query_for(scene, sun({0.2, 1, 0.1}, 5), {.area = true, .samples = 64}), {});
+    const Reference reference =
+        trace_visibility(ReferenceScene(geometry), all_over(*geometry),
+                         query_for(scene, sun({0.2, 1, 0.1}, 5), {.area = true, .samples = 64}), {});
     std::size_t less = 0;
-    for (std::size_t i = 0; i < truth.state.size(); ++i)
-        less += truth.state[i] == PixelState::Counted && truth.visibility.data[i] != 1.f;
+    for (std::size_t i = 0; i < reference.state.size(); ++i)
+        less += reference.state[i] == PixelState::Counted && reference.visibility.data[i] != 1.f;
     EXPECT_EQ(less, 0u);
-    EXPECT_GT(truth.counted(), 1000u);
+    EXPECT_GT(reference.counted(), 1000u);
 }
 
 /// A floor, and a box of 1.5 x 1 x 2 m that floats over it.
@@ -123,7 +124,7 @@ bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm:
     return from <= to;
 }
 
-TEST(Truth, BoxShadowIsTheClosedForm) {
+TEST(Reference, BoxShadowIsTheClosedForm) {
     for (const double scale : {1.0, 1e3, 1e-4})
         for (const double away : {0.0, 1e6})
             for (const LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
@@ -139,7 +140,8 @@ TEST(Truth, BoxShadowIsTheClosedForm) {
                         for (std::uint32_t triangle : {0u, 1u})
                             pixels.push_back(receiver_on(*geometry, 0, triangle, i / 100.0, j / 100.0));
                 const Receivers receivers = row_of(std::move(pixels));
-                const Truth truth = trace_visibility(TruthScene(geometry), receivers, query_for(scene, light), {});
+                const Reference reference =
+                    trace_visibility(ReferenceScene(geometry), receivers, query_for(scene, light), {});
                 const glm::dvec3 lo = scale * glm::dvec3(-0.75, kGap, -1), hi = scale * glm::dvec3(0.75, kGap + 1, 1);
                 std::size_t in_shadow = 0;
                 for (std::size_t i = 0; i < receivers.pixels.size(); ++i) {
@@ -153,15 +155,15 @@ TEST(Truth, BoxShadowIsTheClosedForm) {
                     if (meets_box(p, d, most, lo - slack, hi + slack) != meets_box(p, d, most, lo + slack, hi - slack))
                         continue;
                     in_shadow += shadow;
-                    ASSERT_EQ(truth.hard().data[i] < 0.5f, shadow)
+                    ASSERT_EQ(reference.hard().data[i] < 0.5f, shadow)
                         << p.x / scale << ' ' << p.z / scale << " scale " << scale << " away " << away;
                 }
                 EXPECT_GT(in_shadow, 100u);
-                EXPECT_EQ(truth.counted(), receivers.pixels.size());
+                EXPECT_EQ(reference.counted(), receivers.pixels.size());
             }
 }
 
-TEST(Truth, AgreesWithEveryTriangleTested) {
+TEST(Reference, AgreesWithEveryTriangleTested) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(8, 8, 4, 4), grey));
@@ -175,26 +177,27 @@ TEST(Truth, AgreesWithEveryTriangleTested) {
     const Camera camera = make_camera(scene, settings, double(w) / h);
     const auto geometry = geometry_of(scene);
     EXPECT_EQ(geometry->caster_triangles(), scene.triangle_count());
-    const TruthScene casters(geometry);
+    const ReferenceScene casters(geometry);
     EXPECT_EQ(casters.triangle_count(), scene.triangle_count());
     const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, w, h), {});
-    const test::RayTruth rays(scene);
+    const test::RayReference rays(scene);
     for (const char* type : {"directional", "spot", "point"}) {
         set_setting(settings, "light.0.type", type);
         const auto lights = fit_lights(scene, settings);
-        const Truth truth = trace_visibility(casters, receivers, truth_query(scene, settings, lights, 0), {});
+        const Reference reference =
+            trace_visibility(casters, receivers, reference_query(scene, settings, lights, 0), {});
         std::size_t shadow = 0, lit = 0;
         for (int y = 0; y < h; ++y)
             for (int x = 0; x < w; ++x) {
                 const std::size_t i = std::size_t(y) * w + std::size_t(x);
-                if (truth.state[i] != PixelState::Counted) continue;
+                if (reference.state[i] != PixelState::Counted) continue;
                 glm::dvec3 origin, dir;
                 camera.pixel_ray(x, y, w, h, origin, dir);
                 const auto hit = rays.first_hit(origin, dir);
                 ASSERT_TRUE(hit);
                 EXPECT_LT(glm::distance(hit->position, receivers.pixels[i].position_ws), 1e-9);
                 const bool expected = rays.occluded(hit->position, lights[0], hit->triangle);
-                EXPECT_EQ(truth.hard().data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
+                EXPECT_EQ(reference.hard().data[i] < 0.5f, expected) << type << " at " << x << ',' << y;
                 ++(expected ? shadow : lit);
             }
         EXPECT_GT(shadow, 100u) << type;
@@ -202,22 +205,22 @@ TEST(Truth, AgreesWithEveryTriangleTested) {
     }
 }
 
-TEST(Truth, TheQuickWayForDirectionalLightsIsTheSame) {
+TEST(Reference, TheQuickWayForDirectionalLightsIsTheSame) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     const Camera camera = make_camera(scene, settings, 1.5);
     for (const char* receives : {"true", "false"}) {
         set_setting(settings, "object.root/box.receive", receives);
         const auto geometry = geometry_of(scene, settings);
-        const TruthScene casters(geometry);
+        const ReferenceScene casters(geometry);
         const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
         Receivers slow = receivers;
         slow.starts.clear();
         for (const double elevation : {45.0, 0.05, 0.0, -0.05}) {
             settings.lights[0].elevation = elevation;
-            const TruthQuery query = truth_query(scene, settings, fit_lights(scene, settings), 0);
-            const Truth a = trace_visibility(casters, receivers, query, {}),
-                        b = trace_visibility(casters, slow, query, {});
+            const ReferenceQuery query = reference_query(scene, settings, fit_lights(scene, settings), 0);
+            const Reference a = trace_visibility(casters, receivers, query, {}),
+                            b = trace_visibility(casters, slow, query, {});
             EXPECT_EQ(a.state, b.state) << elevation;
             EXPECT_EQ(a.visibility.data, b.visibility.data) << elevation;
             EXPECT_EQ(a.rays, b.rays) << elevation;
@@ -225,7 +228,7 @@ TEST(Truth, TheQuickWayForDirectionalLightsIsTheSame) {
     }
 }
 
-TEST(Truth, CountsWhyPixelsAreLeftOut) {
+TEST(Reference, CountsWhyPixelsAreLeftOut) {
     const Scene scene = floor_and_box(1, glm::dvec3(0));
     Settings settings;
     set_setting(settings, "light.0.type", "spot");
@@ -236,12 +239,12 @@ TEST(Truth, CountsWhyPixelsAreLeftOut) {
     const Camera camera = make_camera(scene, settings, 1.5);
     const auto geometry = geometry_of(scene, settings);
     const Receivers receivers = place_receivers(*geometry, camera, test::ids_by_rays(scene, camera, 90, 60), {});
-    Truth truth = trace_visibility(TruthScene(geometry), receivers,
-                                   truth_query(scene, settings, fit_lights(scene, settings), 0), {});
+    Reference reference = trace_visibility(ReferenceScene(geometry), receivers,
+                                           reference_query(scene, settings, fit_lights(scene, settings), 0), {});
     std::array<std::size_t, kPixelStates> counted{};
-    for (const PixelState s : truth.state) ++counted[std::size_t(s)];
-    EXPECT_EQ(counted, truth.pixels);
-    EXPECT_GT(truth.counted(), 100u);
+    for (const PixelState s : reference.state) ++counted[std::size_t(s)];
+    EXPECT_EQ(counted, reference.pixels);
+    EXPECT_GT(reference.counted(), 100u);
     EXPECT_GT(counted[std::size_t(PixelState::Background)], 100u);
     EXPECT_GT(counted[std::size_t(PixelState::OutsideCone)], 100u);
     EXPECT_GT(counted[std::size_t(PixelState::NotReceiving)], 20u);
@@ -252,36 +255,37 @@ TEST(Truth, CountsWhyPixelsAreLeftOut) {
     const double height = fit_lights(scene, settings)[0].position.y, range = std::hypot(height, 1.75);
     settings.lights[0].range = range;
     const FittedLight ranged = fit_lights(scene, settings)[0];
-    truth = trace_visibility(TruthScene(geometry), receivers, truth_query(scene, settings, {ranged}, 0), {});
+    reference =
+        trace_visibility(ReferenceScene(geometry), receivers, reference_query(scene, settings, {ranged}, 0), {});
     std::size_t beyond = 0;
-    for (std::size_t i = 0; i < truth.state.size(); ++i) {
+    for (std::size_t i = 0; i < reference.state.size(); ++i) {
         const Receiver& r = receivers.pixels[i];
-        if (truth.state[i] != PixelState::Counted && truth.state[i] != PixelState::BeyondRange) continue;
+        if (reference.state[i] != PixelState::Counted && reference.state[i] != PixelState::BeyondRange) continue;
         const bool reached = glm::distance(r.position_ws, ranged.position) < range;
-        EXPECT_EQ(truth.state[i] == PixelState::Counted, reached);
+        EXPECT_EQ(reference.state[i] == PixelState::Counted, reached);
         beyond += !reached;
     }
     EXPECT_GT(beyond, 30u);
-    EXPECT_GT(truth.counted(), 50u);
-    EXPECT_EQ(truth.pixels[std::size_t(PixelState::BeyondRange)], beyond);
+    EXPECT_GT(reference.counted(), 50u);
+    EXPECT_EQ(reference.pixels[std::size_t(PixelState::BeyondRange)], beyond);
     set_setting(settings, "light.0.range", "0");
-    const Truth endless = trace_visibility(TruthScene(geometry), receivers,
-                                           truth_query(scene, settings, fit_lights(scene, settings), 0), {});
-    EXPECT_EQ(endless.visibility.data, truth.visibility.data);
-    EXPECT_EQ(endless.counted(), truth.counted() + beyond);
+    const Reference endless = trace_visibility(ReferenceScene(geometry), receivers,
+                                               reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    EXPECT_EQ(endless.visibility.data, reference.visibility.data);
+    EXPECT_EQ(endless.counted(), reference.counted() + beyond);
 
     set_setting(settings, "light.0.type", "directional");
     set_setting(settings, "light.0.elevation", "-30");
-    truth = trace_visibility(TruthScene(geometry), receivers,
-                             truth_query(scene, settings, fit_lights(scene, settings), 0), {});
-    EXPECT_EQ(truth.counted(), 0u) << "the floor is lit from below";
-    EXPECT_GT(truth.pixels[std::size_t(PixelState::FacesAway)], 100u);
+    reference = trace_visibility(ReferenceScene(geometry), receivers,
+                                 reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    EXPECT_EQ(reference.counted(), 0u) << "the floor is lit from below";
+    EXPECT_GT(reference.pixels[std::size_t(PixelState::FacesAway)], 100u);
     set_setting(settings, "light.0.elevation", "50");
     set_setting(settings, "light.0.cast", "false");
-    truth = trace_visibility(TruthScene(geometry), receivers,
-                             truth_query(scene, settings, fit_lights(scene, settings), 0), {});
-    EXPECT_EQ(dark(truth), 0u) << "a light that casts nothing";
-    EXPECT_THROW(truth_query(scene, settings, fit_lights(scene, settings), 1), Error);
+    reference = trace_visibility(ReferenceScene(geometry), receivers,
+                                 reference_query(scene, settings, fit_lights(scene, settings), 0), {});
+    EXPECT_EQ(dark(reference), 0u) << "a light that casts nothing";
+    EXPECT_THROW(reference_query(scene, settings, fit_lights(scene, settings), 1), Error);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ struct MadeUpWorld {
     static double error(const Settings& s) {
         return 2.0 / s.map.resolution / std::sqrt(double(taps_across(filter_of(s), s)));
     }
-    int judged = 0;
+    int classified = 0;
     std::vector<Settings> timed;
 
     Tuner run(const TuneGoals& goals) {
@@ -129,11 +129,11 @@ struct MadeUpWorld {
                 tuner.timed(ms(s));
                 continue;
             }
-            ++judged;
+            ++classified;
             const MadeUpFrame frame{.kappa = reach_of(s).bias};
             BiasTrial t = frame.shown(s.bias);
             t.error.mae = error(s);
-            tuner.judged(t);
+            tuner.classified(t);
         }
         EXPECT_EQ(tuner.ask(), Tuner::Ask::Nothing);
         EXPECT_EQ(tuner.progress(), 1);

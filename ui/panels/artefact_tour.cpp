@@ -132,8 +132,8 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
         state.log.add(LogKind::Info, why);
         tour.waits_for = 0;
     };
-    if (frame.truth && !frame.truth->problem.empty()) {
-        give_up("Where the picture is wrong is not known: " + frame.truth->problem);
+    if (frame.reference && !frame.reference->problem.empty()) {
+        give_up("Where the picture is wrong is not known: " + frame.reference->problem);
         return false;
     }
     // What is wished for is known once the truth of this picture is.

@@ -8,24 +8,24 @@
 
 namespace si {
 
-struct CureTable;  // renderer/measure/cures.h
+struct FixTable;  // renderer/measure/cures.h
 
 /// What is to be cured: a pixel, or nothing for the whole picture.
-struct CureWish {
+struct FixWish {
     std::optional<glm::ivec2> pixel;
 };
 
 /// A search for what puts wrong pixels right.
-struct CureSearch {
+struct FixSearch {
     std::optional<TuneFacts> running;
-    const CureTable* table = nullptr;  ///< that was found last
-    std::optional<glm::ivec2> pixel;   ///< that it is about; none: the picture
-    bool current = false;              ///< it is about the present settings
+    const FixTable* table = nullptr;  ///< that was found last
+    std::optional<glm::ivec2> pixel;  ///< that it is about; none: the picture
+    bool current = false;             ///< it is about the present settings
 };
 
-struct CureActions {
-    std::optional<CureWish> find_cures;
-    bool cancel_cures = false, forget_cures = false;
+struct FixActions {
+    std::optional<FixWish> find_fixes;
+    bool cancel_fixes = false, forget_fixes = false;
 };
 
 }  // namespace si

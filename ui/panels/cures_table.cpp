@@ -14,15 +14,15 @@
 namespace si {
 namespace {
 
-std::string about(const Cure& cure, const CureTable& table) {
+std::string about(const MeasuredFix& fix, const FixTable& table) {
     std::string text;
-    for (const auto& [key, value] : cure.settings) text += fmt::format("{} = {}\n", key, value);
+    for (const auto& [key, value] : fix.settings) text += fmt::format("{} = {}\n", key, value);
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
-            text += fmt::format("{}: {} of {} cured\n", style.label, cure.cured_of[std::size_t(style.artefact)], all);
-    if (cure.ms)
-        text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(cure.ms->value),
-                            digits_text(cure.ms->noise));
+            text += fmt::format("{}: {} of {} cured\n", style.label, fix.cured_of[std::size_t(style.artefact)], all);
+    if (fix.ms)
+        text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(fix.ms->value),
+                            digits_text(fix.ms->noise));
     return text + "A click applies it; Ctrl+Z takes it back.";
 }
 
@@ -33,39 +33,39 @@ void coloured_cell(const std::string& text, ImU32 colour) {
     ImGui::PopStyleColor();
 }
 
-void row(const Cure& cure, const CureTable& table, bool current, Settings& settings) {
+void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& settings) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    if (!cure.untried.empty()) {
-        ImGui::TextDisabled("%s: not tried, %s", cure.shown_name().c_str(), cure.untried.c_str());
+    if (!fix.untried.empty()) {
+        ImGui::TextDisabled("%s: not tried, %s", fix.shown_name().c_str(), fix.untried.c_str());
         return;
     }
-    const std::string mark = !cure.pixel_right ? "" : *cure.pixel_right ? "" : "  (this pixel stays wrong)";
+    const std::string mark = !fix.pixel_right ? "" : *fix.pixel_right ? "" : "  (this pixel stays wrong)";
     ImGui::BeginDisabled(!current);
-    if (ImGui::Selectable((cure.shown_name() + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
-        for (const auto& [key, value] : cure.settings) set_setting(settings, key, value);
+    if (ImGui::Selectable((fix.shown_name() + mark).c_str(), false, ImGuiSelectableFlags_SpanAllColumns))
+        for (const auto& [key, value] : fix.settings) set_setting(settings, key, value);
     ImGui::EndDisabled();
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(cure, table).c_str());
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", about(fix, table).c_str());
     const ImU32 plain = current ? theme::text() : theme::muted();
-    coloured_cell(std::to_string(cure.cured), plain);
-    coloured_cell(std::to_string(cure.broken), cure.broken == 0 ? theme::muted() : plain);
-    coloured_cell(time_text(cure.ms), plain);
-    coloured_cell(map_bytes_text(cure.map_bytes), plain);
+    coloured_cell(std::to_string(fix.cured), plain);
+    coloured_cell(std::to_string(fix.broken), fix.broken == 0 ? theme::muted() : plain);
+    coloured_cell(time_text(fix.ms), plain);
+    coloured_cell(map_bytes_text(fix.map_bytes), plain);
 }
 
 }  // namespace
 
-void cures_button(const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel, bool ready,
+void fixes_button(const FixSearch& search, FixActions& actions, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##cures")) actions.cancel_cures = true;
+        if (ImGui::Button("Cancel##cures")) actions.cancel_fixes = true;
         return;
     }
     ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find cures")) actions.find_cures = CureWish{pixel};
+    if (ImGui::Button("Find cures")) actions.find_fixes = FixWish{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
@@ -73,14 +73,14 @@ void cures_button(const CureSearch& search, CureActions& actions, std::optional<
                         : "Nothing is wrong here.");
 }
 
-void cures_table(Settings& settings, const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel) {
+void fix_rows_table(Settings& settings, const FixSearch& search, FixActions& actions, std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);
     else
         ImGui::TextDisabled("of other settings: search again");
     ImGui::SameLine();
-    if (ImGui::SmallButton("Close##cures")) actions.forget_cures = true;
+    if (ImGui::SmallButton("Close##cures")) actions.forget_fixes = true;
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;
@@ -91,9 +91,9 @@ void cures_table(Settings& settings, const CureSearch& search, CureActions& acti
     ImGui::TableSetupColumn("maps");
     ImGui::TableHeadersRow();
     int id = 0;
-    for (const Cure& cure : search.table->rows) {
+    for (const MeasuredFix& fix : search.table->rows) {
         ImGui::PushID(id++);
-        row(cure, *search.table, search.current, settings);
+        row(fix, *search.table, search.current, settings);
         ImGui::PopID();
     }
     ImGui::EndTable();

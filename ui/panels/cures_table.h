@@ -8,9 +8,9 @@ namespace si {
 
 /// The button that searches, or the search's progress. @param pixel what is to be cured; none: the picture
 /// @param ready there is a picture @param wrong there is something to cure
-void cures_button(const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel, bool ready,
+void fixes_button(const FixSearch& search, FixActions& actions, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong);
 /// What was found for that, if anything was. @param settings that a click on a row changes
-void cures_table(Settings& settings, const CureSearch& search, CureActions& actions, std::optional<glm::ivec2> pixel);
+void fix_rows_table(Settings& settings, const FixSearch& search, FixActions& actions, std::optional<glm::ivec2> pixel);
 
 }  // namespace si

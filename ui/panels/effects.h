@@ -14,7 +14,7 @@ struct SavedTimes;  // renderer/measure/saved.h
 
 /// A person's tool, no part of the settings: forcing changes no picture.
 struct EffectsPanel {
-    SavingSet forced;            ///< savings that frames are not to make
+    OptimisationSet forced;      ///< savings that frames are not to make
     bool hide_uncalled = false;  ///< list only what is simulated or kept
 };
 

@@ -50,7 +50,7 @@ void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
     const std::string shape = kShapes[std::size_t(state)], word(state_name(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
-    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotCalledFor ? theme::muted() : theme::text());
+    ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
     if (room <= Room::Narrow) wrapped_tooltip(word);
@@ -72,12 +72,12 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
 }
 
 /// Whether frames are to do what a saving spares.
-void force_box(SavingSet& forced, Saving saving, const char* label) {
+void force_box(OptimisationSet& forced, Optimisation saving, const char* label) {
     bool on = forced.contains(saving);
     if (ImGui::Checkbox(label, &on)) {
-        SavingSet next;
-        for (std::size_t i = 0; i < kSavings; ++i)
-            if (Saving(i) == saving ? on : forced.contains(Saving(i))) next.add(Saving(i));
+        OptimisationSet next;
+        for (std::size_t i = 0; i < kOptimisations; ++i)
+            if (Optimisation(i) == saving ? on : forced.contains(Optimisation(i))) next.add(Optimisation(i));
         forced = next;
     }
     wrapped_tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
@@ -101,16 +101,16 @@ void measure_button(const EditorFrame& frame, EditorActions& actions) {
 
 void tools(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     measure_button(frame, actions);
-    SavingSet& forced = state.effects.forced;
+    OptimisationSet& forced = state.effects.forced;
     int count = 0;
-    for (std::size_t i = 0; i < kSavings; ++i) count += forced.contains(Saving(i));
+    for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
     flow(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
     wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
     if (ImGui::BeginPopup("savings")) {
-        for (std::size_t i = 0; i < kSavings; ++i)
-            force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
+        for (std::size_t i = 0; i < kOptimisations; ++i)
+            force_box(forced, Optimisation(i), std::string(savings()[i].label).c_str());
         ImGui::EndPopup();
     }
     flow(button_width("Reset"));
@@ -197,10 +197,10 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     ImGui::TableSetColumnIndex(int(Column::State));
     state_cell(effect.state, room);
     ImGui::TableSetColumnIndex(int(Column::Effect));
-    const bool called_for = effect.state != EffectState::NotCalledFor;
+    const bool needed = effect.state != EffectState::NotNeeded;
     const float indent = effect.part ? ImGui::GetFontSize() * 0.8f : 0;
     if (indent > 0) ImGui::Indent(indent);
-    ImGui::PushStyleColor(ImGuiCol_Text, called_for ? theme::text() : theme::muted());
+    ImGui::PushStyleColor(ImGuiCol_Text, needed ? theme::text() : theme::muted());
     ImGui::TextUnformatted(effect.name.c_str());
     ImGui::PopStyleColor();
     if (room == Room::Least && !effect.reason.empty()) wrapped_tooltip(effect.reason);
@@ -213,8 +213,8 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
         ImGui::PopStyleColor();
     }
     const PassInfo* pass = effect.part || effect.pass.empty() ? nullptr : frame.result->pass(effect.pass);
-    if (pass && pass->state != PassState::Ran) last_time_cell(state, *pass);
-    if (pass && pass->state == PassState::Ran) {
+    if (pass && pass->state != PassState::Drawn) last_time_cell(state, *pass);
+    if (pass && pass->state == PassState::Drawn) {
         if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
         sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
@@ -230,7 +230,7 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
 /// What is forced stays on view, so that its box can be taken back.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
-    return panel.hide_uncalled && effect.state == EffectState::NotCalledFor && !forced;
+    return panel.hide_uncalled && effect.state == EffectState::NotNeeded && !forced;
 }
 
 void sum_row(const PassCost& sum) {

@@ -164,7 +164,7 @@ void save_button(EditorState& state, const EditorFrame& frame, EditorActions& ac
 void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& actions) {
     const float em = ImGui::GetFontSize();
     Settings& s = state.settings;
-    if (!frame.truth) {
+    if (!frame.reference) {
         ImGui::TextDisabled("No frame yet.");
         return;
     }
@@ -182,21 +182,21 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorActions& act
     flow(em * 4);
     save_button(state, frame, actions);
     flow(em * 6);
-    cures_button(frame.cures, actions, {}, frame.result && frame.scene,
+    fixes_button(frame.fixes, actions, {}, frame.result && frame.scene,
                  frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
-    const std::string tour = artefact_tour_text(state), status = truth_status(frame);
+    const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
     flow(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
     next_button(state, frame, tour);
     flow(ImGui::CalcTextSize(status.c_str()).x + em * 4);
     ImGui::AlignTextToFramePadding();
-    const bool busy = !frame.truth->doing.empty();
+    const bool busy = !frame.reference->doing.empty();
     ImGui::TextDisabled("%s", status.c_str());
-    if (busy && !frame.truth->current) {
+    if (busy && !frame.reference->current) {
         ImGui::SameLine();
-        if (ImGui::SmallButton("Cancel")) actions.cancel_truth = true;
+        if (ImGui::SmallButton("Cancel")) actions.cancel_reference = true;
     }
-    cures_table(s, frame.cures, actions, {});
+    fix_rows_table(s, frame.fixes, actions, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

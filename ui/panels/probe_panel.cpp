@@ -164,7 +164,7 @@ void space(const Probe::PerLight& p) {
 }
 
 /// Where the bias lies between what the surface needs and what its occluder allows, on a line of texels.
-void window_bar(const Dossier& d) {
+void window_bar(const PixelDiagnosis& d) {
     const float em = ImGui::GetFontSize(), width = em * 20, high = em * 0.7f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const double finite = std::isfinite(d.occluder.texels) ? d.occluder.texels : 0;
@@ -185,7 +185,7 @@ void window_bar(const Dossier& d) {
             "that shadows it. The mark: the bias that it has. Orange: no bias is right.");
 }
 
-void truth_column(const Dossier& d) {
+void reference_column(const PixelDiagnosis& d) {
     window_bar(d);
     if (begin_amounts("window")) {
         amount_row("needed", d.least, "The window of biases that are right begins here");
@@ -194,19 +194,19 @@ void truth_column(const Dossier& d) {
         amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
-    std::string truth = d.truth.lit ? "truth: lit" : "truth: in shadow";
-    if (d.truth.share > 0 && d.truth.share < 1)
-        truth += fmt::format(", {:.1f} % of the light is seen (light.size)", 100 * d.truth.share);
-    ImGui::TextUnformatted(truth.c_str());
+    std::string reference = d.reference.lit ? "truth: lit" : "truth: in shadow";
+    if (d.reference.share > 0 && d.reference.share < 1)
+        reference += fmt::format(", {:.1f} % of the light is seen (light.size)", 100 * d.reference.share);
+    ImGui::TextUnformatted(reference.c_str());
 }
 
 /// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
-std::string fix_label(const Remedy& remedy, const Settings& settings) {
-    const std::string fix = "Fix: " + fix_text(remedy, settings), whole = fix + fix_worth_text(remedy);
+std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
+    const std::string fix = "Fix: " + fix_text(fix, settings), whole = fix + fix_worth_text(fix);
     return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : fix;
 }
 
-void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
+void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
     verdict(d ? d->verdict : p.verdict);
     if (d) {
         ImGui::PushTextWrapPos(0);
@@ -215,12 +215,12 @@ void judgement(const Probe::PerLight& p, const Dossier* d, bool tracing, Setting
     } else if (tracing) {
         ImGui::TextDisabled("tracing the truth...");
     }
-    if (!d || !d->remedy) return;
-    if (ImGui::SmallButton(fix_label(*d->remedy, settings).c_str()))
-        for (const auto& [key, value] : d->remedy->settings) set_setting(settings, key, value);
+    if (!d || !d->fix) return;
+    if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
+        for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey C; Ctrl+Z takes it back",
-                          fix_text(*d->remedy, settings).c_str(), fix_worth_text(*d->remedy).c_str());
+                          fix_text(*d->fix, settings).c_str(), fix_worth_text(*d->fix).c_str());
 }
 
 /// Blocks beside each other as far as they fit.
@@ -248,11 +248,11 @@ private:
 
 /// All that the verdict rests on. @param cures draws what puts the pixel right
 template <typename Button, typename Table>
-void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int resolution, Button&& cures_button,
-             Table&& cures_table) {
-    if (cures_button()) si::flow(button_width("Hide stored-depth quads"));
+void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
+             Button&& fixes_button, Table&& fix_rows_table) {
+    if (fixes_button()) si::flow(button_width("Hide stored-depth quads"));
     slabs_button(settings, p, resolution);
-    cures_table();
+    fix_rows_table();
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
@@ -260,15 +260,15 @@ void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int
         ImGui::SameLine();
         draw_tap_key();
     });
-    if (d && d->truth.state == PixelState::Counted) blocks.block(em * 20, [&] { truth_column(*d); });
+    if (d && d->reference.state == PixelState::Counted) blocks.block(em * 20, [&] { reference_column(*d); });
     if (faces_light(p.n_dot_l)) blocks.block(em * 20, [&] { bias_terms(p.account); });
     blocks.block(em * 33, [&] { depths(p); });
     blocks.block(em * 36, [&] { space(p); });
 }
 
 /// The verdict.
-void heading(const Probe::PerLight& p, const Dossier* d, bool tracing, Settings& settings) {
-    if (p.casts) return judgement(p, d, tracing, settings);
+void heading(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
+    if (p.casts) return classification(p, d, tracing, settings);
     verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
 }
 
@@ -305,24 +305,25 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
                     probe->x, probe->y, probe->object, vec(probe->position_ws, 4), vec(probe->normal_ws, 4));
     ImGui::TextDisabled("%s", beginning_that_fits(where, ImGui::GetContentRegionAvail().x, ImGui::GetFont()).c_str());
     wrapped_tooltip(where);
-    const auto dossier_of = [&](const Probe::PerLight& light) -> const Dossier* {
-        for (const Dossier& d : frame.dossiers)
+    const auto diagnosis_of = [&](const Probe::PerLight& light) -> const PixelDiagnosis* {
+        for (const PixelDiagnosis& d : frame.diagnoses)
             if (d.light == light.light) return &d;
         return nullptr;
     };
     const auto write_out = [&](const Probe::PerLight& light) {
-        const Dossier* const dossier = dossier_of(light);
-        const bool wrong = dossier && dossier->cause().artefact != Artefact::None;
+        const PixelDiagnosis* const diagnosis = diagnosis_of(light);
+        const bool wrong = diagnosis && diagnosis->cause().artefact != Artefact::None;
         // Cures are those of the light whose shadows are judged.
-        const bool judged = wrong && light.light == state.settings.view.light;
+        const bool classified = wrong && light.light == state.settings.view.light;
         reasons(
-            light, dossier, state.settings, frame.result ? frame.result->map_resolution : 0,
+            light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
             [&] {
-                if (judged) cures_button(frame.cures, actions, state.probe_pixel, frame.result && frame.scene, wrong);
-                return judged;
+                if (classified)
+                    fixes_button(frame.fixes, actions, state.probe_pixel, frame.result && frame.scene, wrong);
+                return classified;
             },
             [&] {
-                if (judged) cures_table(state.settings, frame.cures, actions, state.probe_pixel);
+                if (classified) fix_rows_table(state.settings, frame.fixes, actions, state.probe_pixel);
             });
     };
     if (probe->lights.empty()) return;
@@ -346,7 +347,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
         ImGui::BeginGroup();
     }
     ImGui::PushID(probe->lights[first].light);
-    heading(probe->lights[first], dossier_of(probe->lights[first]), frame.tracing_probe, state.settings);
+    heading(probe->lights[first], diagnosis_of(probe->lights[first]), frame.tracing_probe, state.settings);
     ImGui::PopID();
     ImGui::BeginChild("reasons");
     for (std::size_t k = 0; k < probe->lights.size(); ++k) {
@@ -359,7 +360,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorActions& act
             if (width > 0 && drawn > 0)
                 draw_section_view(state.section_views, frame.sections, i,
                                   {std::min(width, ImGui::GetContentRegionAvail().x), ImGui::GetFontSize() * 15});
-            heading(light, dossier_of(light), frame.tracing_probe, state.settings);
+            heading(light, diagnosis_of(light), frame.tracing_probe, state.settings);
         }
         if (light.casts) write_out(light);
         ImGui::PopID();

@@ -11,7 +11,7 @@
 namespace si {
 
 struct Probe;
-struct Dossier;
+struct PixelDiagnosis;
 
 /// Cross-sections of the probed pixel, one for each of its lights.
 using Sections = std::shared_ptr<const std::vector<Section>>;
@@ -19,10 +19,10 @@ using Sections = std::shared_ptr<const std::vector<Section>>;
 struct ProbeShown {
     const Probe* probe = nullptr;  ///< of state.probe_pixel
     AnchorPlace anchor_place = AnchorPlace::Seen;
-    std::span<const Dossier> dossiers;  ///< one for each light of the probe, once the truth is there
-    Sections sections;                  ///< null: the panel is hidden
-    bool tracing_probe = false;         ///< dossiers will follow
-    bool verdict_follows = false;       ///< all of this is of an earlier picture: the next one is being drawn
+    std::span<const PixelDiagnosis> diagnoses;  ///< one for each light of the probe, once the truth is there
+    Sections sections;                          ///< null: the panel is hidden
+    bool tracing_probe = false;                 ///< dossiers will follow
+    bool verdict_follows = false;               ///< all of this is of an earlier picture: the next one is being drawn
 };
 
 /// Their drawings, kept until the pixel or the room for them changes.

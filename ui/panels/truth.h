@@ -8,7 +8,7 @@
 namespace si {
 
 /// What is known of the ray-traced truth about the frame.
-struct TruthFacts {
+struct ReferenceFacts {
     bool current = false;                             ///< the frame shown has all that it asks for
     bool wanted = false;                              ///< something that is shown asks for it
     bool lacks_light_map = false;                     ///< what is missing is a light map, or that too
@@ -21,9 +21,9 @@ struct TruthFacts {
     int width = 0, height = 0;  ///< in pixels
 };
 
-struct TruthActions {
+struct ReferenceActions {
     bool want_error = false;  ///< the error panel is shown
-    bool cancel_truth = false;
+    bool cancel_reference = false;
     std::optional<std::string> save_error;  ///< all metrics as JSON into this file
 };
 

@@ -22,7 +22,7 @@ ImTextureID texture_id(unsigned texture) {
 constexpr const char* kViews[] = {"off", "swipe", "side by side", "difference"};
 
 bool is_pinned(const EditorState& state) {
-    return !state.against.truth && state.compare.kind == CompareKind::Pinned;
+    return !state.against.reference && state.compare.kind == CompareKind::Pinned;
 }
 
 /// What stands at each side: what was pinned was there first.
@@ -31,7 +31,7 @@ std::string shown_side(const EditorState& state) {
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.against.truth) return "ray-traced truth";
+    if (state.against.reference) return "ray-traced truth";
     if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
@@ -85,10 +85,10 @@ void against_other_widget(EditorState& state, const EditorFrame& frame, float wi
     ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
         bool picked = false;
-        if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = picked = true;
+        if (ImGui::Selectable("ray-traced truth", a.reference)) a.reference = picked = true;
         const auto other = [&](const char* text, const CompareWith& with) {
-            if (!ImGui::Selectable(text, !a.truth && state.compare == with)) return;
-            a.truth = false, picked = true;
+            if (!ImGui::Selectable(text, !a.reference && state.compare == with)) return;
+            a.reference = false, picked = true;
             state.compare = with;
         };
         other("the scene's own settings", {CompareKind::Scene, {}});
@@ -133,7 +133,7 @@ void draw_against(const EditorState& state, const EditorFrame& frame, glm::vec2 
     if (right_half && !there) list.AddRectFilled(p, q, theme::well());
     if (!there) {
         std::string text = frame.against && !frame.against->problem.empty() ? frame.against->problem
-                           : a.truth && frame.truth                         ? truth_status(frame)
+                           : a.reference && frame.reference                 ? reference_status(frame)
                                                                             : "Drawing the other side …";
         if (a.view != AgainstView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
         return;
@@ -188,7 +188,7 @@ void pin_settings(EditorState& state) {
     state.pinned = PinnedSettings{state.settings, state.scene_name};
     if (state.against.view == AgainstView::Off) {  // what is compared from now on, as nothing is yet
         state.compare = {CompareKind::Pinned, {}};
-        state.against.truth = false;
+        state.against.reference = false;
     }
     state.log.add(LogKind::Info,
                   "Pinned the present settings as A: hold A to see them, B compares with them, P takes the pin off");
@@ -202,7 +202,7 @@ void steer_flicker(EditorState& state, bool may_start) {
         }
         state.flicker = Flicker{state.against, state.compare};
         state.against.view = AgainstView::Alone;
-        state.against.truth = state.against.held = false;
+        state.against.reference = state.against.held = false;
         state.compare = {CompareKind::Pinned, {}};
     } else if (state.flicker && !ImGui::IsKeyDown('A')) {
         state.against = state.flicker->against;

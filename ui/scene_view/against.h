@@ -11,9 +11,9 @@ namespace si {
 enum class AgainstView { Off, Swipe, SideBySide, Difference, Alone };
 struct Against {
     AgainstView view = AgainstView::Off;
-    bool truth = true;  ///< the ray-traced truth; else what EditorState::compare names
-    float at = 0.5f;    ///< where the swipe's line stands: share of the picture's width, what is shown on its left
-    bool held = false;  ///< the line is being dragged
+    bool reference = true;  ///< the ray-traced truth; else what EditorState::compare names
+    float at = 0.5f;        ///< where the swipe's line stands: share of the picture's width, what is shown on its left
+    bool held = false;      ///< the line is being dragged
 };
 
 /// The picture that the one shown is held against.

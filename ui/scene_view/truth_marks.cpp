@@ -14,8 +14,8 @@
 
 namespace si {
 
-std::string truth_status(const EditorFrame& frame) {
-    const TruthFacts& t = *frame.truth;
+std::string reference_status(const EditorFrame& frame) {
+    const ReferenceFacts& t = *frame.reference;
     if (!t.doing.empty()) return fmt::format("{} … {} %", t.doing, int(t.progress * 100));
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
@@ -66,7 +66,7 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
 }
 
 void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width) {
-    if (!frame.truth || frame.truth->current) return;
+    if (!frame.reference || frame.reference->current) return;
     const float em = ImGui::GetFontSize(), pad = em * 0.5f;
     const float wide = std::min(width - 2 * pad, em * 24);
     ImGui::SetCursorScreenPos({left + (width - wide) / 2, bottom - ImGui::GetFrameHeight() - 4 * pad});
@@ -74,16 +74,16 @@ void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, 
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
     ImGui::BeginChild("tracing", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
-    const std::string text = truth_status(frame);
-    if (frame.truth->doing.empty()) {
+    const std::string text = reference_status(frame);
+    if (frame.reference->doing.empty()) {
         ImGui::AlignTextToFramePadding();
         ImGui::TextUnformatted(text.c_str());
     } else {
         const float button = button_width("Cancel");
         const float bar = ImGui::GetContentRegionAvail().x - button - ImGui::GetStyle().ItemSpacing.x;
-        progress_bar(frame.truth->progress, text, std::max(bar, em));
+        progress_bar(frame.reference->progress, text, std::max(bar, em));
         ImGui::SameLine();
-        if (ImGui::Button("Cancel")) actions.cancel_truth = true;
+        if (ImGui::Button("Cancel")) actions.cancel_reference = true;
     }
     ImGui::EndChild();
     ImGui::PopStyleVar();

@@ -299,7 +299,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorActions& 
         veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
                     "A shader does not compile; the last good one is in use (see Log)");
     for (int i = 0; i < pictures; ++i)
-        if (frame.result->panes[std::size_t(i)].lacks_truth || (i == 0 && awaits_rays(*frame.result))) {
+        if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);
             draw_tracing(frame, actions, panes.lo(i).x, panes.lo(i).y + panes.size().y, panes.size().x);
             ImGui::PopID();

@@ -191,7 +191,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     const FrameResult* result = nullptr;
     const Scene* scene = nullptr;
     const DriverInfo* driver = nullptr;
-    CureSearch cures;
+    FixSearch fixes;
     const FloatImage* overlay_values = nullptr;  ///< of the active pane
     std::span<const LostCaster> lost_casters;    ///< of the shown light
     const ComparisonFacts* comparison = nullptr;
@@ -201,7 +201,7 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
     std::optional<LoadingFacts> loading;
     std::optional<DrawingFacts> drawing;
     const SweepFacts* sweep = nullptr;
-    std::optional<TruthFacts> truth;
+    std::optional<ReferenceFacts> reference;
     const LiveError* error = nullptr;  ///< of the frame shown; null: not known
     std::optional<AgainstFacts> against;
     const LoupeFacts* loupe = nullptr;         ///< of state.loupe_pixel; null: not known yet
@@ -210,11 +210,11 @@ struct EditorFrame : ProbeShown, TuneShown, MapShown, PresetsShown, EffectsShown
 };
 
 struct EditorActions : MapActions,
-                       TruthActions,
+                       ReferenceActions,
                        PresetActions,
                        SweepActions,
                        TuneActions,
-                       CureActions,
+                       FixActions,
                        EffectsActions,
                        AdviceActions,
                        LabActions,

@@ -6,7 +6,7 @@ void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view sc
     if (times.scene != scene) times = {.scene = std::string(scene)};
     TimedFrame frame{.at_s = now_s};
     for (const PassInfo& pass : shown.passes) {
-        if (pass.state != PassState::Ran || pass.gpu_ms <= 0) continue;
+        if (pass.state != PassState::Drawn || pass.gpu_ms <= 0) continue;
         times.pass_ms[pass.name] = pass.gpu_ms;
         frame.ms += pass.gpu_ms;
         if (pass.category == PassCategory::Maps) frame.maps_ms += pass.gpu_ms, frame.drew_maps = true;

@@ -61,7 +61,7 @@ float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 r
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
 
 /// How far the truth is, or what it took. Only where frame.truth is.
-std::string truth_status(const EditorFrame& frame);
+std::string reference_status(const EditorFrame& frame);
 
 /// Over a picture whose overlay waits for rays: what is done about it, and how far.
 void draw_tracing(const EditorFrame& frame, EditorActions& actions, float left, float bottom, float width);

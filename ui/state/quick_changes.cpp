@@ -73,9 +73,9 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
         state.log.add(LogKind::Info, "The fix is made once the pixel's verdict is known");
         return;
     }
-    for (const Dossier& d : frame.dossiers) {
-        if (d.light != shown_light(state.settings) || !d.remedy) continue;
-        for (const auto& [key, value] : d.remedy->settings) set_setting(state.settings, key, value);
+    for (const PixelDiagnosis& d : frame.diagnoses) {
+        if (d.light != shown_light(state.settings) || !d.fix) continue;
+        for (const auto& [key, value] : d.fix->settings) set_setting(state.settings, key, value);
         return;
     }
     state.log.add(LogKind::Info, !state.probe_pixel ? "No fix to apply: click a wrong pixel first, or go to one (X)"

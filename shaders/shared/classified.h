@@ -1,6 +1,6 @@
 // What a frame notes of each pixel that it holds against the truth, for C++ and GLSL alike.
-#ifndef SI_SHARED_JUDGED_H
-#define SI_SHARED_JUDGED_H
+#ifndef SI_SHARED_CLASSIFIED_H
+#define SI_SHARED_CLASSIFIED_H
 
 #ifdef __cplusplus
 namespace si::shared {
