@@ -245,7 +245,8 @@ void start_editor(Options& o) {
     }
     if (!o.size.empty()) {
         const PictureSize size = parse_size(o.size);
-        e.width = size.width, e.height = size.height;
+        e.width = size.width;
+        e.height = size.height;
         e.size_given = true;
     }
     if (!e.report.empty()) require_writable(e.report);

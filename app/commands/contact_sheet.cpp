@@ -80,7 +80,8 @@ private:
 class Sheet {
 public:
     Sheet(int width, int height) {
-        image_.width = width, image_.height = height;
+        image_.width = width;
+        image_.height = height;
         image_.data.assign(std::size_t(width) * std::size_t(height) * 4, 255);
         fill(0, 0, width, height, {24, 25, 28});
     }
@@ -152,7 +153,10 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
         tile.notes = session.scene.warnings;
         if (check_numeric) {
             const auto health = search_numbers(renderer, session.scene, session.settings, request);
-            if (!health->sound()) tile.unsound = health_text(*health), tile.notes.push_back(tile.unsound);
+            if (!health->sound()) {
+                tile.unsound = health_text(*health);
+                tile.notes.push_back(tile.unsound);
+            }
         }
     } catch (const std::exception& e) {
         tile.failed = true;

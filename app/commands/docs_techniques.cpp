@@ -163,7 +163,8 @@ std::vector<PageSection> all_sections(Renderer& renderer, const Scene& scene, co
 
 std::string picture_name(const PageSection& s, const Entry& e) {
     std::string name = fmt::format("{}.{}", s.setting, e.sets.empty() ? e.key : std::string_view(e.sets));
-    std::ranges::replace(name, '.', '-'), std::ranges::replace(name, '=', '-');
+    std::ranges::replace(name, '.', '-');
+    std::ranges::replace(name, '=', '-');
     return name + ".png";
 }
 

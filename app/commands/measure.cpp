@@ -108,7 +108,10 @@ void run_measure(const MeasureOptions& options) {
         json["error"] = error_json(classified.error, classified.reference->noise);
         json["truth"] = reference_quality_json(*classified.reference);
         json["time"] = time ? time_json(*time) : Json();
-        if (time) json["time"]["seconds"] = time->seconds, json["time"]["within"] = "this run";
+        if (time) {
+            json["time"]["seconds"] = time->seconds;
+            json["time"]["within"] = "this run";
+        }
         json["cost"] = cost_json(classified.cost);
         if (classified.pages) json["pages"] = pages_json(*classified.pages);
         json["cures"] = fixes ? fixes_json(*fixes) : Json();

@@ -54,7 +54,8 @@ void run_overview(const OverviewOptions& options) {
         const HeadlessContext context;
         Renderer renderer;
         FrameRequest request;
-        request.width = options.size.width, request.height = options.size.height;
+        request.width = options.size.width;
+        request.height = options.size.height;
         for (const char* view : {"shaded", "shadow-map", "visibility"}) {
             const std::string path = file(view == std::string("shaded") ? "scene.png" : fmt::format("{}.png", view));
             write_view(renderer, session.scene, session.settings, request, find_view(view), path);

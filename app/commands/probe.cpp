@@ -189,7 +189,8 @@ void run_probe(const ProbeOptions& options) {
     const PaneGrid grid = picture_grid(session.settings, options.size.width, options.size.height);
     const auto place = grid.at({x, y});
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
-    request.width = grid.width, request.height = grid.height;
+    request.width = grid.width;
+    request.height = grid.height;
     ReferenceCache sources;
     trace_sources(renderer, session.scene, session.settings, request, sources, tracing_workers());
     Probe probe = renderer.probe(session.scene, session.settings, request, place->pixel.x, place->pixel.y);
@@ -204,7 +205,8 @@ void run_probe(const ProbeOptions& options) {
         if (options.reference && probe.hit && options.section.empty()) table = fixes(renderer, session, probe, found);
     };
     Probe shown = probe;
-    shown.x = x, shown.y = y;  // of the picture asked for, of which this pane is a part
+    shown.x = x;
+    shown.y = y;  // of the picture asked for, of which this pane is a part
     if (options.json) {
         find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found);

@@ -112,7 +112,8 @@ void run_render(const RenderOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     FrameRequest request;
-    request.width = options.size.width, request.height = options.size.height;
+    request.width = options.size.width;
+    request.height = options.size.height;
     request.timing = !options.report.empty();
     if (fit_camera) request.map_camera = map_camera_of(renderer, session, *fit_camera, request);
     FrameResult frame;
@@ -131,7 +132,8 @@ void run_render(const RenderOptions& options) {
         if (health) report["numeric_health"] = health_json(*health);
         if (against) report["against"] = {{"what", options.against}, {"mean_difference", mean}};
         const PaneGrid grid = picture_grid(session.settings, request.width, request.height);
-        request.width = grid.width, request.height = grid.height;
+        request.width = grid.width;
+        request.height = grid.height;
         const auto map = map_report(renderer, session.scene, session.settings, request);
         report["shadow_map"] = map ? map_report_json(*map) : nlohmann::ordered_json(nullptr);
         write_file(options.report, json_text(report));

@@ -55,7 +55,10 @@ std::vector<std::string> notes_on_pictures(const fs::path& folder, const SweepRe
         if (row.failed.empty() && lacks_pictures(folder, row.number)) lacking.push_back(std::to_string(row.number));
     if (lacking.empty()) return {};
     const std::size_t count = lacking.size();
-    if (count > 10) lacking.resize(10), lacking.push_back("...");
+    if (count > 10) {
+        lacking.resize(10);
+        lacking.push_back("...");
+    }
     return {fmt::format("{} of {} cases have no pictures ({}); the sweep's command with -o {} draws them", count,
                         results.rows.size(), fmt::join(lacking, ", "), folder.string())};
 }

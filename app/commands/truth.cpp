@@ -20,7 +20,10 @@ nlohmann::ordered_json reference_json(const TracedReference& traced, const Refer
     const auto pixels = [&](PixelState s) { return t.pixels[std::size_t(s)]; };
     double sum = 0, hard = 0;
     for (std::size_t i = 0; i < t.state.size(); ++i)
-        if (t.state[i] == PixelState::Counted) sum += t.visibility.data[i], hard += t.hard().data[i];
+        if (t.state[i] == PixelState::Counted) {
+            sum += t.visibility.data[i];
+            hard += t.hard().data[i];
+        }
     nlohmann::ordered_json json = {{"format", "shadow-inspector-truth"},
                                    {"version", 1},
                                    {"light", light},

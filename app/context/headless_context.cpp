@@ -239,7 +239,8 @@ ThreadContextMaker HeadlessContext::sharing() const {
     return [this]() -> std::unique_ptr<ThreadContext> {
         if (!eglBindAPI(EGL_OPENGL_API)) throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));  // of this thread
         auto made = std::make_unique<Beside>();
-        made->impl.display = impl_->display, made->impl.config = impl_->config;
+        made->impl.display = impl_->display;
+        made->impl.config = impl_->config;
         if (const std::string problem = made->impl.make_context(impl_->context); !problem.empty())
             throw Error("no second OpenGL context beside the first: " + problem);
         return made;

@@ -53,8 +53,10 @@ ByteImage ImGuiSession::picture(ImDrawList& list, int width, int height) {
     ImDrawList* lists[] = {&list};
     ImDrawData data;
     data.Valid = true;
-    data.CmdLists = lists, data.CmdListsCount = 1;
-    data.TotalIdxCount = list.IdxBuffer.Size, data.TotalVtxCount = list.VtxBuffer.Size;
+    data.CmdLists = lists;
+    data.CmdListsCount = 1;
+    data.TotalIdxCount = list.IdxBuffer.Size;
+    data.TotalVtxCount = list.VtxBuffer.Size;
     data.DisplaySize = {float(width), float(height)};
     data.FramebufferScale = {1, 1};
     draw_data(&data, width, height);

@@ -103,7 +103,10 @@ void InputQueue::show(Run& run, const Event& event) {
     if (event.key.down) {
         run.down[key] = true;
         run.command |= other_than_shift;
-        if (modifier == 0 && !is_text(event)) run.pressed = true, run.mods = event.key.mods;
+        if (modifier == 0 && !is_text(event)) {
+            run.pressed = true;
+            run.mods = event.key.mods;
+        }
     } else {
         run.left_alt |= other_than_shift && modifier != GLFW_MOD_CONTROL;
     }

@@ -62,9 +62,10 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
         glfwGetMonitorWorkarea(monitor, &x, &y, &w, &h);
         float across = 1, down = 1;  // by which GLFW enlarges what is asked for
         glfwGetMonitorContentScale(monitor, &across, &down);
-        if (w > 0 && h > 0)
-            width = std::min(width, int(float(w) / std::max(across, 0.5f))),
+        if (w > 0 && h > 0) {
+            width = std::min(width, int(float(w) / std::max(across, 0.5f)));
             height = std::min(height, int(float(h) / std::max(down, 0.5f)));
+        }
     }
     window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
     if (!window_) {

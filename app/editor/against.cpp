@@ -89,7 +89,8 @@ void EditorAgainst::draw_other(const Scene& scene, const PictureState& state, co
                         .light_maps = request.light_maps};
     other_drawn_ = settings;
     other_scene_ = scene.id;
-    other_width_ = request.width, other_height_ = request.height;
+    other_width_ = request.width;
+    other_height_ = request.height;
     other_reference_ = request.reference;
     other_traced_ = request.traced;
     other_light_maps_ = request.light_maps;

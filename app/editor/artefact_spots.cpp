@@ -23,8 +23,11 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
          artefact_clusters(measured.classified, receivers.width, wish.cause, kMostSpots)) {
         ArtefactSpot spot{found};
         const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
-        spot.position_ws = middle.position_ws, spot.normal_ws = middle.normal_ws;
-        spot.pixel *= step, spot.first *= step, spot.last = (spot.last + 1) * step - 1;
+        spot.position_ws = middle.position_ws;
+        spot.normal_ws = middle.normal_ws;
+        spot.pixel *= step;
+        spot.first *= step;
+        spot.last = (spot.last + 1) * step - 1;
         out.spots.push_back(spot);
     }
     return out;

@@ -126,7 +126,8 @@ void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) c
     saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     const LabOf present{scene ? scene->id : 0, state_.settings, size.x, size.y};
-    pipelines_.fill(f, present), shimmer_.fill(f, present);
+    pipelines_.fill(f, present);
+    shimmer_.fill(f, present);
     f.sweep = &sweep_.facts();
 }
 

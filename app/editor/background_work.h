@@ -44,7 +44,13 @@ public:
                pipelines_.moved() || shimmer_.moved();
     }
     void finish() const {
-        sweep_.wait(), tuner_.wait(), fixes_.wait(), saved_.wait(), advice_.wait(), pipelines_.wait(), shimmer_.wait();
+        sweep_.wait();
+        tuner_.wait();
+        fixes_.wait();
+        saved_.wait();
+        advice_.wait();
+        pipelines_.wait();
+        shimmer_.wait();
     }
 
 private:

@@ -29,7 +29,10 @@ bool EditorDiagnosis::update_reference(const Probe* probe, bool fresh, const Sce
     }
     if (auto built = building_.poll()) {
         if (built->problem) std::rethrow_exception(built->problem);
-        if (built->value) casters_ = *built->value, fresh = true;
+        if (built->value) {
+            casters_ = *built->value;
+            fresh = true;
+        }
     }
     if (!fresh) return false;
     diagnoses_.clear();

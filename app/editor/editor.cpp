@@ -150,7 +150,10 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         else
             window.wait_events(model.busy() ? kLoadingPollSeconds : kPollSeconds);
         if (window.take_input()) due = kSettleFrames;
-        for (const auto& path : window.take_dropped()) model.open(path), due = kSettleFrames;
+        for (const auto& path : window.take_dropped()) {
+            model.open(path);
+            due = kSettleFrames;
+        }
         if (take_file(portal, model)) due = kSettleFrames;
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())

@@ -125,7 +125,10 @@ public:
     void stand_in(FrameFacts& facts, bool changed, GLsync shown) {
         std::vector<Image*> images = {&facts.result.colour, &facts.result.map_view, &facts.result.texels_read};
         for (Pane& pane : facts.result.panes) images.push_back(&pane.picture);
-        if (facts.against) images.push_back(&facts.against->picture), images.push_back(&facts.against->difference);
+        if (facts.against) {
+            images.push_back(&facts.against->picture);
+            images.push_back(&facts.against->difference);
+        }
         std::erase_if(images, [](const Image* image) { return image->texture == 0; });
         for (const Image* image : images) changed |= !sets_[front_].contains(image->texture);
         if (changed) {
@@ -166,7 +169,10 @@ FrameDesk::FrameDesk(EditorState& state, FrameThread thread, SessionReport& sess
 FrameDesk::~FrameDesk() {
     wait();
     if (hand_->done()) hand_->take();
-    call([&] { copies_.reset(), loop_.reset(); });
+    call([&] {
+        copies_.reset();
+        loop_.reset();
+    });
 }
 
 void FrameDesk::call(const std::function<void()>& work) {

@@ -64,10 +64,16 @@ public:
     /// Rays of the picture are being traced, or it is drawn; poll() or update() has news of it.
     bool tracing() const { return busy() || loop_->tracing(); }
     bool tracing_moved() const { return !under_way() && (busy() || loop_->tracing_moved()); }
-    void finish_tracing() const { wait(), loop_->finish_tracing(); }
+    void finish_tracing() const {
+        wait();
+        loop_->finish_tracing();
+    }
     /// The truth of the probed pixel is sought.
     bool probe_moved() const { return !under_way() && loop_->probe_moved(); }
-    void finish_probe() const { wait(), loop_->finish_probe(); }
+    void finish_probe() const {
+        wait();
+        loop_->finish_probe();
+    }
     /// Null: nothing is foreseen.
     const Rehearsals* rehearsals() const { return loop_->rehearsals(); }
 

@@ -42,7 +42,8 @@ void FrameLoop::clear() {
     readings_.clear();
     reference_.clear();
     against_.clear();
-    frame_effects_.clear(), effects_.clear();
+    frame_effects_.clear();
+    effects_.clear();
     health_.reset();
 }
 
@@ -135,7 +136,8 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
                       drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !actions.want_map)) return false;
     if (rehearsals_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
-        rehearsals_->forget(), foreseen_.clear();
+        rehearsals_->forget();
+        foreseen_.clear();
         drawn_rig_ = scene.rig;
     }
     request_ = wanted;

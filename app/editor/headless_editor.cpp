@@ -55,7 +55,10 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
 
 void HeadlessEditor::smooth() {
     model_->smooths = true;
-    for (int i = 0; i <= kSmoothedMost; ++i) frame(), model_->finish_drawing();
+    for (int i = 0; i <= kSmoothedMost; ++i) {
+        frame();
+        model_->finish_drawing();
+    }
     frame();
 }
 
@@ -92,7 +95,8 @@ void HeadlessEditor::settle() {
         for (int i = 0; i < 6; ++i) frame();
         if (model_->measuring()) {
             model_->finish_measuring();
-            frame(), frame();
+            frame();
+            frame();
         }
     } while (model_->finish_drawing() || model_->busy() || lacks_reference(model_->facts()));
 }

@@ -30,7 +30,8 @@ void EditorPipelines::fill(LabShown& shown, const LabOf& present) const {
     shown.pipelines = found_->errors;
     // The ways compared are all there are, whichever is chosen.
     LabOf of = found_->of;
-    of.settings.map.origin = present.settings.map.origin, of.settings.map.transform = present.settings.map.transform;
+    of.settings.map.origin = present.settings.map.origin;
+    of.settings.map.transform = present.settings.map.transform;
     shown.pipelines_current = holds(of, present);
 }
 
@@ -58,7 +59,8 @@ void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOpti
 void EditorShimmer::fill(LabShown& shown, const LabOf& present) const {
     shown.measuring_shimmer = job_.progress();
     if (!found_) return;
-    shown.shimmer = found_->variants, shown.shimmer_of = found_->options;
+    shown.shimmer = found_->variants;
+    shown.shimmer_of = found_->options;
     shown.shimmer_current = holds(found_->of, present);
 }
 

@@ -55,7 +55,10 @@ void EditorMemory::drop(const std::string& path) {
 void EditorMemory::note_window(int width, int height, bool maximised) {
     workspace_.change([&](WorkspaceData& d) {
         d.maximised = maximised;
-        if (!maximised) d.window_width = width, d.window_height = height;
+        if (!maximised) {
+            d.window_width = width;
+            d.window_height = height;
+        }
     });
 }
 

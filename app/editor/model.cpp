@@ -175,7 +175,10 @@ bool EditorModel::fulfil(const EditorActions& asked) {
     const auto wish = [&](bool wished, const auto& what) {
         if (wished) changed |= attempt(state, what);
     };
-    wish(actions.cancel_load, [&] { scenes_.cancel_loading(), scenes_.keep_scene(); });
+    wish(actions.cancel_load, [&] {
+        scenes_.cancel_loading();
+        scenes_.keep_scene();
+    });
     wish(actions.load_scene.has_value(), [&] { scenes_.load({.scene_name = *actions.load_scene}); });
     wish(actions.load_preset.has_value(), [&] { presets_.open(*actions.load_preset); });
     wish(actions.open_file.has_value(), [&] { open(*actions.open_file); });

@@ -59,7 +59,10 @@ public:
     /// Whether the next fulfil() has news of it.
     bool measuring_moved() const { return work_.moved() || frames_.probe_moved(); }
     /// Waits until nothing is being measured.
-    void finish_measuring() const { work_.finish(), frames_.finish_probe(); }
+    void finish_measuring() const {
+        work_.finish();
+        frames_.finish_probe();
+    }
     /// Rays are being traced, or something is made of them.
     bool tracing() const { return frames_.tracing(); }
     /// Whether the next fulfil() has news of it, or its progress is to be drawn anew.
@@ -76,7 +79,10 @@ public:
     /// Null without a thread for frames.
     const Rehearsals* rehearsals() const { return frames_.rehearsals(); }
     /// Waits for the scene that is being read and switches to it.
-    void finish_loading() { frames_.wait(), scenes_.finish(); }
+    void finish_loading() {
+        frames_.wait();
+        scenes_.finish();
+    }
     /// @throws Error why there is no scene, or (headless) what of the options the first one lacks.
     void require_scene() const { scenes_.require(); }
     /// Remarks about the first scene.
@@ -88,7 +94,10 @@ public:
     /// The window has this size in screen coordinates at scale 1.
     void keep_window(int width, int height, bool maximised) { memory_.note_window(width, height, maximised); }
     /// The end: what no preset holds is kept and offered again.
-    void end() { memory_.end(state, presets_.would_be_lost()), session_.write(state.log); }
+    void end() {
+        memory_.end(state, presets_.would_be_lost());
+        session_.write(state.log);
+    }
     /// What became of this session.
     SessionReport& session() { return session_; }
 

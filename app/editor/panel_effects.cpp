@@ -90,11 +90,13 @@ Effect reference_effect(const ReferenceFacts& reference) {
     Effect effect{.name = "rays of the truth"};
     if (!reference.wanted)
         effect.reason = "Neither a panel, an overlay nor a light's source asks for rays.";
-    else if (!reference.doing.empty())
-        effect.state = EffectState::Drawn, effect.reason = sentence(reference.doing + " in the background");
-    else if (reference.current)
-        effect.state = EffectState::Cached, effect.reason = "They were traced, and nothing they depend on changed.";
-    else
+    else if (!reference.doing.empty()) {
+        effect.state = EffectState::Drawn;
+        effect.reason = sentence(reference.doing + " in the background");
+    } else if (reference.current) {
+        effect.state = EffectState::Cached;
+        effect.reason = "They were traced, and nothing they depend on changed.";
+    } else
         effect.reason = reference.problem.empty() ? "They wait until the picture rests." : sentence(reference.problem);
     return effect;
 }

@@ -70,9 +70,10 @@ const ComparisonFacts& PresetDesk::compare(const CompareWith& with, const Settin
                                            const std::optional<PinnedSettings>& pinned) {
     if (with.kind == CompareKind::Pinned) {
         comparison_ = {with, {}, {}, {}};
-        if (pinned)
-            comparison_->settings = pinned->settings, comparison_->scene = pinned->scene;
-        else
+        if (pinned) {
+            comparison_->settings = pinned->settings;
+            comparison_->scene = pinned->scene;
+        } else
             comparison_->problem = "Nothing is pinned; P pins the present settings as A";
     } else if (with.kind != CompareKind::Preset) {
         const bool defaults = with.kind == CompareKind::Defaults;

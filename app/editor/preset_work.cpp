@@ -79,7 +79,8 @@ bool PresetWork::compare() {
 bool PresetWork::would_be_lost() const {
     if (!unsaved_ || desk_.knows(state_.preset_path)) return unsaved_;
     Settings work = state_.settings;
-    work.camera = scenes_.given().camera, work.view = scenes_.given().view;
+    work.camera = scenes_.given().camera;
+    work.view = scenes_.given().view;
     return work != scenes_.given();
 }
 

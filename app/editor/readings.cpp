@@ -17,7 +17,8 @@ DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, cons
     double lo = 0, hi = 1;
     if (v.map_fit && v.map != int(MapView::Bands) && result.map_white > result.map_black) {
         const double room = 0.08 * (result.map_white - result.map_black);
-        lo = result.map_black - room, hi = result.map_white + room;
+        lo = result.map_black - room;
+        hi = result.map_white + room;
     }
     return depth_histogram(depth, result.map_view_curve, MapView(v.map), kHistogramBins, lo, hi);
 }
@@ -54,7 +55,10 @@ ReadingFacts EditorReadings::facts() const {
 bool EditorReadings::update(Renderer& renderer, const Scene& scene, const PictureState& state,
                             const EditorActions& actions, const FrameRequest& request, const FrameResult& result,
                             bool drawn) {
-    if (drawn) ++frame_, facts_.lost_casters.clear();
+    if (drawn) {
+        ++frame_;
+        facts_.lost_casters.clear();
+    }
     bool changed = update_lost(scene, state, result);
     changed |= update_map(renderer, state, actions, result);
     changed |= update_links(renderer, state, actions, result);

@@ -36,9 +36,13 @@ struct Rehearsals::Stage {
     void play(const Warmup& r) {
         Renderer renderer;
         FrameRequest request = r.request;
-        request.width = kWidth, request.height = kHeight;
-        request.force = true, request.timing = false;
-        request.reference.reset(), request.traced.clear(), request.light_maps.clear();
+        request.width = kWidth;
+        request.height = kHeight;
+        request.force = true;
+        request.timing = false;
+        request.reference.reset();
+        request.traced.clear();
+        request.light_maps.clear();
         renderer.render(*r.scene, r.settings, request);
         // Once more with the maps kept, of which look-ups may then know more; another size, as nothing else is kept.
         request.force = false, ++request.width;

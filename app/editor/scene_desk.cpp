@@ -247,7 +247,10 @@ std::vector<std::string> SceneDesk::take(const Settings& settings, const std::st
 }
 
 void SceneDesk::reset() {
-    if (has_scene_) given_ = state_.settings = base_settings(scene_), state_.guide = {};
+    if (has_scene_) {
+        given_ = state_.settings = base_settings(scene_);
+        state_.guide = {};
+    }
 }
 
 }  // namespace si

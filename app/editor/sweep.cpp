@@ -60,7 +60,10 @@ std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
     const auto known = [&](std::size_t column, bool of_all) {
         std::size_t cases = 0, have = 0;
         for (const MeasuredCase& c : facts.cases)
-            if (c.failed.empty()) ++cases, have += column < c.values.size() && std::isfinite(c.values[column]);
+            if (c.failed.empty()) {
+                ++cases;
+                have += column < c.values.size() && std::isfinite(c.values[column]);
+            }
         return of_all ? cases > 0 && have == cases : have > 0;
     };
     for (std::size_t i = 0; i < facts.columns.size(); ++i)
@@ -123,7 +126,9 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
 
 void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::path& folder) {
     auto shown = std::make_unique<Shown>();
-    shown->spec = spec, shown->plan = plan, shown->folder = folder;
+    shown->spec = spec;
+    shown->plan = plan;
+    shown->folder = folder;
     shown_ = std::move(shown);
     results_.reset();
     facts_.problem.clear();
@@ -184,7 +189,9 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     if (results_->rounds > 0) panel.timed = swept_cost_ = results_->cost;
     seen_sweep_ = thread_ ? thread_->news().sweep : 0;
     opened_ = true;
-    panel.width = spec.width, panel.height = spec.height, panel.area = spec.area;
+    panel.width = spec.width;
+    panel.height = spec.height;
+    panel.area = spec.area;
     panel.axes.clear();
     for (const SweepAxis& axis : spec.axes)
         panel.axes.push_back({axis.key, fmt::format("{}", fmt::join(axis.values, ","))});
@@ -294,7 +301,8 @@ bool EditorSweep::update(const EditorState& state) {
     if (!fresh_ && !axes_moved && !settings_moved) return false;
     if (fresh_ || settings_moved) {
         compare_settings(state);
-        compared_ = state.settings, compared_scene_ = state.scene_name;
+        compared_ = state.settings;
+        compared_scene_ = state.scene_name;
     }
     if (fresh_) {
         facts_.cases.clear();
@@ -316,7 +324,8 @@ bool EditorSweep::update(const EditorState& state) {
         if (present_ && followed_) facts_.present = measured_case(*present_);
     }
     const Earlier before = earlier(state);
-    facts_.before.reset(), facts_.change.clear();
+    facts_.before.reset();
+    facts_.change.clear();
     facts_.before_is_pinned = before.pinned;
     if (before.is) {
         const Settings was = comparable(before.is->of.settings), is = comparable(followed_->settings);
@@ -330,7 +339,8 @@ bool EditorSweep::update(const EditorState& state) {
     facts_.view =
         frontier_view(results_ ? results_->rows : std::vector<SweepRow>{}, present_ && followed_ ? &*present_ : nullptr,
                       facts_.cost, state.sweep.error, before.is ? &before.is->numbers : nullptr);
-    seen_cost_ = state.sweep.cost, seen_error_ = state.sweep.error;
+    seen_cost_ = state.sweep.cost;
+    seen_error_ = state.sweep.error;
     fresh_ = false;
     return true;
 }

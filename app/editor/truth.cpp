@@ -76,7 +76,8 @@ bool EditorReference::poll() {
             if (!what) return;
             by_light.resize(std::max(by_light.size(), std::size_t(found->light) + 1));
             by_light[std::size_t(found->light)] = std::move(what);
-            problem_.clear(), given_up_.erase(doing_key_);
+            problem_.clear();
+            given_up_.erase(doing_key_);
         };
         take(pictures_, found->picture);
         take(light_maps_, found->light_map);
@@ -96,7 +97,8 @@ void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const 
                                   const FrameRequest& request, int light) {
     auto task = std::make_shared<ReferenceTask>(
         reference_task(renderer, scene, settings, request, light, reference_options(settings)));
-    doing_ = "Tracing rays", doing_key_ = task->key;
+    doing_ = "Tracing rays";
+    doing_key_ = task->key;
     job_.start([this, light, task = std::move(task)](const Workers& workers, const auto&) {
         return Found{light, reference_picture(*task, cache_.trace(*task, workers)), {}, nullptr};
     });
@@ -104,7 +106,8 @@ void EditorReference::start_trace(Renderer& renderer, const Scene& scene, const 
 
 void EditorReference::start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light) {
     auto task = std::make_shared<LightMapTask>(light_map_task(scene, settings, frame, light));
-    doing_ = "Baking the light map", doing_key_ = task->key;
+    doing_ = "Baking the light map";
+    doing_key_ = task->key;
     job_.start([light, task = std::move(task)](const Workers& workers, const auto&) {
         return Found{light, nullptr, {}, si::light_maps().get(*task, workers)};
     });
@@ -119,7 +122,8 @@ void EditorReference::start_save(Renderer& renderer, const Scene& scene, const S
     const FrameResult frame = renderer.render(scene, settings, classified);
     auto measured =
         std::make_shared<MeasuredError>(read_classified(renderer, frame, *request.reference, settings.view.light));
-    doing_ = "Measuring", doing_key_ = request.reference->key;
+    doing_ = "Measuring";
+    doing_key_ = request.reference->key;
     job_.start([path, measured = std::move(measured)](const Workers&, const auto&) {
         sum_up(*measured);
         write_file(path, json_text(saved_error(*measured)));
@@ -198,9 +202,13 @@ ReferenceFacts EditorReference::facts(const FrameResult& frame, int shown_light)
         if (!known) known = picture(n.light);
     if (known) {
         const TracedReference& t = known->traced;
-        f.build_ms = t.build_ms, f.place_ms = t.place_ms, f.trace_ms = t.trace_ms;
-        f.rays = t.reference->rays, f.noise = noise_text(*t.reference);
-        f.width = t.reference->width, f.height = t.reference->height;
+        f.build_ms = t.build_ms;
+        f.place_ms = t.place_ms;
+        f.trace_ms = t.trace_ms;
+        f.rays = t.reference->rays;
+        f.noise = noise_text(*t.reference);
+        f.width = t.reference->width;
+        f.height = t.reference->height;
     }
     return f;
 }

@@ -45,10 +45,14 @@ bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height)
 void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height, const TuneWish& wish) {
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = wish.area;
-    job.goals.most_error = wish.most_error, job.goals.most_ms = wish.most_ms;
+    job.goals.most_error = wish.most_error;
+    job.goals.most_ms = wish.most_ms;
     job.goals.cost = wish.cost;
     about_ = {};
-    about_.scene = scene.id, about_.settings = job.settings, about_.width = width, about_.height = height;
+    about_.scene = scene.id;
+    about_.settings = job.settings;
+    about_.width = width;
+    about_.height = height;
     job_.start(
         [job, about = about_, copy = std::make_shared<const Scene>(scene)](const Workers& workers, const auto& report) {
             return search(about, *copy, job, workers, [&](const Tuner& tuner) {

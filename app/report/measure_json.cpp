@@ -115,9 +115,11 @@ ErrorMetrics error_from_json(const Json& json) {
 WorkCost cost_from_json(const Json& json) {
     WorkCost c;
     read_count(c.taps_per_pixel, json, "taps_per_pixel");
-    read_count(c.map_texels, json, "map_texels"), read_count(c.map_bytes, json, "map_bytes");
+    read_count(c.map_texels, json, "map_texels");
+    read_count(c.map_bytes, json, "map_bytes");
     read_count(c.bytes_touched, json, "bytes_touched");
-    read_count(c.draws, json, "draws"), read_count(c.triangles, json, "triangles");
+    read_count(c.draws, json, "draws");
+    read_count(c.triangles, json, "triangles");
     return c;
 }
 

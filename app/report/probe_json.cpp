@@ -92,7 +92,8 @@ Json per_light_json(const Probe::PerLight& p) {
                  {"verdict", p.verdict}};
     if (!p.casts) return json;
     json["bias"] = account_json(p.account);
-    json["taps_across"] = p.taps_size.x, json["taps_up"] = p.taps_size.y;
+    json["taps_across"] = p.taps_size.x;
+    json["taps_up"] = p.taps_size.y;
     json["taps"] = taps_json(p);
     json["kernel"] = {{"texels", p.kernel.texels}};
     if (!std::isnan(p.kernel.blocker_m)) json["kernel"]["blocker_m"] = p.kernel.blocker_m;
@@ -101,7 +102,8 @@ Json per_light_json(const Probe::PerLight& p) {
     if (!std::isnan(p.kernel.bound)) {
         for (const double moment : p.kernel.moments)
             if (!std::isnan(moment)) json["kernel"]["moments"].push_back(moment);
-        json["kernel"]["mean"] = p.kernel.mean, json["kernel"]["own"] = p.kernel.own;
+        json["kernel"]["mean"] = p.kernel.mean;
+        json["kernel"]["own"] = p.kernel.own;
         json["kernel"]["bound"] = p.kernel.bound;
         json["kernel"]["lines"] = p.kernel.lines;
         if (!std::isnan(p.kernel.margin)) json["kernel"]["margin"] = p.kernel.margin;

@@ -91,8 +91,10 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
         cascade["texel_size_m"] = light.views[v].texel_sizes(frame.map_resolution).longest;
         cascade["depth_range_m"] = {light.views[v].curve.near, light.views[v].curve.far};
         const ViewSpan& span = light.chooser.spans[v];
-        if (light.chooser.choice == ViewChoice::Interval)
-            cascade["ends_m"] = span.ends, cascade["blends_from_m"] = span.blends_from;
+        if (light.chooser.choice == ViewChoice::Interval) {
+            cascade["ends_m"] = span.ends;
+            cascade["blends_from_m"] = span.blends_from;
+        }
         json["cascades"].push_back(std::move(cascade));
     }
     return json;

@@ -137,7 +137,10 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
     }
     const int width = request.width, height = request.height;
     const PaneGrid grid = picture_grid(settings, width, height);
-    if (grid.count() > 1) request.width = grid.width, request.height = grid.height;
+    if (grid.count() > 1) {
+        request.width = grid.width;
+        request.height = grid.height;
+    }
     ReferenceCache references;
     // The renderer's frame may lack what overlays judge by.
     const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);

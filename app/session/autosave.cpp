@@ -104,9 +104,15 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
 void Autosave::follow(const std::string& scene, const Settings& settings, double now_s) {
     // A program that was ended may still be going as the next begins, and hold its session.
     if (!look_again_s_) look_again_s_ = now_s + kSeconds;
-    if (!lost_ && now_s >= *look_again_s_) look_again_s_ = std::numeric_limits<double>::infinity(), find_lost();
+    if (!lost_ && now_s >= *look_again_s_) {
+        look_again_s_ = std::numeric_limits<double>::infinity();
+        find_lost();
+    }
     if (folder_.empty() || now_s < next_write_s_) return;
-    if (!known_) first_.emplace(scene, settings), known_ = first_;
+    if (!known_) {
+        first_.emplace(scene, settings);
+        known_ = first_;
+    }
     if (known_->first == scene && known_->second == settings) return;
     write(scene, settings);
     known_.emplace(scene, settings);
@@ -115,7 +121,10 @@ void Autosave::follow(const std::string& scene, const Settings& settings, double
 
 void Autosave::end(const std::string& scene, const Settings& settings, bool unsaved) {
     Settings work = settings;
-    if (first_) work.camera = first_->second.camera, work.view = first_->second.view;
+    if (first_) {
+        work.camera = first_->second.camera;
+        work.view = first_->second.view;
+    }
     // Where one looks is no work that is lost.
     const bool keep = unsaved && first_ && (first_->first != scene || first_->second != work);
     if (keep && !folder_.empty())

@@ -192,7 +192,8 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
     } catch (const UsageError& e) {
         if (!left_out) throw;
         left_out->push_back(e.what());
-        moment.animation = SceneSettings{}.animation, moment.time = SceneSettings{}.time;
+        moment.animation = SceneSettings{}.animation;
+        moment.time = SceneSettings{}.time;
         pose_scene(scene, moment);
     }
     ComposedSettings composed = compose_settings(plan, scene, moment, left_out);

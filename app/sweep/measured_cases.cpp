@@ -72,7 +72,10 @@ FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers*
         exact.push_back({.cost = dot.cost, .error = dot.error});
     }
     const std::vector<bool> on = frontier(dots), strict = frontier(exact);
-    for (std::size_t i = 0; i < dots.size(); ++i) view.marks[i].on = on[i], view.marks[i].tied = on[i] && !strict[i];
+    for (std::size_t i = 0; i < dots.size(); ++i) {
+        view.marks[i].on = on[i];
+        view.marks[i].tied = on[i] && !strict[i];
+    }
     const Dot here = present ? dot_of(*present, *x, *y) : Dot{};
     if (!present || !is_dot(here)) return view;
     view.present = here;

@@ -54,7 +54,10 @@ void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> sc
         sweep_stop_.request_stop();
         sweep_stop_ = {};
         next_sweep_ = SweepWanted{std::move(of), std::move(scene), as, sweep_stop_};
-        news_.sweeping = true, news_.progress = {}, news_.results.reset(), news_.sweep_problem.clear();
+        news_.sweeping = true;
+        news_.progress = {};
+        news_.results.reset();
+        news_.sweep_problem.clear();
         ++news_.sweep;
     });
 }
@@ -62,7 +65,10 @@ void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> sc
 void MeasuringThread::cancel_sweep() {
     tell([&] {
         sweep_stop_.request_stop();
-        if (next_sweep_) next_sweep_.reset(), news_.sweeping = false;
+        if (next_sweep_) {
+            next_sweep_.reset();
+            news_.sweeping = false;
+        }
     });
 }
 
@@ -71,7 +77,8 @@ void MeasuringThread::measure(Picture picture) {
         picture_stop_.request_stop();
         picture_stop_ = {};
         next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kRest};
-        news_.measuring = true, news_.measure_problem.clear();
+        news_.measuring = true;
+        news_.measure_problem.clear();
     });
 }
 
@@ -129,7 +136,10 @@ void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds 
                     lock.lock();
                 }
             }
-            if (due()) picture = std::move(next_picture_), next_picture_.reset();
+            if (due()) {
+                picture = std::move(next_picture_);
+                next_picture_.reset();
+            }
             new_sweep = next_sweep_.has_value();
         }
         if (end.stop_requested()) break;
@@ -137,7 +147,8 @@ void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds 
             if (!bench) bench = std::make_unique<Bench>();
         } catch (const std::exception& e) {
             tell([&] {
-                next_sweep_.reset(), next_picture_.reset();
+                next_sweep_.reset();
+                next_picture_.reset();
                 news_.sweeping = news_.measuring = false;
                 news_.sweep_problem = news_.measure_problem = e.what();
             });
@@ -164,7 +175,10 @@ void MeasuringThread::take_sweep(Bench& bench) {
             std::make_unique<RunningSweep>(std::move(wanted->of), bench.renderer, workers_of(bench.sweep_stop));
         bench.report_due = Clock::now() + kReport;
     } catch (const std::exception& e) {
-        tell([&] { news_.sweeping = false, news_.sweep_problem = e.what(); });
+        tell([&] {
+            news_.sweeping = false;
+            news_.sweep_problem = e.what();
+        });
     }
 }
 
@@ -208,7 +222,8 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
     try {
         if (!bench.measurer || bench.width != p.width || bench.height != p.height)
             bench.measurer = std::make_unique<Measurer>(bench.renderer, p.width, p.height);
-        bench.width = p.width, bench.height = p.height;
+        bench.width = p.width;
+        bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
         const Judgement classified = bench.measurer->judge(*p.scene, p.settings);
         numbers.error = {classified.error, classified.reference->noise};

@@ -37,7 +37,8 @@ void add_case(CaseState& to, const CaseState& from) {
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts) {
     const auto& [first_name, first] = parts.front();
     SweepState merged;
-    merged.spec = first.spec, merged.plan = first.plan;
+    merged.spec = first.spec;
+    merged.plan = first.plan;
     merged.spec["shard"] = "1/1";
     merged.case_count = first.case_count;
     Origins origins;

@@ -22,7 +22,8 @@ ByteImage shrunk(const ByteImage& image, int width) {
     if (image.width <= width) return image;
     const double scale = double(image.width) / width;
     ByteImage out;
-    out.width = width, out.height = std::max(1, int(std::lround(image.height / scale)));
+    out.width = width;
+    out.height = std::max(1, int(std::lround(image.height / scale)));
     out.data.resize(std::size_t(out.width) * std::size_t(out.height) * 4);
     const double scale_y = double(image.height) / out.height;
     for (int y = 0; y < out.height; ++y)

@@ -7,8 +7,10 @@ namespace si {
 
 RunInfo RenderedCases::run() {
     RunInfo run = this_run();
-    run.renderer = driver_.renderer, run.version = driver_.version;
-    run.clock = driver_.clock, run.software = driver_.software;
+    run.renderer = driver_.renderer;
+    run.version = driver_.version;
+    run.clock = driver_.clock;
+    run.software = driver_.software;
     return run;
 }
 

@@ -126,7 +126,8 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
     const RankedRounds ranked = ranked_rounds(state);
     SweepResults out;
     out.spec = state.spec;
-    out.combinations = plan.product, out.cases = plan.cases.size();
+    out.combinations = plan.product;
+    out.cases = plan.cases.size();
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
         if (!shard.holds(i)) continue;
         const auto known = state.cases.find(i);
@@ -163,7 +164,8 @@ Json results_json(const SweepResults& results) {
     json["settings_version"] = kSettingsVersion;
     json["combinations"] = results.combinations;
     json["cases"] = results.cases;
-    json["finished"] = results.finished, json["failed"] = results.failed;
+    json["finished"] = results.finished;
+    json["failed"] = results.failed;
     json["renderer"] = results.renderer;
     json["cpu_rasteriser"] = results.software;
     json["clock"] = results.clock;

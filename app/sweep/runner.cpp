@@ -83,7 +83,8 @@ bool SweepRunner::step_facts() {
             if (!facts.picture_jpg.empty()) write_file(folder_ / picture_path(number), facts.picture_jpg);
             if (!facts.artefacts_png.empty()) write_file(folder_ / artefacts_path(number), facts.artefacts_png);
             CaseState state;
-            state.error = facts.error, state.cost = facts.cost;
+            state.error = facts.error;
+            state.cost = facts.cost;
             state.notes = std::move(facts.notes);
             state.map_resolution = facts.map_resolution;
             journal_.add(facts_line(number, state));
@@ -97,7 +98,8 @@ bool SweepRunner::step_facts() {
 }
 
 void SweepRunner::begin_round() {
-    order_.clear(), turn_ = 0;
+    order_.clear();
+    turn_ = 0;
     const SweepState& state = journal_.state();
     const RunInfo here = run_.empty() ? this_run() : *state.run(run_);
     const RankedRounds rounds = rounds_like(state, here);

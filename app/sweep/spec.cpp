@@ -80,8 +80,13 @@ std::uint64_t scene_content_key(const Scene& scene) {
         key.add(m.alpha).add(m.alpha_cutoff).add(m.double_sided).add(m.unlit);
     }
     for (const Mesh& m : scene.meshes) {
-        add_array(key, m.positions), add_array(key, m.normals), add_array(key, m.uv), add_array(key, m.uv_normal);
-        add_array(key, m.tangents), add_array(key, m.colours), add_array(key, m.indices);
+        add_array(key, m.positions);
+        add_array(key, m.normals);
+        add_array(key, m.uv);
+        add_array(key, m.uv_normal);
+        add_array(key, m.tangents);
+        add_array(key, m.colours);
+        add_array(key, m.indices);
         key.add(m.material);
     }
     for (const Node& n : scene.nodes) key.add(std::string_view(n.path)).add(n.world);
@@ -97,7 +102,8 @@ SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Se
     spec.triangles = scene.triangle_count();
     spec.base = measured_settings(settings);
     spec.axes = std::move(axes);
-    spec.width = width, spec.height = height;
+    spec.width = width;
+    spec.height = height;
     spec.area = settings.truth.area;
     return spec;
 }
@@ -123,7 +129,8 @@ SweepSpec spec_from_json(const Json& json, int settings_version) {
         spec.scene = json.at("scene").at("name").get<std::string>();
         spec.triangles = json["scene"].at("triangles").get<std::size_t>();
         spec.scene_content = std::stoull(json["scene"].at("content").get<std::string>(), nullptr, 16);
-        spec.width = json.at("picture").at("width").get<int>(), spec.height = json["picture"].at("height").get<int>();
+        spec.width = json.at("picture").at("width").get<int>();
+        spec.height = json["picture"].at("height").get<int>();
         spec.area = json.at("truth") == "area";
         for (const Json& axis : json.at("axes")) {
             spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});

@@ -76,9 +76,11 @@ void require_possible(const ErrorMetrics& m) {
 
 RunInfo run_of(const Json& line) {
     RunInfo run;
-    run.id = line.at("id").get<std::string>(), run.started = line.at("started").get<std::string>();
+    run.id = line.at("id").get<std::string>();
+    run.started = line.at("started").get<std::string>();
     run.machine = line.at("machine").get<std::string>();
-    run.renderer = line.at("renderer").get<std::string>(), run.version = line.at("version").get<std::string>();
+    run.renderer = line.at("renderer").get<std::string>();
+    run.version = line.at("version").get<std::string>();
     run.clock = line.at("clock").get<std::string>();
     run.software = line.at("software").get<bool>();
     run.load = line.at("load").get<double>();
@@ -169,7 +171,8 @@ void SweepState::apply(const Json& line) {
     } else if (line.contains("failed")) {
         std::string why = line.at("why").get<std::string>();
         CaseState& c = case_of(line, "failed");
-        c.failed = std::move(why), c.begun = 0;
+        c.failed = std::move(why);
+        c.begun = 0;
     } else {
         throw Error("an unknown kind of line");
     }

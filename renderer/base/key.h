@@ -31,7 +31,8 @@ public:
             const std::size_t n = size < 8 ? size : 8;
             std::memcpy(&bits, p, n);
             mix(bits);
-            p += n, size -= n;
+            p += n;
+            size -= n;
         }
         return *this;
     }

@@ -16,7 +16,9 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.to_light = light.type == LightType::Directional || !(distance > 0) ? light.to_light : away / distance;
     r.n_dot_l = glm::dot(geometric_normal, r.to_light);
     const ChosenView chosen = light.chooser.choose(light.views, position_ws);
-    r.view = chosen.view, r.other_view = chosen.other, r.blend = chosen.share;
+    r.view = chosen.view;
+    r.other_view = chosen.other;
+    r.blend = chosen.share;
     const LightView& view = light.views[r.view];
     const auto to_unit = [&](const glm::dvec3& ndc) { return uvd_from_ndc(view.curve.convention, ndc); };
     r.clip = view.clip_from_relative(position_ws) * glm::dvec4(0, 0, 0, 1);

@@ -162,7 +162,8 @@ PolygonOffset measure_polygon_offset(int map_format) {
     double least = 1, most = 0, least_steps = 1e300;
     for (std::size_t i = 0; i < flat; ++i) {
         const double r = moved[i] / units;
-        least = std::min(least, r), most = std::max(most, r);
+        least = std::min(least, r);
+        most = std::max(most, r);
         least_steps = std::min(least_steps, r / depth_quantum(format, probes[i].depth));
     }
     const bool same = most <= (1 + kEqual) * least;

@@ -353,9 +353,12 @@ void find_light_maps(FrameState& f) {
         }
         f.light_map_of_light[i] = map;
         f.lights_key.add(i).add(map->version);
-        need.bytes = map->texels.size(), need.rays = map->rays;
-        need.texels_per_metre = map->layout->texels_per_metre, need.charts = map->layout->charts.size();
-        need.bake_ms = map->bake_ms, need.from_disk = map->from_disk;
+        need.bytes = map->texels.size();
+        need.rays = map->rays;
+        need.texels_per_metre = map->layout->texels_per_metre;
+        need.charts = map->layout->charts.size();
+        need.bake_ms = map->bake_ms;
+        need.from_disk = map->from_disk;
         if (!map->remark.empty()) f.notes.push_back(map->remark);
     }
 }

@@ -24,14 +24,16 @@ void describe_panes(const FrameState& f, FrameResult& result) {
         if (shown.row()) {
             if (o.colour || o.overlay) pane.values = image_of(f.result(f.values_of(shown)));
             const ValueRange range = f.range_of(shown);
-            pane.overlay_min = range.min, pane.overlay_max = range.max;
+            pane.overlay_min = range.min;
+            pane.overlay_max = range.max;
         }
         result.panes.push_back(pane);
     }
     const Pane& first = result.panes.front();
     result.colour = first.picture;
     result.overlay = first.values;
-    result.overlay_min = first.overlay_min, result.overlay_max = first.overlay_max;
+    result.overlay_min = first.overlay_min;
+    result.overlay_max = first.overlay_max;
 }
 
 void describe_map_view(FrameState& f, FrameResult& result) {
@@ -49,7 +51,8 @@ void describe_map_view(FrameState& f, FrameResult& result) {
     result.shown_map.texels = glm::max(result.map_view_size >> result.shown_map.mip, 1);
     result.map_view_curve = *f.shown_curve();
     const glm::vec2 greys = f.grey_range();
-    result.map_black = greys.x, result.map_white = greys.y;
+    result.map_black = greys.x;
+    result.map_white = greys.y;
 }
 
 }  // namespace

@@ -144,7 +144,8 @@ void SceneGpu::upload_geometry(const Scene& scene) {
         const std::size_t n = f.normals.size();
         ranges_.push_back({index, GLsizei(m.indices.size()), GLint(vertex), f.copies});
         if (n == 0 || m.indices.empty()) continue;
-        attributes.resize(n), positions.resize(n);
+        attributes.resize(n);
+        positions.resize(n);
         SharedArray<glm::vec3> seamless = m.positions;
         for (const auto& [moved, there] : bodies_[mesh].joined) seamless.edit()[moved] = m.positions[there];
         const auto source = [&](std::size_t i) { return ranges_.back().source(m.positions.size(), i); };
@@ -302,7 +303,8 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         const bool blend = material.alpha == AlphaMode::Blend;
         if (material.base_colour_texture >= 0 && (settings.shading.textures || masked || (blend && blend_casts))) {
             const SceneTexture& t = textures_[std::size_t(material.base_colour_texture)];
-            texture = t.whole.id(), finest_texture = t.finest_id();
+            texture = t.whole.id();
+            finest_texture = t.finest_id();
         }
         GLuint normal_texture = 0;
         if (material.normal_texture >= 0 && settings.shading.textures && !material.unlit)
@@ -325,13 +327,22 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         } else {
             const MeshRange& r = ranges_[std::size_t(e.mesh)];
             Batch b;
-            b.index_count = r.index_count, b.first_index = r.first_index, b.base_vertex = r.base_vertex;
-            b.first_instance = GLuint(order_.size()), b.instances = 1;
-            b.texture = e.texture, b.finest_texture = e.finest_texture, b.normal_texture = e.normal_texture;
-            b.mirrored = e.mirrored, b.masked = e.masked, b.blend = e.blend;
+            b.index_count = r.index_count;
+            b.first_index = r.first_index;
+            b.base_vertex = r.base_vertex;
+            b.first_instance = GLuint(order_.size());
+            b.instances = 1;
+            b.texture = e.texture;
+            b.finest_texture = e.finest_texture;
+            b.normal_texture = e.normal_texture;
+            b.mirrored = e.mirrored;
+            b.masked = e.masked;
+            b.blend = e.blend;
             b.double_sided = material_of(scene, mesh).double_sided;
             b.tangents = !mesh.tangents.empty();
-            b.cast = e.cast, b.cull = e.cull, b.closed = bodies_[std::size_t(e.mesh)].closed;
+            b.cast = e.cast;
+            b.cull = e.cull;
+            b.closed = bodies_[std::size_t(e.mesh)].closed;
             b.ground = scene.objects[e.object].ground;
             b.centre_ws = glm::dvec3(scene.objects[e.object].world * glm::dvec4(mesh.bounds.centre(), 1));
             batches_.push_back(b);

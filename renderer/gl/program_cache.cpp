@@ -126,8 +126,10 @@ GLuint ProgramCache::use(Kept& kept) const {
 void ProgramCache::end_frame(std::size_t most) {
     const std::uint64_t now = frame_++;
     if (most == 0) most = kMostPrograms;
-    if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most)
-        by_request_.clear(), last_good_.clear();
+    if (std::max(by_request_.size(), last_good_.size()) > kRequestsAProgram * most) {
+        by_request_.clear();
+        last_good_.clear();
+    }
     while (programs_.size() > most) {
         const auto oldest = std::min_element(programs_.begin(), programs_.end(), [](const auto& a, const auto& b) {
             return a.second.used < b.second.used;

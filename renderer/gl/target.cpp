@@ -34,7 +34,11 @@ bool Target::ensure(std::string_view label, GLenum internal_format, int w, int h
         width = height = layers = 0;
         throw;
     }
-    width = w, height = h, layers = layer_count, format = internal_format, extent = more;
+    width = w;
+    height = h;
+    layers = layer_count;
+    format = internal_format;
+    extent = more;
     hold_images(texture, label, more);
     if (more.samples) return true;  // such textures have no sampler's state
     glTextureParameteri(texture.id(), GL_TEXTURE_MIN_FILTER, GL_NEAREST);

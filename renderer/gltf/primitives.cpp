@@ -22,7 +22,11 @@ std::vector<std::uint32_t> as_triangle_list(const std::vector<std::uint32_t>& in
     out.reserve(3 * (in.size() - 2));
     for (std::size_t i = 0; i + 2 < in.size(); ++i) {
         std::uint32_t a = in[i], b = in[i + 1 + i % 2], c = in[i + 2 - i % 2];
-        if (mode == TINYGLTF_MODE_TRIANGLE_FAN) a = in[i + 1], b = in[i + 2], c = in[0];
+        if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+            a = in[i + 1];
+            b = in[i + 2];
+            c = in[0];
+        }
         if (a == b || b == c || c == a) continue;
         out.insert(out.end(), {a, b, c});
     }

@@ -96,7 +96,10 @@ int Writer::add_vectors(const SharedArray<Vec>& values, bool with_bounds) {
     Json accessor = {{"componentType", kFloat}, {"count", values.size()}, {"type", fmt::format("VEC{}", kLength)}};
     if (with_bounds) {
         Vec lo = values[0], hi = values[0];
-        for (const Vec& v : values) lo = glm::min(lo, v), hi = glm::max(hi, v);
+        for (const Vec& v : values) {
+            lo = glm::min(lo, v);
+            hi = glm::max(hi, v);
+        }
         for (int i = 0; i < kLength; ++i) {
             accessor["min"].push_back(double(lo[i]));
             accessor["max"].push_back(double(hi[i]));
@@ -194,7 +197,10 @@ void Writer::add_materials() {
             if (second_uv_[i]) out["normalTexture"]["texCoord"] = 1;
         }
         if (m.alpha == AlphaMode::Blend) out["alphaMode"] = "BLEND";
-        if (m.alpha == AlphaMode::Mask) out["alphaMode"] = "MASK", out["alphaCutoff"] = double(m.alpha_cutoff);
+        if (m.alpha == AlphaMode::Mask) {
+            out["alphaMode"] = "MASK";
+            out["alphaCutoff"] = double(m.alpha_cutoff);
+        }
         if (m.double_sided) out["doubleSided"] = true;
         if (m.unlit) out["extensions"]["KHR_materials_unlit"] = Json::object(), extensions_["KHR_materials_unlit"];
         root_["materials"].push_back(std::move(out));
@@ -334,7 +340,10 @@ std::string text_of(const Json& document) {
             continue;
         }
         const char* comma = "[\n  ";
-        for (const Json& element : value) out += comma + dump(element), comma = ",\n  ";
+        for (const Json& element : value) {
+            out += comma + dump(element);
+            comma = ",\n  ";
+        }
         out += "\n]";
     }
     return out + "\n}\n";

@@ -129,8 +129,12 @@ std::vector<RecordedTap> merged(const std::vector<RecordedTap>& taps) {
 void enclose_taps(Probe::PerLight& p) {
     if (p.taps.empty()) return;
     glm::ivec2 lo = p.taps.front().texel, hi = lo;
-    for (const KernelTap& t : p.taps) lo = glm::min(lo, t.texel), hi = glm::max(hi, t.texel);
-    p.taps_first = lo, p.taps_size = hi - lo + 1;
+    for (const KernelTap& t : p.taps) {
+        lo = glm::min(lo, t.texel);
+        hi = glm::max(hi, t.texel);
+    }
+    p.taps_first = lo;
+    p.taps_size = hi - lo + 1;
 }
 
 }  // namespace
@@ -163,10 +167,17 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         p.view += fmt::format(", {:.0f} % of {} blended in", 100 * r.blend,
                               view_name(light.chooser.choice, r.other_view, light.views.size()));
     p.n_dot_l = r.n_dot_l;
-    p.clip = r.clip, p.ndc = r.ndc, p.uvd = r.uvd, p.tap = r.tap;
+    p.clip = r.clip;
+    p.ndc = r.ndc;
+    p.uvd = r.uvd;
+    p.tap = r.tap;
     p.texel_m = r.texel_m;
-    p.own = r.uvd.z, p.own_m = r.own_m, p.own_linear = linear(r.own_m);
-    p.bias_depth = r.bias_depth, p.bias_m = r.bias_m, p.bias_texels = r.bias_m / r.texel_m;
+    p.own = r.uvd.z;
+    p.own_m = r.own_m;
+    p.own_linear = linear(r.own_m);
+    p.bias_depth = r.bias_depth;
+    p.bias_m = r.bias_m;
+    p.bias_texels = r.bias_m / r.texel_m;
     p.normal_offset_m = r.normal_offset_m;
     p.offset_position_ws = p.point.position_ws + p.point.bias_normal * p.normal_offset_m;
     p.compared = as_compared(settings, r.compared);
@@ -177,7 +188,8 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == int(MapWrap::Range) && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
-    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored), p.stored_linear = linear(p.stored_m);
+    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored);
+    p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
     if (r.place != MapPlace::Behind && r.place != MapPlace::BeyondShadows) {
         const auto compared = [&](const RecordedTap& recorded) {

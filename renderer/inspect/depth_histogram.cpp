@@ -40,15 +40,18 @@ DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curv
                 ++s.empty;
                 continue;
             }
-            lo = std::min(lo, double(d)), hi = std::max(hi, double(d));
+            lo = std::min(lo, double(d));
+            hi = std::max(hi, double(d));
             ++s.drawn;
         }
         if (!(lo <= hi)) continue;
-        s.stored_min = std::min(s.stored_min, lo), s.stored_max = std::max(s.stored_max, hi);
+        s.stored_min = std::min(s.stored_min, lo);
+        s.stored_max = std::max(s.stored_max, hi);
         // Depth grows or falls with distance, never both.
         const DepthCurve row = curve.at_row(row_of_image(depth, y));
         const double a = row.distance(lo), b = row.distance(hi);
-        s.metres_min = std::min({s.metres_min, a, b}), s.metres_max = std::max({s.metres_max, a, b});
+        s.metres_min = std::min({s.metres_min, a, b});
+        s.metres_max = std::max({s.metres_max, a, b});
     }
     if (!s.drawn) return {.empty = s.empty};
     s.linear_min = (s.metres_min - curve.near) / (curve.far - curve.near);

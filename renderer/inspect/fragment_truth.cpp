@@ -38,10 +38,13 @@ FragmentReference fragment_reference(const ReferenceScene& scene, const Probe& p
     out.lit = own.hard().data[0] >= 0.5f;
     out.share = own.visibility.data[0];
     out.noise = own.noise;
-    out.gap_m = own.nearest_m.data[0], out.blocker_m = own.blocker_m.data[0];
+    out.gap_m = own.nearest_m.data[0];
+    out.blocker_m = own.blocker_m.data[0];
     out.evidence = light.evidence;
-    out.evidence.gap_drawn = depth_of_gap(light, out.gap_m), out.evidence.gap_all = depth_of_gap(light, out.blocker_m);
-    out.evidence.run_m = runs.run_m.at(at.x, at.y), out.evidence.edge_m = runs.edge_m.at(at.x, at.y);
+    out.evidence.gap_drawn = depth_of_gap(light, out.gap_m);
+    out.evidence.gap_all = depth_of_gap(light, out.blocker_m);
+    out.evidence.run_m = runs.run_m.at(at.x, at.y);
+    out.evidence.edge_m = runs.edge_m.at(at.x, at.y);
     if (out.state == PixelState::Counted)
         out.cause = cause_of(out.evidence, {.visibility = out.lit ? 1.0 : 0.0, .hard_lit = out.lit}, light.causes);
     return out;

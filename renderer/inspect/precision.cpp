@@ -69,7 +69,10 @@ PrecisionSpread precision_spread_of(const FloatImage& error, int channel) {
             const float v = error.at(x, y, channel);
             if (std::isnan(v)) continue;
             values.push_back(v);
-            if (!(v <= out.worst)) out.worst = v, out.worst_at = {x, y};
+            if (!(v <= out.worst)) {
+                out.worst = v;
+                out.worst_at = {x, y};
+            }
         }
     if (values.empty()) return out;
     const auto share = [&](double p) {
@@ -77,7 +80,8 @@ PrecisionSpread precision_spread_of(const FloatImage& error, int channel) {
         std::nth_element(values.begin(), at, values.end());
         return double(*at);
     };
-    out.median = share(0.5), out.p99 = share(0.99);
+    out.median = share(0.5);
+    out.p99 = share(0.99);
     return out;
 }
 

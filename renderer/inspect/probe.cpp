@@ -207,8 +207,10 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     plan_frame(f);
     impl_->upload_blocks(f);
     Probe out;
-    out.x = x, out.y = y;
-    out.width = request.width, out.height = request.height;
+    out.x = x;
+    out.y = y;
+    out.width = request.width;
+    out.height = request.height;
     out.camera = f.camera;
     out.map_resolution = f.map_resolution;
     out.around = part_of(ids, {x, y}, out.around_at);

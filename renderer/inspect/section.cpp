@@ -177,7 +177,9 @@ void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.cause().artefact) s.artefact = style.label;
     if (d.reference.state != PixelState::Counted) return;
-    s.least = d.least, s.has = d.has, s.lifted = d.lifted;
+    s.least = d.least;
+    s.has = d.has;
+    s.lifted = d.lifted;
     s.occluder_in_map = std::isfinite(d.reference.gap_m);
     const double gap = s.occluder_in_map ? d.reference.gap_m : d.reference.blocker_m;
     if (std::isfinite(gap)) {
@@ -227,7 +229,8 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kRowReach)));
     const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kRowReach);
     const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kRowReach);
-    cut.first = first, cut.count = last - first + 1;
+    cut.first = first;
+    cut.count = last - first + 1;
     return cut;
 }
 
@@ -261,12 +264,17 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
     Section s;
     s.cut = cut;
     s.light = p.fitted.type;
-    s.visibility = p.visibility, s.lit = p.visibility >= 0.5;
+    s.visibility = p.visibility;
+    s.lit = p.visibility >= 0.5;
     s.verdict = p.verdict;
     s.tested = !d || d->reference.state == PixelState::Counted;
     s.shadowed = cut.count > 0;
     if (!s.shadowed) {
-        if (d) s.classified = true, s.verdict = d->verdict, s.true_lit = d->reference.lit;
+        if (d) {
+            s.classified = true;
+            s.verdict = d->verdict;
+            s.true_lit = d->reference.lit;
+        }
         return s;
     }
     const BiasAccount& a = p.account;
@@ -275,7 +283,8 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
     s.row_aside = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
     s.looked_up_texel = p.texel[cut.axis];
     s.surface_aside = (p.uvd[1 - cut.axis] - p.tap[1 - cut.axis]) * resolution;
-    s.texel_m = plane.texel_m(), s.texel_long_m = plane.texel_long_m();
+    s.texel_m = plane.texel_m();
+    s.texel_long_m = plane.texel_long_m();
     s.light_m = view_of(p).curve.perspective ? p.own_m : p.own_m - plane.curve().near;
     s.theta_rad = a.theta_rad;
     s.per_texel = a.per_texel;

@@ -95,7 +95,8 @@ bool lies_in(const glm::dvec2& at, const std::vector<glm::dvec2>& convex) {
     for (std::size_t i = 0; i < convex.size(); ++i) {
         const glm::dvec2 side = convex[(i + 1) % convex.size()] - convex[i], to = at - convex[i];
         const double turn = side.x * to.y - side.y * to.x;
-        left |= turn > 0, right |= turn < 0;
+        left |= turn > 0;
+        right |= turn < 0;
     }
     return !(left && right);
 }
@@ -129,7 +130,8 @@ double round_length(double most) {
 class Draughtsman {
 public:
     Draughtsman(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
-        out_.width = page.width, out_.height = page.height;
+        out_.width = page.width;
+        out_.height = page.height;
     }
 
     SectionDrawing draw() {
@@ -318,17 +320,26 @@ private:
     /// Which metres are shown where: what the comparison is about, and far above it, at a break, what is far.
     void frame(double margin, double top) {
         const double gutter = std::min(18 * em_, 0.42 * page_.width);
-        left_ = margin, right_ = page_.width - margin - gutter, top_ = top;
+        left_ = margin;
+        right_ = page_.width - margin - gutter;
+        top_ = top;
         bottom_ = page_.captions ? std::max(page_.height - 9 * em_, top + 16 * em_) : page_.height - 4.1 * em_;
         double lo = 0, hi = 0;
         std::vector<double> far;
         const auto show = [&](double y) {
-            if (std::isfinite(y)) lo = std::min(lo, y), hi = std::max(hi, y);
+            if (std::isfinite(y)) {
+                lo = std::min(lo, y);
+                hi = std::max(hi, y);
+            }
         };
-        show(s_.moved.y), show(s_.compared.y);
+        show(s_.moved.y);
+        show(s_.compared.y);
         if (s_.has_window) show(on_ray(s_.window_from).y);
         for (const Section::Step& step : s_.steps) {
-            if (is_near(step) && step.meets == KernelTap::Meets::Own) show(step.from.y), show(step.to.y);
+            if (is_near(step) && step.meets == KernelTap::Meets::Own) {
+                show(step.from.y);
+                show(step.to.y);
+            }
             if (step.in_map && step.meets == KernelTap::Meets::Nearer) far.push_back(std::max(step.from.y, step.to.y));
         }
         if (s_.occluder) far.push_back(s_.occluder->y);
@@ -338,11 +349,13 @@ private:
             show(on_ray(s_.has.metres).y);
         if (s_.moments) {
             const double spread = std::isnan(s_.moments->spread) ? 0 : s_.moments->spread;
-            far.push_back(s_.moments->mean + spread), far.push_back(s_.moments->mean - spread);
+            far.push_back(s_.moments->mean + spread);
+            far.push_back(s_.moments->mean - spread);
         }
         const double texel = s_.texel_m;
         const double content = std::max(hi - lo, 0.15 * texel);
-        lo -= 0.25 * content, hi += 0.25 * content;
+        lo -= 0.25 * content;
+        hi += 0.25 * content;
         const double farthest = far.empty() ? hi : *std::max_element(far.begin(), far.end());
         // Of moments, what lies between is what matters.
         out_.broken = !s_.moments && farthest > hi + 1.5 * (hi - lo) && farthest > hi + 2 * texel;
@@ -352,9 +365,12 @@ private:
             if (deepest < lo) lo = deepest - 0.1 * (hi - deepest);
         }
         double x0 = -0.5 * texel, x1 = 0.5 * texel;
-        for (const Section::Step& step : s_.steps)
-            x0 = std::min(x0, step.compared_from.x), x1 = std::max(x1, step.compared_to.x);
-        x0 = std::max(x0, -3.0 * kRowReach * texel), x1 = std::min(x1, 3.0 * kRowReach * texel);
+        for (const Section::Step& step : s_.steps) {
+            x0 = std::min(x0, step.compared_from.x);
+            x1 = std::max(x1, step.compared_to.x);
+        }
+        x0 = std::max(x0, -3.0 * kRowReach * texel);
+        x1 = std::min(x1, 3.0 * kRowReach * texel);
         const double height = bottom_ - top_, high = out_.broken ? 0.70 * height : height;
         const double across = (right_ - left_) / (x1 - x0);
         const double fits = high / (hi - lo) / across;
@@ -364,7 +380,8 @@ private:
                    : fits > 0.1 ? 1 / std::ceil(1 / fits)
                                 : round_length(fits);
         const double along = stretch_ * across, spare = high / along - (hi - lo);
-        lo -= 0.4 * spare, hi = lo + high / along;
+        lo -= 0.4 * spare;
+        hi = lo + high / along;
         near_ = {{x0, lo}, {x1, hi}, left_, bottom_, across, along};
         if (out_.broken) {
             std::erase_if(far, [&](double y) { return y <= hi; });
@@ -374,9 +391,11 @@ private:
             const double begin = std::max(from - room, hi), end = to + room;
             far_ = Viewport{{x0, begin}, {x1, end}, left_, top_ + strip, across, strip / (end - begin)};
         }
-        out_.across = across, out_.along = along;
+        out_.across = across;
+        out_.along = along;
         const glm::dvec2 zero = near_.px({0, 0});
-        out_.zero_x = zero.x, out_.zero_y = zero.y;
+        out_.zero_x = zero.x;
+        out_.zero_y = zero.y;
         below_ = bottom_;
     }
 
@@ -464,7 +483,8 @@ private:
             const glm::dvec2 side(reach * em_, 0);
             if (const auto px = seen(at(metres))) line({*px - side, *px + side}, of, 2);
         };
-        tick(s_.window_from, ink, 0.45), tick(end, ink, 0.45);
+        tick(s_.window_from, ink, 0.45);
+        tick(end, ink, 0.45);
         label(at(s_.window_from), "needs " + bias_text(s_.least) + (aslant() ? "" : " of bias"), ink, Need::Bias);
         if (std::isfinite(s_.window_to))
             label(at(s_.window_to), open ? "more bias loses the shadow" : "no bias is right", ink, Need::Rest);
@@ -526,8 +546,10 @@ private:
             label(0.5 * (term.from + term.to), fmt::format("{} {}", term.name, texels_text(term.amount.texels)),
                   Ink::Bias, Need::Bias);
         }
-        dot(point, Ink::Text, 4.5), dot(point, Ink::Paper, 2.4);
-        dot(compared, Ink::Text, 6), dot(compared, !s_.tested ? Ink::Paper : s_.lit ? Ink::Lit : Ink::Dark, 4.4);
+        dot(point, Ink::Text, 4.5);
+        dot(point, Ink::Paper, 2.4);
+        dot(compared, Ink::Text, 6);
+        dot(compared, !s_.tested ? Ink::Paper : s_.lit ? Ink::Lit : Ink::Dark, 4.4);
         label({0, 0}, fmt::format("surface, {:.0f}° from the light", s_.theta_rad * 180 / M_PI), Ink::Text,
               Need::Always);
         label(s_.compared,
@@ -611,7 +633,10 @@ private:
         double x = margin, y = below_ + 0.5 * em_;
         for (const LegendRow& row : out_.legend) {
             const double width = 2.2 * em_ + width_of(row.text) + 1.2 * em_;
-            if (x > margin && x + width > page_.width) x = margin, y += 1.4 * em_;
+            if (x > margin && x + width > page_.width) {
+                x = margin;
+                y += 1.4 * em_;
+            }
             add(legend_swatch(row, {x, y + 0.6 * em_}, em_));
             words({x + 2.2 * em_, y + 0.95 * em_}, std::string(row.text), Ink::Text);
             x += width;

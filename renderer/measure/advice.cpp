@@ -31,14 +31,16 @@ CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& wo
         for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.next());
         return mean_of(samples.total_ms);
     };
-    round(before), round(with);  // programs are compiled
+    round(before);
+    round(with);  // programs are compiled
     std::vector<double> more, base;
     const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < kMostRounds; ++i) {
         if (workers.stop.stop_requested()) throw Cancelled();
         const bool there = i % 2 == 0;
         const double a = there ? round(before) : 0, b = round(with), c = there ? a : round(before);
-        base.push_back(c), more.push_back(b - c);
+        base.push_back(c);
+        more.push_back(b - c);
         const double noise = half_interval(more), value = mean_of(more);
         const bool sharp = noise < kSharpEnough * mean_of(base) || std::abs(value) > 2 * noise;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;

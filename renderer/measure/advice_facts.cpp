@@ -34,7 +34,10 @@ double shadowed_share(const Reference& reference) {
     const FloatImage& hard = reference.hard();
     std::size_t counted = 0, dark = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i)
-        if (reference.state[i] == PixelState::Counted) ++counted, dark += hard.data[i] < 0.5f;
+        if (reference.state[i] == PixelState::Counted) {
+            ++counted;
+            dark += hard.data[i] < 0.5f;
+        }
     return counted ? double(dark) / double(counted) : kUnknown;
 }
 
@@ -43,13 +46,15 @@ void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& sett
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> texels, penumbrae;
-    f.nearest_m = std::numeric_limits<double>::infinity(), f.farthest_m = 0;
+    f.nearest_m = std::numeric_limits<double>::infinity();
+    f.farthest_m = 0;
     for (std::size_t i = 0; i < reference.state.size(); ++i) {
         if (reference.state[i] != PixelState::Counted) continue;
         ++f.pixels;
         const Receiver& r = m.traced.receivers->pixels[i];
         const double depth_m = glm::dot(m.camera.eye - r.position_ws, m.camera.axes[2]);
-        f.nearest_m = std::min(f.nearest_m, depth_m), f.farthest_m = std::max(f.farthest_m, depth_m);
+        f.nearest_m = std::min(f.nearest_m, depth_m);
+        f.farthest_m = std::max(f.farthest_m, depth_m);
         if (i % 7 || light.views.empty() || m.classified[i].has(JudgedPixel::kOutside)) continue;
         const double texel_m = account_of(m, settings, r, driver).receiver.texel_m;
         texels.push_back(texel_m / pixel_m(m.camera, depth_m, m.picture.y));
@@ -70,7 +75,9 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
         measure_error(renderer, scene, s, request, s.view.light, reference_options(s), cache, workers);
     AdviceFacts f;
     f.error = m.metrics;
-    f.lights = m.lights, f.light = m.light, f.map_resolution = m.map_resolution;
+    f.lights = m.lights;
+    f.light = m.light;
+    f.map_resolution = m.map_resolution;
     look_at_pixels(f, m, s, renderer.driver());
     const FittedLight& light = m.lights[std::size_t(m.light)];
     if (light.casts) f.needs = bias_needs(m, s, renderer.driver());

@@ -222,7 +222,8 @@ void whole_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.paged_texels == 0) return;
     const int n = std::clamp(int(std::exp2(std::ceil(std::log2(std::sqrt(double(f.paged_texels)))))), 256, 4096);
     Settings whole = s;
-    whole.map.paged = false, whole.map.resolution = n;
+    whole.map.paged = false;
+    whole.map.resolution = n;
     shown(whole, f).fit = int(LightFit::View);
     offer(fmt::format("the pages that are read hold {}: one map of {}² holds as many",
                       texels_text(double(f.paged_texels)), n),

@@ -11,7 +11,8 @@ ArtefactCluster cluster_of(const std::vector<glm::ivec2>& members) {
     glm::dvec2 mean(0);
     for (const glm::ivec2 p : members) {
         mean += glm::dvec2(p) / double(members.size());
-        c.first = glm::min(c.first, p), c.last = glm::max(c.last, p);
+        c.first = glm::min(c.first, p);
+        c.last = glm::max(c.last, p);
     }
     const auto off = [&](glm::ivec2 p) {
         const glm::dvec2 d = glm::dvec2(p) - mean;

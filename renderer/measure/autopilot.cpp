@@ -260,7 +260,10 @@ private:
         tell("what " + d.key + " would have cost");
         Settings with = best;
         set_setting(with, d.key, d.before);
-        if (d.key == "filter.kernel") with.filter = start_.filter, with.bias = start_.bias;
+        if (d.key == "filter.kernel") {
+            with.filter = start_.filter;
+            with.bias = start_.bias;
+        }
         d.error = meter_.judge(with, start_.view.light).error;
         if (late()) return false;
         d.ms = meter_.time(best, with);
@@ -271,9 +274,10 @@ private:
         std::vector<AutopilotCase*> cases;
         for (auto& [at, c] : known_) cases.push_back(&c);
         const auto best = known_.find(at_);
-        if (best != known_.end() && best->second.holds)
-            out.best = best->second, out.held = true;
-        else if (!cases.empty())
+        if (best != known_.end() && best->second.holds) {
+            out.best = best->second;
+            out.held = true;
+        } else if (!cases.empty())
             out.best = *nearest(cases);
         if (out.held) find_dropped(out);
         if (!unjudged_.empty())

@@ -37,7 +37,9 @@ double share_of(std::vector<double> values, double share) {
 BiasSettings in_texels(double constant, double slope, double normal) {
     BiasSettings b;
     b.unit = int(BiasUnit::Texels);
-    b.constant = constant, b.slope = slope, b.normal = normal;
+    b.constant = constant;
+    b.slope = slope;
+    b.normal = normal;
     b.normal_source = int(NormalSource::Geometric);
     return b;
 }
@@ -56,7 +58,10 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
         double cost = 0;
         const BiasSettings pair = in_texels(constant, slope, 0);
         for (const Need& n : needs) cost += n.gap(slope_amount(pair, n.n_dot_l));
-        if (cost < least_cost) least_cost = cost, best = pair;
+        if (cost < least_cost) {
+            least_cost = cost;
+            best = pair;
+        }
     }
     return best;
 }
@@ -155,7 +160,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     });
     out.pixels = needs.size();
     if (needs.empty()) return out;
-    out.gap_median_m = share_of(gaps, 0.5), out.gap_p95_m = share_of(std::move(gaps), 0.95);
+    out.gap_median_m = share_of(gaps, 0.5);
+    out.gap_p95_m = share_of(std::move(gaps), 0.95);
     out.shift_p95_m = share_of(std::move(shifts), 0.95);
     const double largest = worst(needs, [](const Need& n) { return n.total; });
     const double step = worst(needs, [](const Need& n) { return n.step; });

@@ -70,7 +70,8 @@ void BiasSearch::start_family(std::size_t index) {
     if (nearest_of_family_) tried_.push_back(*nearest_of_family_);
     nearest_of_family_.reset();
     at_ = index;
-    factor_ = 1, lo_ = hi_ = 0;
+    factor_ = 1;
+    lo_ = hi_ = 0;
     trials_of_family_ = 0;
     clear_.reset();
     if (at_ == families_.size()) step_ = Step::Done;

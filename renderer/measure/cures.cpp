@@ -169,7 +169,8 @@ std::vector<std::pair<std::string, std::string>> setting_changes(const Settings&
 
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
     BiasSettings b = needs.of(family);
-    b.constant = rounded_up(b.constant * 1.001), b.slope = rounded_up(b.slope * 1.001),
+    b.constant = rounded_up(b.constant * 1.001);
+    b.slope = rounded_up(b.slope * 1.001);
     b.normal = rounded_up(b.normal * 1.001);
     return scaled(b, 1);  // within what the settings allow
 }
@@ -187,8 +188,14 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
         set_setting(s, "filter.kernel", kernel);
         if (!filter_of(s).square) continue;
         const double other = edge(s);
-        if (other < reach && other > narrower) narrower = other, out.first = kernel;
-        if (other > reach && other < wider) wider = other, out.second = kernel;
+        if (other < reach && other > narrower) {
+            narrower = other;
+            out.first = kernel;
+        }
+        if (other > reach && other < wider) {
+            wider = other;
+            out.second = kernel;
+        }
     }
     return out;
 }
@@ -196,8 +203,10 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
 FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, const DriverInfo& driver) {
     FixFacts f;
     f.needs = bias_needs(measured, settings, driver);
-    f.lights = measured.lights, f.light = measured.light;
-    f.map_resolution = measured.map_resolution, f.max_resolution = driver.max_texture_size;
+    f.lights = measured.lights;
+    f.light = measured.light;
+    f.map_resolution = measured.map_resolution;
+    f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
     for (const Bias& row : biases()) {
         if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &row_of(family.first) == &row; })) continue;
@@ -315,7 +324,8 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
     };
     const auto bytes = [](const Settings& s, const MeasuredError& measured) {
         FrameResult maps;
-        maps.lights = measured.lights, maps.map_resolution = measured.map_resolution;
+        maps.lights = measured.lights;
+        maps.map_resolution = measured.map_resolution;
         return (long long)work_cost(s, maps).map_bytes;
     };
     const MeasuredError before = measure(base);
@@ -360,7 +370,10 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
             }
             for (std::size_t i = 0; i < before.classified.size(); ++i) {
                 const bool was = wrong(before, i), is = wrong(after, i);
-                if (was && !is) ++row.cured, ++row.cured_of[std::size_t(before.classified[i].artefact)];
+                if (was && !is) {
+                    ++row.cured;
+                    ++row.cured_of[std::size_t(before.classified[i].artefact)];
+                }
                 if (!was && is) ++row.broken;
             }
             if (pixel) row.pixel_right = !wrong(after, *pixel);

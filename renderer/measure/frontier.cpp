@@ -55,7 +55,8 @@ Spread spread_of(std::vector<double> samples, std::span<const std::size_t> burst
     }
     s.bursts = std::max(1, int(medians.size()));
     std::sort(samples.begin(), samples.end());
-    s.low = samples.front(), s.high = samples.back();
+    s.low = samples.front();
+    s.high = samples.back();
     s.median = quantile(samples, 0.5);
     s.p95 = quantile(samples, 0.95);
     const double below = std::floor(0.5 * s.samples - 0.98 * std::sqrt(double(s.samples)));
@@ -106,13 +107,18 @@ Advice advise(const Dot& present, std::span<const Dot> dots, const std::vector<b
 std::optional<double> log_slope(std::span<const double> x, std::span<const double> error) {
     std::vector<double> u, v;
     for (std::size_t i = 0; i < std::min(x.size(), error.size()); ++i)
-        if (x[i] > 0 && error[i] > 0 && std::isfinite(x[i]) && std::isfinite(error[i]))
-            u.push_back(std::log(x[i])), v.push_back(std::log(error[i]));
+        if (x[i] > 0 && error[i] > 0 && std::isfinite(x[i]) && std::isfinite(error[i])) {
+            u.push_back(std::log(x[i]));
+            v.push_back(std::log(error[i]));
+        }
     if (u.size() < 2) return {};
     const double n = double(u.size());
     const double mu = std::accumulate(u.begin(), u.end(), 0.0) / n, mv = std::accumulate(v.begin(), v.end(), 0.0) / n;
     double uu = 0, uv = 0;
-    for (std::size_t i = 0; i < u.size(); ++i) uu += (u[i] - mu) * (u[i] - mu), uv += (u[i] - mu) * (v[i] - mv);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+        uu += (u[i] - mu) * (u[i] - mu);
+        uv += (u[i] - mu) * (v[i] - mv);
+    }
     if (uu <= 0) return {};
     return uv / uu;
 }

@@ -15,7 +15,8 @@ std::vector<PipelineError> compare_pipelines(Renderer& renderer, const Scene& sc
     for (const MapOrigin origin : {MapOrigin::Near, MapOrigin::World})
         for (const MapTransform transform : {MapTransform::World, MapTransform::Eye}) {
             Settings s = settings;
-            s.map.origin = int(origin), s.map.transform = int(transform);
+            s.map.origin = int(origin);
+            s.map.transform = int(transform);
             const FrameResult frame = renderer.render(scene, s, request);
             if (!frame.precision)
                 throw Error(

@@ -82,7 +82,8 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
                 if (ids.data[i].x == 0) continue;
                 change += std::abs(double(visibility.data[i]) - double(before.data[i]));
                 if ((visibility.data[i] < 0.5f) == (before.data[i] < 0.5f)) continue;
-                ++flips, out.flips_of.data[i] += 1;
+                ++flips;
+                out.flips_of.data[i] += 1;
             }
             out.flips.push_back(flips);
             out.most_flips = std::max(out.most_flips, flips);
@@ -103,7 +104,8 @@ std::vector<ShimmerVariant> shimmer_variants(const Settings& settings) {
     if (settings.lights[light].type != int(LightType::Directional)) return out;  // only suns have maps that follow
     for (const bool snap : {true, false}) {
         Settings s = settings;
-        s.lights[light].fit = int(LightFit::Stabilised), s.lights[light].snap = snap;
+        s.lights[light].fit = int(LightFit::Stabilised);
+        s.lights[light].snap = snap;
         out.push_back({snap ? "snapped" : "unsnapped", snap ? "Stabilised, whole texels" : "Stabilised, unsnapped", s});
     }
     return out;

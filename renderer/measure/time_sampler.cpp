@@ -88,7 +88,8 @@ void TimeSampler::add(const FrameResult& frame, double now_s) {
     const double slot_s = limits_.over_s / std::max(limits_.bursts, 1);
     if (++in_burst_ < kBurstFrames && now_s - burst_s_ < slot_s) return;
     samples_.burst_ended = true;
-    in_burst_ = 0, burst_s_ = now_s;
+    in_burst_ = 0;
+    burst_s_ = now_s;
     pause_s_ = std::max(0.0, start_s_ + ++ended_ * slot_s - now_s);
     warm_ = pause_s_ == 0;
 }
@@ -146,7 +147,10 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
     std::uint64_t light_maps = 0;
-    for (const LightMapNeed& n : frame.light_maps) light_maps += n.met, cost.map_bytes += n.bytes;
+    for (const LightMapNeed& n : frame.light_maps) {
+        light_maps += n.met;
+        cost.map_bytes += n.bytes;
+    }
     cost.bytes_touched = cost.map_bytes + casting * pixels * std::uint64_t(std::llround(cost.taps_per_pixel)) * fetched;
     cost.bytes_touched += light_maps * pixels * 4;  // four texels of a byte
     for (const PassInfo& pass : frame.passes) {

@@ -71,7 +71,8 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
         for (std::size_t v = 0; v < light.views.size(); ++v) {
             const std::string view = view_name(light.chooser.choice, v, light.views.size());
             Trial& trial = out.emplace_back(fmt::format("{} of light {}", view.empty() ? "map" : view, i), settings);
-            trial.settings.view.light = int(i), trial.settings.view.face = int(v);
+            trial.settings.view.light = int(i);
+            trial.settings.view.face = int(v);
             trial.map = MapOfLight{int(i), int(v)};
             trial.draws_into_maps = trial.takes_map_time = true;
         }
@@ -114,7 +115,10 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
     if (casts_with(scene, settings, AlphaMode::Blend))
         maps_without("shadows of blended casters", [](Settings& s) { s.caster.blend = int(BlendCasters::None); });
     without("sky and its ambient light", [](Settings& s) { s.shading.sky = int(SkyLook::Plain); });
-    without("tone curve", [](Settings& s) { s.shading.curve = int(ToneCurve::Plain), s.shading.exposure = 0; });
+    without("tone curve", [](Settings& s) {
+        s.shading.curve = int(ToneCurve::Plain);
+        s.shading.exposure = 0;
+    });
     return out;
 }
 
@@ -129,7 +133,9 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
         refresh(*opaque);
         // The camera sees no holes either, so that there is more of the casters to see: their shadows are looked at.
         Trial& trial = out.emplace_back("alpha test in maps", settings);
-        trial.scene = opaque, trial.by = ComparedBy::SameSurfaces, trial.takes_map_time = true;
+        trial.scene = opaque;
+        trial.by = ComparedBy::SameSurfaces;
+        trial.takes_map_time = true;
     }
     const auto ground = std::ranges::find_if(scene.objects, [](const Object& o) { return o.ground; });
     if (ground != scene.objects.end()) {

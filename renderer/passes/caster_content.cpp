@@ -26,8 +26,12 @@ std::uint64_t content_of(const Mesh& mesh, bool masked) {
         key.add(list.size());
         if (!list.empty()) key.bytes(list.data(), list.size() * sizeof list[0]);
     };
-    add(mesh.positions), add(mesh.indices);
-    if (masked) add(mesh.uv), add(mesh.colours);
+    add(mesh.positions);
+    add(mesh.indices);
+    if (masked) {
+        add(mesh.uv);
+        add(mesh.colours);
+    }
     return key.value();
 }
 

@@ -218,17 +218,21 @@ private:
         const bool fronts_alone =
             closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
         const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
-        spared.closed += fronts_alone, spared.bare += bare;
+        spared.closed += fronts_alone;
+        spared.bare += bare;
         if (what != Seen::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
-        run.fronts_alone = fronts_alone, run.bare = bare;
+        run.fronts_alone = fronts_alone;
+        run.bare = bare;
         if (what == Seen::Whole) {
             if (run.batch.instances++ == 0) run.batch.first_instance = instance;
             return;
         }
         for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
             Run part{batch, fronts_alone, bare};
-            part.batch.first_instance = instance, part.batch.instances = 1;
-            part.batch.first_index += range.first, part.batch.index_count = range.count;
+            part.batch.first_instance = instance;
+            part.batch.instances = 1;
+            part.batch.first_index += range.first;
+            part.batch.index_count = range.count;
             finish(part);
         }
     }
@@ -251,7 +255,10 @@ private:
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
         std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
-        if (rect) rect->lo -= room, rect->hi += room;
+        if (rect) {
+            rect->lo -= room;
+            rect->hi += room;
+        }
         return rect;
     }
 

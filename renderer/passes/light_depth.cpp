@@ -74,8 +74,10 @@ SkippedCasters draw_part(FrameState& f, std::size_t light, std::size_t view, con
         draw_view(f, f.gl.owned.get<DrawnMaps>().maps, l, l.views[view], f.first_view[light] + int(view), info,
                   {.called = &called}, f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
-    part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
-    part.left_out = spared.beside + spared.unread, part.unit = "casters";
+    part.draws = info.draws - draws;
+    part.triangles = info.triangles - triangles;
+    part.left_out = spared.beside + spared.unread;
+    part.unit = "casters";
     if (spared.beside > 0) part.by = Optimisation::Casters;
     if (spared.unread > 0) part.by = Optimisation::Views;
     const char* plural = spared.unread == 1 ? "" : "s";
@@ -117,7 +119,8 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
 /// @param bare casters, each counted once a view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
-    part.by = Optimisation::Fragments, part.left_out = bare;
+    part.by = Optimisation::Fragments;
+    part.left_out = bare;
     part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
                               bare == 1 ? " is" : "s are");
     return part;
@@ -282,17 +285,20 @@ SkippedCasters draw_over_static(FrameState& f, std::size_t light, std::size_t vi
         of.drawn = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
-    of.over = {}, of.below = true;
+    of.over = {};
+    of.below = true;
     const SkippedCasters over = draw_view(f, t.maps, l, l.views[view], layer, info,
                                           {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
-    part.draws = info.draws - draws, part.triangles = info.triangles - triangles;
+    part.draws = info.draws - draws;
+    part.triangles = info.triangles - triangles;
     if (kept) part.by = Optimisation::Static;
     part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
                   : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
                                     : "what rests in it is kept, and what moves is drawn over it";
     info.parts.push_back(std::move(part));
-    spared.closed += over.closed, spared.bare += over.bare;
+    spared.closed += over.closed;
+    spared.bare += over.bare;
     return spared;
 }
 
@@ -305,7 +311,10 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     }
     // A light that is not in this frame would take its layers for kept.
     for (std::size_t other = 0; other < t.keys.size(); ++other)
-        if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) t.keys[other] = 0, t.at_rest[other] = {};
+        if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) {
+            t.keys[other] = 0;
+            t.at_rest[other] = {};
+        }
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
     StaticOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
@@ -318,7 +327,10 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     std::vector<StaticView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0, bare = 0;
-    const auto count = [&](const SkippedCasters& spared) { closed += spared.closed, bare += spared.bare; };
+    const auto count = [&](const SkippedCasters& spared) {
+        closed += spared.closed;
+        bare += spared.bare;
+    };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
             info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));

@@ -54,7 +54,8 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
     }
     if (left_out == 0) return std::nullopt;
     PartInfo part{.name = std::move(name), .unit = "texels"};
-    part.left_out = left_out, part.by = Optimisation::Views;
+    part.left_out = left_out;
+    part.by = Optimisation::Views;
     part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
                               100.0 * double(left_out) / double(each * f.layers_held.size()));
     return part;

@@ -119,11 +119,18 @@ glm::vec2 FrameState::grey_range() const {
     for (const double row : {0.0, 1.0})
         for (const float stored : {drawn.x, drawn.y}) {
             const double value = shown_depth(stored, *shown_curve(), view, row);
-            lo = std::min(lo, value), hi = std::max(hi, value);
+            lo = std::min(lo, value);
+            hi = std::max(hi, value);
         }
-    if (shown_channel(settings) > 0) lo = drawn.x, hi = drawn.y;
+    if (shown_channel(settings) > 0) {
+        lo = drawn.x;
+        hi = drawn.y;
+    }
     const double least = 1e-6;  // one depth alone is shown in the middle of the greys
-    if (hi - lo < least) lo = 0.5 * (lo + hi - least), hi = lo + least;
+    if (hi - lo < least) {
+        lo = 0.5 * (lo + hi - least);
+        hi = lo + least;
+    }
     return {lo, hi};
 }
 

@@ -54,7 +54,9 @@ public:
     /// @param held what of the view's map is drawn
     void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
         const FilterSettings& s = f_.settings.filter;
-        view_ = &view, layer_ = layer, texels_ = held.texels(f_.map_resolution);
+        view_ = &view;
+        layer_ = layer;
+        texels_ = held.texels(f_.map_resolution);
         From from = From::Depths;
         if (sampled(f_)) {
             draw_samples(light, view, held);
@@ -62,7 +64,8 @@ public:
         }
         if (filter_of(f_.settings).moments.summed) {
             average(from, 0, 0, false);
-            sum(0), sum(1);
+            sum(0);
+            sum(1);
             return;
         }
         if (s.blur == 0) return average(from, 0, 0, true);
@@ -113,7 +116,8 @@ private:
         std::vector<TexelRect> rects;
         for (const glm::ivec2& strip : strips)
             for (TexelRect r : texels_) {
-                r.from[axis] = std::max(r.from[axis], strip[0]), r.to[axis] = std::min(r.to[axis], strip[1]);
+                r.from[axis] = std::max(r.from[axis], strip[0]);
+                r.to[axis] = std::min(r.to[axis], strip[1]);
                 if (r.from[axis] < r.to[axis]) rects.push_back(r);
             }
         if (rects.empty()) return;

@@ -23,8 +23,10 @@ public:
             for (std::size_t i = 0; i < numbers.size(); ++i) {
                 const bool is_it = fault == NumberFault::NotANumber ? std::isnan(numbers[i]) : std::isinf(numbers[i]);
                 if (!is_it) continue;
-                if (found.count++ == 0)
-                    found.first = found.worst = {int(i) / across, int(i) % across}, found.value = numbers[i];
+                if (found.count++ == 0) {
+                    found.first = found.worst = {int(i) / across, int(i) % across};
+                    found.value = numbers[i];
+                }
             }
             if (found.count > 0) health_.findings.push_back(std::move(found));
         }

@@ -100,10 +100,14 @@ struct HealthTargets {
     HealthTargets() = default;
     HealthTargets(HealthTargets&&) = delete;
     HealthTargets& operator=(HealthTargets&& other) noexcept {
-        tiles = std::move(other.tiles), found = std::move(other.found), read_back = std::move(other.read_back);
+        tiles = std::move(other.tiles);
+        found = std::move(other.found);
+        read_back = std::move(other.read_back);
         std::swap(done, other.done);
-        places = std::move(other.places), pool = std::move(other.pool);
-        so_far = std::move(other.so_far), health = std::move(other.health);
+        places = std::move(other.places);
+        pool = std::move(other.pool);
+        so_far = std::move(other.so_far);
+        health = std::move(other.health);
         return *this;
     }
     ~HealthTargets() {
@@ -298,7 +302,10 @@ PoolTiles pool_tiles(const FrameState& f, const Searched& s) {
 // All of it -----------------------------------------------------------------------------------------------------------
 
 void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
-    t.health = nullptr, t.so_far = {}, t.places.clear(), t.pool.reset();
+    t.health = nullptr;
+    t.so_far = {};
+    t.places.clear();
+    t.pool.reset();
     check_blocks(f, t.so_far);
     const std::vector<Searched> images = searched_images(f);
     std::vector<std::vector<SearchedLayer>> layers;
@@ -345,7 +352,10 @@ void search_frame(const FrameState& f, HealthTargets& t, PassInfo& info) {
 
 void put_found(NumberFinding place, NumberFault fault, const FaultRecord& r, NumericHealth& health) {
     if (r.count == 0) return;
-    place.fault = fault, place.count = r.count, place.first = r.first_at(), place.worst = r.worst_at();
+    place.fault = fault;
+    place.count = r.count;
+    place.first = r.first_at();
+    place.worst = r.worst_at();
     place.value = r.value();
     health.findings.push_back(std::move(place));
 }
@@ -370,8 +380,10 @@ void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<cons
             if (r.count == 0) continue;
             const glm::ivec2 from_pool = (page.page - page.at) * pool.page;
             const glm::ivec2 first = r.first_at() + from_pool, worst = r.worst_at() + from_pool;
-            if (sum.count == 0 || amount_of(sum.fault, r.value()) > amount_of(sum.fault, sum.value))
-                sum.worst = worst, sum.value = r.value();
+            if (sum.count == 0 || amount_of(sum.fault, r.value()) > amount_of(sum.fault, sum.value)) {
+                sum.worst = worst;
+                sum.value = r.value();
+            }
             if (sum.count == 0 || reads_before(first, sum.first)) sum.first = first;
             sum.count += r.count;
         }
@@ -399,7 +411,9 @@ std::shared_ptr<const NumericHealth> read_numeric_health(Resources& resources, b
     }
     glDeleteSync(t.done);
     t.done = nullptr;
-    t.read_back.reset(), t.pool.reset(), t.places.clear();
+    t.read_back.reset();
+    t.pool.reset();
+    t.places.clear();
     t.health = std::make_shared<const NumericHealth>(std::move(health));
     return t.health;
 }

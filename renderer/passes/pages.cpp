@@ -149,7 +149,8 @@ public:
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {
                 const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
-                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+                rect.lo = glm::min(rect.lo, at);
+                rect.hi = glm::max(rect.hi, at);
             }
             return rect;
         });
@@ -222,7 +223,8 @@ private:
                 // Beside and behind a light's place it may be anywhere.
                 if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
                 const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
-                rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+                rect.lo = glm::min(rect.lo, at);
+                rect.hi = glm::max(rect.hi, at);
             }
             return rect;
         });
@@ -374,7 +376,10 @@ PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<
         for (int l = first; l < layer; ++l) {
             glm::ivec2 lo(std::numeric_limits<int>::max()), hi(-1);
             for (const PlacedPage& p : choice.read)
-                if (p.layer == l) lo = glm::min(lo, p.page), hi = glm::max(hi, p.page);
+                if (p.layer == l) {
+                    lo = glm::min(lo, p.page);
+                    hi = glm::max(hi, p.page);
+                }
             if (hi.x < 0) continue;
             const PagedLayer& of = layers[std::size_t(l)];
             finest = std::min(finest, of.texel_m());
@@ -383,7 +388,10 @@ PageFacts facts_of(const FrameState& f, const PageTargets& t, const std::vector<
         }
         facts.finest_texel_m = std::min(facts.finest_texel_m, finest);
         if (!light.levels.empty() && width > 0) facts.fixed_map_texels += width / finest * (width / finest);
-        if (all > most) most = all, facts.by_level = std::move(by_level);
+        if (all > most) {
+            most = all;
+            facts.by_level = std::move(by_level);
+        }
     }
     if (!std::isfinite(facts.finest_texel_m)) facts.finest_texel_m = 0;
     return facts;
@@ -500,7 +508,10 @@ ReadPages pages_read(Resources& resources) {
 
 PageFacts page_facts(Resources& resources, bool drawn) {
     PageFacts facts = resources.owned.get<PageTargets>().facts;
-    if (!drawn) facts.kept += facts.drawn, facts.drawn = facts.evicted = 0;
+    if (!drawn) {
+        facts.kept += facts.drawn;
+        facts.drawn = facts.evicted = 0;
+    }
     return facts;
 }
 

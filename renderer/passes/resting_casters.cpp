@@ -41,7 +41,8 @@ StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<W
                                            std::string_view& reason) {
     const std::vector<WeighedCaster> before = std::exchange(last_, std::move(casters));
     if (of_views != views_) {
-        static_casters_.clear(), views.clear();
+        static_casters_.clear();
+        views.clear();
         views_ = of_views;
         return Draws::All;
     }

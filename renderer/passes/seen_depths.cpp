@@ -31,7 +31,8 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
     float least = 2, greatest = -1;
     for (const float depth : depths) {
         if (depth == empty) continue;
-        least = std::min(least, depth), greatest = std::max(greatest, depth);
+        least = std::min(least, depth);
+        greatest = std::max(greatest, depth);
     }
     std::optional<DepthSpan> span;
     if (least <= greatest) {
@@ -42,9 +43,10 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
     info.reason = span ? fmt::format("the camera sees {} to {}; light.depth_bounds goes by it",
                                      metres_text(span->from_m), metres_text(span->to_m))
                        : "light.depth_bounds asks, but the camera sees nothing";
-    if (f.request.timing)
-        info.cpu_ms = info.gpu_ms =
-            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    if (f.request.timing) {
+        info.cpu_ms = info.gpu_ms = std::chrono::duration < double;
+        std::milli > (std::chrono::steady_clock::now() - start).count();
+    }
     return span;
 }
 

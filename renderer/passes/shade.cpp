@@ -74,9 +74,10 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
         f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
     // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
-    if (f.settings.shading.composition == int(Composition::DimLit))
-        draw("DIM_PASS"), draw("LIT_PASS");
-    else
+    if (f.settings.shading.composition == int(Composition::DimLit)) {
+        draw("DIM_PASS");
+        draw("LIT_PASS");
+    } else
         draw(nullptr);
     if (f.settings.shading.sky == int(SkyLook::Gradient)) draw_sky(f, look, info);
     draw_blended(f, look, info);
@@ -93,9 +94,10 @@ PartInfo beside_part(const FrameState& f) {
     const std::size_t count = f.gl.seen_objects.left_out();
     PartInfo part{
         .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
-    if (f.request.forced.contains(Optimisation::InSight))
-        part.state = PassState::Drawn, part.reason = "all objects are drawn, wherever they lie, which is forced";
-    else if (count == 0)
+    if (f.request.forced.contains(Optimisation::InSight)) {
+        part.state = PassState::Drawn;
+        part.reason = "all objects are drawn, wherever they lie, which is forced";
+    } else if (count == 0)
         part.reason = "there are none: the box of each object lies in what the camera sees";
     else
         part.reason = "a box that lies outside of what the camera sees covers no pixel";
@@ -136,7 +138,10 @@ void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& t
                 PassInfo& info) {
     const gl::Framebuffer into = gl::make_framebuffer("smooth picture", &to, nullptr);
     f.begin_fullscreen_pass(into.id(), to.width, to.height);
-    if (add) glEnable(GL_BLEND), glBlendFunc(GL_ONE, GL_ONE);
+    if (add) {
+        glEnable(GL_BLEND);
+        glBlendFunc(GL_ONE, GL_ONE);
+    }
     const GLuint id = f.program("passes/fullscreen.vert.glsl", "passes/smooth.frag.glsl");
     glUseProgram(id);
     glUniform1f(glGetUniformLocation(id, "scale"), scale);

@@ -52,7 +52,8 @@ void ShadowVolumes::learn_meshes(const FrameState& f) {
 
 void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
     Light& light = lights_[number];
-    light.parts.clear(), light.indices.clear();
+    light.parts.clear();
+    light.indices.clear();
     light.open_triangles = 0;
     const std::vector<std::uint32_t>& objects = f.gl.scene->instance_objects();
     VolumeTriangles found;

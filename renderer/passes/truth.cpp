@@ -226,8 +226,14 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     moves(sums.bright, Artefact::Acne, Artefact::PeterPanningRaster);
     moves(sums.dark, Artefact::Leak, Artefact::Contact);
     const glm::dvec4 &noted = layers[shared::TILE_NOTED], &means = layers[shared::TILE_SUMS];
-    sums.outside = noted[0], sums.any_acne = noted[1], sums.within_noise = noted[2], sums.either = noted[3];
-    sums.absolute = means[0], sums.squares = means[1], sums.sum = means[2], sums.both = means[3];
+    sums.outside = noted[0];
+    sums.any_acne = noted[1];
+    sums.within_noise = noted[2];
+    sums.either = noted[3];
+    sums.absolute = means[0];
+    sums.squares = means[1];
+    sums.sum = means[2];
+    sums.both = means[3];
     return sums;
 }
 

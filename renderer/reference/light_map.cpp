@@ -50,7 +50,8 @@ glm::dvec3 nearest_shares(const std::array<glm::dvec2, 3>& t, const glm::dvec2& 
         if (!(glm::dot(off, off) < least)) continue;
         least = glm::dot(off, off);
         best = glm::dvec3(0);
-        best[k] = 1 - share, best[next] = share;
+        best[k] = 1 - share;
+        best[next] = share;
     }
     return best;
 }
@@ -73,7 +74,8 @@ public:
             const double height = area2 / std::max(lengths[k], 1e-300);
             const double share = height > 0 ? inset / height : 0;
             const bool border = (borders >> ((k + 1) % 3) & 1) != 0;
-            all_in_[int(k)] = share, borders_in_[int(k)] = border ? share : 0;
+            all_in_[int(k)] = share;
+            borders_in_[int(k)] = border ? share : 0;
         }
         for (const glm::dvec3* e : {&corners_[0], &corners_[1], &corners_[2]})
             edge_m_ = std::max(edge_m_, float(glm::distance(*e, e == &corners_[2] ? corners_[0] : *(e + 1))));
@@ -155,8 +157,10 @@ private:
 
     void place(int y0, int rows, const std::vector<std::uint32_t>& charts, const Workers& workers) {
         const std::size_t count = std::size_t(layout_.side) * std::size_t(rows);
-        receivers_.width = layout_.side, receivers_.height = rows;
-        receivers_.pixels.assign(count, {}), receivers_.starts.assign(count, {});
+        receivers_.width = layout_.side;
+        receivers_.height = rows;
+        receivers_.pixels.assign(count, {});
+        receivers_.starts.assign(count, {});
         distances_.assign(count, std::numeric_limits<double>::infinity());
         // Charts share no texel.
         for_blocks(charts.size(), {.threads = workers.threads, .stop = workers.stop},
@@ -193,7 +197,8 @@ private:
                     r.position_ws = point;
                     r.normal_ws = glm::dot(triangle.normal(), to_light) < 0 ? -triangle.normal() : triangle.normal();
                     r.edge_m = triangle.edge_m();
-                    r.object = chart.object, r.primitive = t;
+                    r.object = chart.object;
+                    r.primitive = t;
                 }
         }
     }

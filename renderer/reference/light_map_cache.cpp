@@ -184,7 +184,8 @@ std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const W
     std::uint64_t most_bytes = 0;
     {
         const std::lock_guard lock(mutex_);
-        folder = folder_, most_bytes = most_bytes_;
+        folder = folder_;
+        most_bytes = most_bytes_;
     }
     const auto start = std::chrono::steady_clock::now();
     const auto since_ms = [&] {
@@ -218,7 +219,8 @@ std::shared_ptr<const LightMap> LightMaps::get(const LightMapTask& task, const W
 
 void LightMaps::keep_in(std::filesystem::path folder, std::uint64_t most_bytes) {
     const std::lock_guard lock(mutex_);
-    folder_ = std::move(folder), most_bytes_ = most_bytes;
+    folder_ = std::move(folder);
+    most_bytes_ = most_bytes;
 }
 
 void LightMaps::forget() {

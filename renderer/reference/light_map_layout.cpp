@@ -116,7 +116,8 @@ private:
 
     void grow_charts() {
         out_.chart_of.assign(flat_only_.size(), kNone);
-        out_.charts.clear(), out_.triangles.clear();
+        out_.charts.clear();
+        out_.triangles.clear();
         std::vector<glm::dvec3> normals;
         for (std::uint32_t object = 0; object < out_.objects.size(); ++object) {
             stop_if_asked();
@@ -137,7 +138,8 @@ private:
         const bool flat_only = flat_only_[first + seed];
         const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMostTiltDegrees * kDegree);
         LightMapChart chart;
-        chart.object = object, chart.first = std::uint32_t(out_.triangles.size());
+        chart.object = object;
+        chart.first = std::uint32_t(out_.triangles.size());
         out_.triangles.push_back(seed);
         out_.chart_of[first + seed] = number;
         for (std::size_t i = chart.first; i < out_.triangles.size(); ++i)
@@ -174,16 +176,21 @@ private:
             glm::dvec2 lo(std::numeric_limits<double>::infinity()), hi(-lo);
             for (const glm::dvec3& p : points) {
                 const glm::dvec2 at(glm::dot(u, p), glm::dot(v, p));
-                lo = glm::min(lo, at), hi = glm::max(hi, at);
+                lo = glm::min(lo, at);
+                hi = glm::max(hi, at);
             }
             if (hi.y - lo.y > hi.x - lo.x) {
                 std::swap(u, v);
-                lo = {lo.y, lo.x}, hi = {hi.y, hi.x};
+                lo = {lo.y, lo.x};
+                hi = {hi.y, hi.x};
             }
             const glm::dvec2 extent = hi - lo;
             if (!(extent.x * extent.y < least)) continue;
             least = extent.x * extent.y;
-            chart.u = u, chart.v = v, chart.lo = lo, chart.extent_m = extent;
+            chart.u = u;
+            chart.v = v;
+            chart.lo = lo;
+            chart.extent_m = extent;
         }
     }
 
@@ -214,7 +221,11 @@ private:
         for (const std::uint32_t c : order) {
             LightMapChart& chart = out_.charts[c];
             const glm::ivec2 size = size_of(chart, texels_per_metre);
-            if (x + size.x > side) x = 0, y += shelf, shelf = 0;
+            if (x + size.x > side) {
+                x = 0;
+                y += shelf;
+                shelf = 0;
+            }
             shelf = std::max(shelf, size.y);
             if (size.x > side || y + size.y > side) return false;
             chart.rect = {x, y, size.x, size.y};

@@ -409,12 +409,17 @@ std::vector<std::uint8_t> joins_of(const Receivers& receivers) {
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference) {
     ErrorMetrics m;
     m.pixels = reference.pixels;
-    m.counted = reference.counted(), m.ground_pixels = reference.on_ground;
+    m.counted = reference.counted();
+    m.ground_pixels = reference.on_ground;
     const double n = double(std::max<std::size_t>(m.counted, 1));
     for (const Metric& metric : metrics())
         if (metric.counts != Counts::Otherwise) m.*metric.member = counted_by(metric, sums) / n;
-    m.any_acne = sums.any_acne / n, m.within_noise = sums.within_noise / n, m.outside_map = sums.outside / n;
-    m.mae = sums.absolute / n, m.rmse = std::sqrt(sums.squares / n), m.signed_mean = sums.sum / n;
+    m.any_acne = sums.any_acne / n;
+    m.within_noise = sums.within_noise / n;
+    m.outside_map = sums.outside / n;
+    m.mae = sums.absolute / n;
+    m.rmse = std::sqrt(sums.squares / n);
+    m.signed_mean = sums.sum / n;
     if (sums.either > 0) m.iou = sums.both / sums.either;
     m.boundary_px_mean = m.boundary_px_p95 = m.boundary_px_max = std::numeric_limits<double>::quiet_NaN();
     std::size_t wrong = 0;
@@ -435,8 +440,11 @@ ErrorMetrics error_metrics(const std::vector<JudgedPixel>& classified, const Ref
         if (reference.state[i] != PixelState::Counted) continue;
         const J& p = classified[i];
         const double r = reference.visibility.data[i], difference = p.visibility - r;
-        sums.absolute += std::abs(difference), sums.squares += difference * difference, sums.sum += difference;
-        sums.both += p.visibility < 0.5f && r < 0.5, sums.either += p.visibility < 0.5f || r < 0.5;
+        sums.absolute += std::abs(difference);
+        sums.squares += difference * difference;
+        sums.sum += difference;
+        sums.both += p.visibility < 0.5f && r < 0.5;
+        sums.either += p.visibility < 0.5f || r < 0.5;
         sums.dark[std::size_t(p.artefact)] += p.has(J::kFalseShadow);
         sums.bright[std::size_t(p.artefact)] += p.has(J::kFalseLight);
         sums.outside += p.has(J::kOutside);

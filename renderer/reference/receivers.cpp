@@ -12,7 +12,8 @@ namespace {
 glm::dvec3 inside(const TriangleWs& t, double u, double v) {
     if (!std::isfinite(u + v)) u = v = 1.0 / 3;  // seen edge-on
     double w = std::max(1 - u - v, 0.0);
-    u = std::max(u, 0.0), v = std::max(v, 0.0);
+    u = std::max(u, 0.0);
+    v = std::max(v, 0.0);
     const double sum = u + v + w;
     return (w * t.a + u * t.b + v * t.c) / sum;
 }
@@ -32,9 +33,11 @@ struct Prepared {
         const auto count = std::uint32_t(geometry.objects[new_object].mesh->triangles());
         const std::uint32_t new_primitive = drawn_primitive % count;
         if (new_object == object && new_primitive == primitive) return;
-        object = new_object, primitive = new_primitive;
+        object = new_object;
+        primitive = new_primitive;
         corners = geometry.triangle(object, primitive);
-        e1 = corners.b - corners.a, e2 = corners.c - corners.a;
+        e1 = corners.b - corners.a;
+        e2 = corners.c - corners.a;
         const glm::dvec3 cross = glm::cross(e1, e2);
         const double length = glm::length(cross);
         normal = length > 0 ? cross / length : glm::dvec3(0);
@@ -43,7 +46,9 @@ struct Prepared {
 
     Receiver meet(const glm::dvec3& origin, const glm::dvec3& dir) const {
         Receiver r;
-        r.object = object, r.primitive = primitive, r.edge_m = edge_m;
+        r.object = object;
+        r.primitive = primitive;
+        r.edge_m = edge_m;
         r.normal_ws = glm::dot(normal, dir) > 0 ? -normal : normal;
         if (normal == glm::dvec3(0)) r.normal_ws = -dir;
         // Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
@@ -100,7 +105,8 @@ glm::vec3 ray_origin(const UnitFrame& frame, const Receiver& r) {
 Receivers place_receivers(const ReferenceGeometry& geometry, const Camera& camera, const SurfaceIds& ids,
                           const PixelRaster& raster, const Workers& workers) {
     Receivers out{ids.width, ids.height, {}};
-    out.pixels.resize(ids.data.size()), out.starts.resize(ids.data.size());
+    out.pixels.resize(ids.data.size());
+    out.starts.resize(ids.data.size());
     const UnitFrame frame = geometry.unit_frame();
     const auto step = std::size_t(raster.step), left = std::size_t(raster.first.x), top = std::size_t(raster.first.y);
     const auto width = std::size_t(ids.width), height = std::size_t(ids.height);
@@ -119,7 +125,8 @@ Receivers place_receivers(const ReferenceGeometry& geometry, const Camera& camer
                     r = meet(triangle, camera, left + x * step, top + y * step, raster.width, raster.height);
                     start = {ray_origin(frame, r), glm::vec3(r.normal_ws), r.object};
                 }
-                out.pixels[i] = r, out.starts[i] = start;
+                out.pixels[i] = r;
+                out.starts[i] = start;
             }
         for (std::size_t y = first; y < end; ++y) join_row(out, y, y + 1 < end);  // while it is in the cache
     });

@@ -87,11 +87,19 @@ private:
             here = std::min<std::uint8_t>(here, std::uint8_t(clearance_[index(u, v)] + 1));
         };
         for (int y = 0; y < h; ++y)
-            for (int x = 0; x < w; ++x)
-                lower(x, y, x - 1, y), lower(x, y, x - 1, y - 1), lower(x, y, x, y - 1), lower(x, y, x + 1, y - 1);
+            for (int x = 0; x < w; ++x) {
+                lower(x, y, x - 1, y);
+                lower(x, y, x - 1, y - 1);
+                lower(x, y, x, y - 1);
+                lower(x, y, x + 1, y - 1);
+            }
         for (int y = h; y-- > 0;)
-            for (int x = w; x-- > 0;)
-                lower(x, y, x + 1, y), lower(x, y, x + 1, y + 1), lower(x, y, x, y + 1), lower(x, y, x - 1, y + 1);
+            for (int x = w; x-- > 0;) {
+                lower(x, y, x + 1, y);
+                lower(x, y, x + 1, y + 1);
+                lower(x, y, x, y + 1);
+                lower(x, y, x - 1, y + 1);
+            }
     }
 
     /// A move of the truth's pixels, the longer component 1, that leads along a direction in the world.
@@ -162,7 +170,8 @@ private:
                 side.change_m = at_m;
                 dark_now = dark(here);
             }
-            u = s, v = t;
+            u = s;
+            v = t;
         }
         return side;
     }
@@ -182,7 +191,8 @@ ShadowRuns shadow_runs(const Reference& reference, const Receivers& receivers, c
         for (int x = 0; x < reference.width; ++x) {
             const Walker::Found found = walker.at(x, int(y));
             const std::size_t i = y * std::size_t(reference.width) + std::size_t(x);
-            out.run_m.data[i] = found.run_m, out.edge_m.data[i] = found.edge_m;
+            out.run_m.data[i] = found.run_m;
+            out.edge_m.data[i] = found.edge_m;
         }
     });
     return out;

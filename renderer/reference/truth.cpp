@@ -28,7 +28,12 @@ struct Batch {
     std::vector<ExactRay> exact;
     std::vector<std::uint32_t> grazing_of;  ///< what the caller numbers the rays by; plain ones carry it as their id
 
-    void clear() { plain.clear(), grazing.clear(), exact.clear(), grazing_of.clear(); }
+    void clear() {
+        plain.clear();
+        grazing.clear();
+        exact.clear();
+        grazing_of.clear();
+    }
 
     /// @param direction unit @param length unit frame
     void add(std::uint32_t number, const Receiver& r, const glm::vec3& origin, const glm::dvec3& direction,
@@ -159,7 +164,8 @@ private:
             if (out_.state[i] != PixelState::Counted) continue;
             const int of_pixel = int(parts_[i]) * int(parts_[i]);
             samples += of_pixel;
-            least = std::min(least, of_pixel), most = std::max(most, of_pixel);
+            least = std::min(least, of_pixel);
+            most = std::max(most, of_pixel);
             out_.partial += partial(i);
             if (std::isnan(error_[i]))
                 ++out_.noise_unknown;
@@ -360,7 +366,8 @@ Reference trace_visibility(const ReferenceScene& scene, const Receivers& receive
     if (query.traits.size() != scene.geometry().objects.size())
         throw Error("the traced scene and its settings do not belong together");
     Reference out;
-    out.width = receivers.width, out.height = receivers.height;
+    out.width = receivers.width;
+    out.height = receivers.height;
     out.step = std::max(query.options.step, 1);
     out.state.resize(receivers.pixels.size());
     out.visibility = image(out.width, out.height, 1);

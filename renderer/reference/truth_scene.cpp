@@ -34,7 +34,10 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
 bool well_conditioned(const glm::dmat3& m) {
     const glm::dmat3 inverse = glm::inverse(m);
     double forth = 0, back = 0;
-    for (int c = 0; c < 3; ++c) forth += glm::dot(m[c], m[c]), back += glm::dot(inverse[c], inverse[c]);
+    for (int c = 0; c < 3; ++c) {
+        forth += glm::dot(m[c], m[c]);
+        back += glm::dot(inverse[c], inverse[c]);
+    }
     return std::sqrt(forth * back) < 30;  // 3 for a rotation; false for NaN
 }
 
@@ -159,7 +162,10 @@ ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry
     std::map<const ReferenceMesh*, int> uses;
     std::size_t flattened = 0;
     for (const ReferenceObject& o : geometry_->objects)
-        if (o.casts) ++uses[o.mesh.get()], flattened += o.mesh->triangles();
+        if (o.casts) {
+            ++uses[o.mesh.get()];
+            flattened += o.mesh->triangles();
+        }
     const bool share =
         instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMostFlattened);
     Builder builder(i, workers);

@@ -60,7 +60,8 @@ template <typename Make>
 auto timed(double& ms, Make&& make) {
     const auto start = std::chrono::steady_clock::now();
     auto result = make();
-    ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    ms = std::chrono::duration < double;
+    std::milli > (std::chrono::steady_clock::now() - start).count();
     return result;
 }
 
@@ -137,7 +138,9 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
     } else {
         references_.splice(references_.begin(), references_, found);
     }
-    out.scene = scene_, out.receivers = receivers_, out.reference = references_.front().reference,
+    out.scene = scene_;
+    out.receivers = receivers_;
+    out.reference = references_.front().reference;
     out.runs = references_.front().runs;
     return out;
 }

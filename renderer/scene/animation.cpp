@@ -356,7 +356,8 @@ void measure_travel(Scene& scene, int animation) {
                 all[i].add(now[i]);
                 if (step >= 2) add_bent(all[i], before[i], at[i], now[i]);
             }
-            before = std::move(at), at = std::move(now);
+            before = std::move(at);
+            at = std::move(now);
         }
     }
     const std::vector<Bounds> last = travel.at(keys.back());

@@ -108,7 +108,10 @@ Edges edges_of(const Welded& mesh) {
 /// Makes one place of those that lie within a seam of each other, and drops triangles that this leaves without area.
 void join_seams(Welded& mesh, std::vector<std::uint32_t> open) {
     glm::dvec3 lo(1e300), hi(-1e300);
-    for (const glm::dvec3& p : mesh.places) lo = glm::min(lo, p), hi = glm::max(hi, p);
+    for (const glm::dvec3& p : mesh.places) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
     const double seam = kSeamShare * glm::length(hi - lo);
     const auto& at = mesh.places;
     std::sort(open.begin(), open.end(),
@@ -173,7 +176,11 @@ std::vector<BodyPart> measure_parts(const Welded& mesh, const Parts& of) {
     std::vector<BodyPart> parts(of.count);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         BodyPart& p = parts[of.of_triangle[i]];
-        for (const glm::dvec3& c : corners_of(mesh, i)) p.sum += c, p.lo = glm::min(p.lo, c), p.hi = glm::max(p.hi, c);
+        for (const glm::dvec3& c : corners_of(mesh, i)) {
+            p.sum += c;
+            p.lo = glm::min(p.lo, c);
+            p.hi = glm::max(p.hi, c);
+        }
         p.triangles += 1;
     }
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

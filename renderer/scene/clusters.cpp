@@ -75,17 +75,23 @@ std::vector<Cluster> clusters_of(const Mesh& mesh) {
         }
     };
     each_triangle([](Cluster& to, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-        to.box.add(a), to.box.add(b), to.box.add(c);
+        to.box.add(a);
+        to.box.add(b);
+        to.box.add(c);
         to.axis += unit_normal(a, b, c);
     });
     std::vector<double> least(all.size(), 1);  // cosines to the axis
     for (Cluster& c : all) c.axis = glm::length(c.axis) > 0 ? glm::normalize(c.axis) : glm::dvec3(0);
-    for (Cluster& c : all) c.lowest = std::numeric_limits<double>::infinity(), c.highest = -c.lowest;
+    for (Cluster& c : all) {
+        c.lowest = std::numeric_limits<double>::infinity();
+        c.highest = -c.lowest;
+    }
     each_triangle([&](Cluster& to, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
         double& cosine = least[std::size_t(&to - all.data())];
         cosine = std::min(cosine, glm::dot(to.axis, unit_normal(a, b, c)));
         const auto [low, high] = std::minmax({glm::dot(to.axis, a), glm::dot(to.axis, b), glm::dot(to.axis, c)});
-        to.lowest = std::min(to.lowest, low), to.highest = std::max(to.highest, high);
+        to.lowest = std::min(to.lowest, low);
+        to.highest = std::max(to.highest, high);
     });
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (!(least[i] > 0)) all[i].axis = glm::dvec3(0);

@@ -36,13 +36,17 @@ FacedMesh face_normals(std::span<const glm::vec3> positions, std::span<const std
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t v = latest[corners[k]];
             const int rank = taken[v] && out.normals[v] == n ? 3 : !taken[v] ? 2 : !remembered(v) ? 1 : 0;
-            if (rank > best_rank) best_rank = rank, best = k;
+            if (rank > best_rank) {
+                best_rank = rank;
+                best = k;
+            }
         }
         if (best_rank < 2) {
             latest[corners[best]] = std::uint32_t(out.normals.size());
             out.copies.push_back(corners[best]);
             out.normals.emplace_back();
-            taken.push_back(false), shaded.push_back(0);
+            taken.push_back(false);
+            shaded.push_back(0);
         }
         const std::uint32_t carrier = latest[corners[best]];
         taken[carrier] = true;

@@ -49,7 +49,8 @@ private:
         for (int i = 0; i < 3; ++i) {
             const glm::dvec2 along = p[(i + 1) % 3] - p[i], to = at - p[i];
             const double side = along.x * to.y - along.y * to.x;
-            left += side >= 0, right += side <= 0;
+            left += side >= 0;
+            right += side <= 0;
         }
         return left == 3 || right == 3;
     }
@@ -131,7 +132,8 @@ void add_ground(Scene& scene) {
     scene.nodes.push_back(std::move(node));
     scene.meshes.push_back(std::move(disc));
     Object object;
-    object.node = int(scene.nodes.size()) - 1, object.mesh = int(scene.meshes.size()) - 1;
+    object.node = int(scene.nodes.size()) - 1;
+    object.mesh = int(scene.meshes.size()) - 1;
     object.ground = true;
     scene.objects.push_back(object);
     refresh(scene);
@@ -139,7 +141,10 @@ void add_ground(Scene& scene) {
 
 void remove_ground(Scene& scene) {
     if (scene.objects.empty() || !scene.objects.back().ground) return;
-    scene.objects.pop_back(), scene.meshes.pop_back(), scene.nodes.pop_back(), scene.materials.pop_back();
+    scene.objects.pop_back();
+    scene.meshes.pop_back();
+    scene.nodes.pop_back();
+    scene.materials.pop_back();
     refresh(scene);
 }
 

@@ -20,7 +20,8 @@ public:
     SameMesh(const Scene& scene, const Mesh& mesh) {
         // Poses change deformed meshes in place, where nobody else holds them.
         if (mesh.deformer) return;
-        mesh_ = mesh, material_ = material_of(scene, mesh);
+        mesh_ = mesh;
+        material_ = material_of(scene, mesh);
         rigid_ = true;
     }
 

@@ -411,8 +411,13 @@ namespace {
 constexpr std::string_view kHolder = "scenes";
 
 void tell_arrays(Mesh& m) {
-    m.positions.tell(kHolder), m.normals.tell(kHolder), m.uv.tell(kHolder), m.uv_normal.tell(kHolder);
-    m.tangents.tell(kHolder), m.colours.tell(kHolder), m.indices.tell(kHolder);
+    m.positions.tell(kHolder);
+    m.normals.tell(kHolder);
+    m.uv.tell(kHolder);
+    m.uv_normal.tell(kHolder);
+    m.tangents.tell(kHolder);
+    m.colours.tell(kHolder);
+    m.indices.tell(kHolder);
 }
 
 }  // namespace

@@ -27,8 +27,14 @@ struct Bounds {
     glm::dvec3 centre() const { return empty() ? glm::dvec3(0) : 0.5 * lo + 0.5 * hi; }
     /// Half the diagonal; 0 when empty.
     double radius() const { return empty() ? 0 : 0.5 * glm::length(hi - lo); }
-    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
-    void add(const Bounds& b) { lo = glm::min(lo, b.lo), hi = glm::max(hi, b.hi); }
+    void add(const glm::dvec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void add(const Bounds& b) {
+        lo = glm::min(lo, b.lo);
+        hi = glm::max(hi, b.hi);
+    }
     /// The eight corners moved by `m`; corner i has hi instead of lo of x, y, z where bit 0, 1, 2 of i is set.
     Box corners(const glm::dmat4& m = glm::dmat4(1.0)) const;
     /// The box around this box's eight corners moved by `m`; empty stays empty.

@@ -23,8 +23,12 @@ int few_texels(int side) {
 
 Texture few_texels_of(const Texture& from) {
     Texture to{.name = from.name, .width = few_texels(from.width), .height = few_texels(from.height), .rgba = {}};
-    to.srgb = from.srgb, to.wrap_s = from.wrap_s, to.wrap_t = from.wrap_t;
-    to.nearest_mag = from.nearest_mag, to.nearest_min = from.nearest_min, to.mipmaps = from.mipmaps;
+    to.srgb = from.srgb;
+    to.wrap_s = from.wrap_s;
+    to.wrap_t = from.wrap_t;
+    to.nearest_mag = from.nearest_mag;
+    to.nearest_min = from.nearest_min;
+    to.mipmaps = from.mipmaps;
     if (from.rgba.empty()) return to;
     std::vector<std::uint8_t> rgba;
     for (int y = 0; y < to.height; ++y) {
@@ -57,7 +61,8 @@ Mesh outermost_triangles(const Mesh& from) {
     for (const std::size_t t : triangles)
         for (std::size_t corner = 0; corner < 3; ++corner) kept.push_back(from.indices[3 * t + corner]);
     Mesh to;
-    to.name = from.name, to.material = from.material;
+    to.name = from.name;
+    to.material = from.material;
     keep_some(to.positions, from.positions, kept);
     keep_some(to.normals, from.normals, kept);
     keep_some(to.uv, from.uv, kept);
@@ -102,8 +107,14 @@ std::set<std::size_t> outermost_objects(const Scene& scene) {
         const Object& o = scene.objects[i];
         const Bounds own = scene.meshes[std::size_t(o.mesh)].bounds.transformed(o.world);
         for (int axis = 0; axis < 3; ++axis) {
-            if (own.lo[axis] < reached.lo[axis]) reached.lo[axis] = own.lo[axis], outermost[std::size_t(axis)] = i;
-            if (own.hi[axis] > reached.hi[axis]) reached.hi[axis] = own.hi[axis], outermost[std::size_t(axis) + 3] = i;
+            if (own.lo[axis] < reached.lo[axis]) {
+                reached.lo[axis] = own.lo[axis];
+                outermost[std::size_t(axis)] = i;
+            }
+            if (own.hi[axis] > reached.hi[axis]) {
+                reached.hi[axis] = own.hi[axis];
+                outermost[std::size_t(axis) + 3] = i;
+            }
         }
     }
     return {outermost.begin(), outermost.end()};
@@ -128,11 +139,17 @@ void keep_one_of_each_kind(const Scene& from, const Settings& settings, Scene& t
 Scene stand_in(const Scene& scene, const Settings& settings) {
     const bool small = scene.objects.size() <= kSmallObjects && scene.triangle_count() <= kSmallTriangles;
     Scene out;
-    out.name = scene.name, out.file_scenes = scene.file_scenes, out.file_scene = scene.file_scene;
-    out.materials = scene.materials, out.nodes = scene.nodes, out.cameras = scene.cameras, out.lights = scene.lights;
+    out.name = scene.name;
+    out.file_scenes = scene.file_scenes;
+    out.file_scene = scene.file_scene;
+    out.materials = scene.materials;
+    out.nodes = scene.nodes;
+    out.cameras = scene.cameras;
+    out.lights = scene.lights;
     for (const Texture& t : scene.textures) out.textures.push_back(few_texels_of(t));
     if (small) {
-        out.meshes = scene.meshes, out.objects = scene.objects;
+        out.meshes = scene.meshes;
+        out.objects = scene.objects;
         for (Mesh& m : out.meshes) m.deformer = nullptr;
     } else {
         keep_one_of_each_kind(scene, settings, out);

@@ -168,7 +168,8 @@ Scene hard_stairs() {
     for (int i = 0; i < kSteps; ++i) {
         Mesh tread = transformed(make_plane(4, kStep), moved(0, kStep * (i + 1), -kStep * (i + 0.5)));
         Mesh riser = transformed(make_quad(4, kStep), moved(0, kStep * i, -kStep * i));
-        tread.uv.clear(), riser.uv.clear();
+        tread.uv.clear();
+        riser.uv.clear();
         if (i == 0)
             stairs = std::move(tread);
         else

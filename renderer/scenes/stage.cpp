@@ -178,9 +178,17 @@ Scene make_stage_scene() {
     const int wood = add_material(scene, "Lay figure", {0.62f, 0.42f, 0.22f});
     const int joints = add_material(scene, "Lay figure joints", {0.34f, 0.20f, 0.10f});
     Pose pose;
-    pose.lean = 3, pose.twist = 8, pose.head_turn = -18;
-    pose.hip[0] = 24, pose.knee[0] = 10, pose.hip[1] = -14, pose.knee[1] = 22;
-    pose.shoulder[0] = -26, pose.shoulder[1] = 30, pose.elbow[0] = 18, pose.elbow[1] = 38;
+    pose.lean = 3;
+    pose.twist = 8;
+    pose.head_turn = -18;
+    pose.hip[0] = 24;
+    pose.knee[0] = 10;
+    pose.hip[1] = -14;
+    pose.knee[1] = 22;
+    pose.shoulder[0] = -26;
+    pose.shoulder[1] = 30;
+    pose.elbow[0] = 18;
+    pose.elbow[1] = 38;
     add_figure(scene, add_figure_meshes(scene, wood, joints), "Figure", root, moved(-0.75, 0, 0.75) * turned(18), pose);
 
     add_camera(scene, {-2.3, 3.25, 9.1}, {0.12, 0.98, -0.6}, 35);

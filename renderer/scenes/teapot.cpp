@@ -76,7 +76,10 @@ Patch half(const PotSection (&tube)[4], bool far_side) {
                     {s.inner_x, y, s.inner_z},
                     {s.outer_x, y, s.outer_z},
                     {s.outer_x, 0, s.outer_z}};
-        if (!far_side) std::swap(patch[i][0], patch[i][3]), std::swap(patch[i][1], patch[i][2]);
+        if (!far_side) {
+            std::swap(patch[i][0], patch[i][3]);
+            std::swap(patch[i][1], patch[i][2]);
+        }
     }
     return patch;
 }

@@ -62,7 +62,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
                 row[j] = std::min(row[j], before[j - 2] + 1);
             }
         }
-        before = last, last = row;
+        before = last;
+        last = row;
     }
     return last[b.size()];
 }
@@ -141,7 +142,10 @@ std::string nearest_name(std::string_view text, std::span<const std::string> nam
     for (const std::string& known : names) {
         const std::string like = in_small_letters(known);
         const std::pair far{unlikeness(name, like, most), name.size() - common_prefix(name, like)};
-        if (far < best) best = far, nearest = &known;
+        if (far < best) {
+            best = far;
+            nearest = &known;
+        }
     }
     return nearest ? *nearest : std::string();
 }

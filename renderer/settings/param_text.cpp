@@ -98,7 +98,8 @@ void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_k
     const double lo = std::get<double>(get_value(s, lo_ref)), hi = std::get<double>(get_value(s, hi_ref));
     if (lo < hi || (zero_is_automatic && (lo == 0 || hi == 0))) return;
     if (lo > hi) {
-        set_value(s, lo_ref, hi), set_value(s, hi_ref, lo);
+        set_value(s, lo_ref, hi);
+        set_value(s, hi_ref, lo);
         repairs.push_back(
             fmt::format("{} {} was above {} {}: swapped", lo_key, number_text(lo), hi_key, number_text(hi)));
         return;
@@ -144,7 +145,8 @@ std::vector<std::pair<SettingRef, Value>> also_meant(const SettingRef& ref, std:
     for (const ChoiceAlias::Also& also : alias->also) {
         if (also.key.empty()) continue;
         SettingRef other = *find_setting(also.key);
-        other.light = ref.light, other.object = ref.object;
+        other.light = ref.light;
+        other.object = ref.object;
         more.emplace_back(other, parse_value(other, also.value));
     }
     return more;

@@ -16,7 +16,10 @@ std::span<const Param> params() {
             all.insert(all.end(), group.begin(), group.end());
         }
         for (Param& p : all) {
-            if (p.choices) p.min = 0, p.max = double(p.choices().size()) - 1;
+            if (p.choices) {
+                p.min = 0;
+                p.max = double(p.choices().size()) - 1;
+            }
         }
         return all;
     }();

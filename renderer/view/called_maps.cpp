@@ -99,7 +99,8 @@ private:
     /// @param held look-ups beyond the map's sides are another view's
     void take(MapRect rect, bool held) {
         if (!held && area_.wrap == MapWrap::Repeat) return take_all();
-        rect.lo -= room_, rect.hi += room_;
+        rect.lo -= room_;
+        rect.hi += room_;
         const bool beyond = !held && (area_.wrap == MapWrap::Clamp || area_.weighs_rim);
         MapCells read;
         read.add(rect, beyond);
@@ -117,7 +118,8 @@ private:
                 const glm::dvec3 d = p - light_.map_origin;
                 const glm::dvec2 at(m[0][0] * d.x + m[1][0] * d.y + m[2][0] * d.z + m[3][0],
                                     m[0][1] * d.x + m[1][1] * d.y + m[2][1] * d.z + m[3][1]);
-                out.rect.lo = glm::min(out.rect.lo, at), out.rect.hi = glm::max(out.rect.hi, at);
+                out.rect.lo = glm::min(out.rect.lo, at);
+                out.rect.hi = glm::max(out.rect.hi, at);
             }
             out.nearest = out.farthest = 1;
             out.beside = out.rect.hi.x < 0 || out.rect.hi.y < 0 || out.rect.lo.x > 1 || out.rect.lo.y > 1;
@@ -126,14 +128,16 @@ private:
         bool beyond[4] = {true, true, true, true};
         for (const glm::dvec3& p : points) {
             const glm::dvec4 h = uvd_from_relative_ * glm::dvec4(p - light_.map_origin, 1);
-            out.nearest = std::min(out.nearest, h.w), out.farthest = std::max(out.farthest, h.w);
+            out.nearest = std::min(out.nearest, h.w);
+            out.farthest = std::max(out.farthest, h.w);
             beyond[0] &= h.x < 0.0;
             beyond[1] &= h.w < h.x;
             beyond[2] &= h.y < 0.0;
             beyond[3] &= h.w < h.y;
             if (!(h.w > 0)) continue;
             const glm::dvec2 at = glm::dvec2(h) / h.w;
-            out.rect.lo = glm::min(out.rect.lo, at), out.rect.hi = glm::max(out.rect.hi, at);
+            out.rect.lo = glm::min(out.rect.lo, at);
+            out.rect.hi = glm::max(out.rect.hi, at);
         }
         out.beside = std::ranges::any_of(beyond, [](bool all) { return all; });
         return out;
@@ -170,7 +174,8 @@ private:
             double from = std::numeric_limits<double>::infinity(), to = -from;
             for (const glm::dvec3& p : points) {
                 const double depth = glm::dot(p - c.from_ws, c.forward);
-                from = std::min(from, depth), to = std::max(to, depth);
+                from = std::min(from, depth);
+                to = std::max(to, depth);
             }
             const double ends = c.spans[number_].ends;
             if (!last && from > ends + kSpanShare * std::abs(ends)) return false;
@@ -191,7 +196,10 @@ bool keeps_sides(const glm::dmat4& world) {
     constexpr double kMostSkew = 30;
     const glm::dmat3 m(world), back = glm::inverse(m);
     double there = 0, here = 0;
-    for (int i = 0; i < 3; ++i) there += glm::dot(m[i], m[i]), here += glm::dot(back[i], back[i]);
+    for (int i = 0; i < 3; ++i) {
+        there += glm::dot(m[i], m[i]);
+        here += glm::dot(back[i], back[i]);
+    }
     return std::sqrt(there * here) < kMostSkew;
 }
 

@@ -19,7 +19,10 @@ Bounds view_bounds(const Scene& scene) {
     Bounds b = scene.bounds;
     if (b.empty() || !std::isfinite(b.radius())) return {glm::dvec3(-1), glm::dvec3(1)};
     const double scale = std::max({1e-7, b.radius() * 1e-3, glm::length(b.centre()) * 1e-9});
-    if (b.radius() < scale) b.lo -= scale, b.hi += scale;
+    if (b.radius() < scale) {
+        b.lo -= scale;
+        b.hi += scale;
+    }
     return b;
 }
 
@@ -188,7 +191,9 @@ CameraSettings camera_settings(const Camera& c) {
     const glm::dmat3 level_axes = orbit_axes(s.azimuth, s.elevation, 0);
     s.roll = std::atan2(glm::dot(c.axes[0], level_axes[1]), glm::dot(c.axes[0], level_axes[0])) / kDegree;
     const glm::dvec3 target = c.eye - c.focus * back;
-    s.target_x = target.x, s.target_y = target.y, s.target_z = target.z;
+    s.target_x = target.x;
+    s.target_y = target.y;
+    s.target_z = target.z;
     s.distance = c.focus;
     s.fov = c.fov_y_rad / kDegree;
     s.orthographic = c.orthographic;

@@ -30,7 +30,10 @@ struct DepthRange {
 DepthRange depth_range(const SceneShape& shape, const glm::dvec3& back) {
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const Box& box : shape.boxes)
-        for (const glm::dvec3& p : box) lo = std::min(lo, glm::dot(back, p)), hi = std::max(hi, glm::dot(back, p));
+        for (const glm::dvec3& p : box) {
+            lo = std::min(lo, glm::dot(back, p));
+            hi = std::max(hi, glm::dot(back, p));
+        }
     const double range = std::max(hi - lo, 1e-6 * std::max({shape.radius, std::abs(lo), std::abs(hi)}));
     const double pad = kDepthPad * range, step = power_above(range) / kDepthSteps;
     return {std::ceil((hi + pad) / step) * step, std::floor((lo - pad) / step) * step, step};
@@ -49,7 +52,8 @@ SeenExtent seen_extent(const SceneShape& shape, const Camera& camera, const glm:
         if (!shape.box_receives[i]) continue;
         for (const glm::dvec3& p : slice.seen_of(shape.boxes[i])) {
             const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
-            seen.lo = glm::min(seen.lo, at), seen.hi = glm::max(seen.hi, at);
+            seen.lo = glm::min(seen.lo, at);
+            seen.hi = glm::max(seen.hi, at);
             seen.farthest_m = std::max(seen.farthest_m, glm::distance(p, camera.eye));
         }
     }

@@ -30,7 +30,8 @@ ObjectSettings settings_of(const Scene& scene, const Settings& settings, const O
 void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::size_t object,
              const std::optional<HalfSpace>& plane, bool travels) {
     shape.boxes.push_back(box);
-    shape.box_casts.push_back(casts), shape.box_receives.push_back(receives);
+    shape.box_casts.push_back(casts);
+    shape.box_receives.push_back(receives);
     shape.box_objects.push_back(object);
     shape.box_planes.push_back(plane);
     shape.box_travels.push_back(travels);
@@ -165,7 +166,8 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
     for (const int axis : {0, 2}) {
         glm::dvec3 inwards(0);
         inwards[axis] = 1;
-        clip(part, HalfSpace::through(lo, inwards)), clip(part, HalfSpace::through(hi, -inwards));
+        clip(part, HalfSpace::through(lo, inwards));
+        clip(part, HalfSpace::through(hi, -inwards));
     }
     // Where nothing casts onto it, a point of it under the scene says no more than the scene does.
     if (part.empty()) part.push_back({0.5 * (lo.x + hi.x), hi.y, 0.5 * (lo.z + hi.z)});
@@ -208,7 +210,8 @@ void add_shadow_on_ground(ViewExtent& model, const ViewExtent& ground) {
         if (!(ground.lo[axis] >= model.lo[axis] - rounding)) model.lo[axis] = std::min(model.lo[axis], ground.lo[axis]);
         if (!(ground.hi[axis] <= model.hi[axis] + rounding)) model.hi[axis] = std::max(model.hi[axis], ground.hi[axis]);
     }
-    model.lo.z = std::min(model.lo.z, ground.lo.z), model.hi.z = std::max(model.hi.z, ground.hi.z);
+    model.lo.z = std::min(model.lo.z, ground.lo.z);
+    model.hi.z = std::max(model.hi.z, ground.hi.z);
 }
 
 ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
@@ -217,7 +220,10 @@ ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
     for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
         const bool shadow = i == shape.ground && !shape.ground_shadow.empty();
         ViewExtent e = shadow ? extent_of(shape.ground_shadow, view) : extent_of(shape.boxes[i], view);
-        if (i == shape.ground) e.lo.x = e.lo.y = kFar, e.hi.x = e.hi.y = -kFar;
+        if (i == shape.ground) {
+            e.lo.x = e.lo.y = kFar;
+            e.hi.x = e.hi.y = -kFar;
+        }
         all.add(e);
     }
     return all;

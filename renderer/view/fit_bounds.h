@@ -48,8 +48,14 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
 struct ViewExtent {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
-    void add(const glm::dvec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
-    void add(const ViewExtent& e) { lo = glm::min(lo, e.lo), hi = glm::max(hi, e.hi); }
+    void add(const glm::dvec3& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    void add(const ViewExtent& e) {
+        lo = glm::min(lo, e.lo);
+        hi = glm::max(hi, e.hi);
+    }
 };
 
 ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view);

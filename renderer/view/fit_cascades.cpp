@@ -136,7 +136,8 @@ void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera)
             light.chooser.spans.push_back({rim, i + 1 < count ? rim * (1 - blend) : rim});
         else if (count > 1)
             light.chooser.spans.push_back({end, blends_from});
-        begins = end, holds_from = blends_from;
+        begins = end;
+        holds_from = blends_from;
     }
 }
 

@@ -47,11 +47,13 @@ void stretch_range(const LightSettings& s, DepthCurve& curve) {
     const double by = std::clamp(finite_or(s.stretch, 1), 1.0, 1e5);
     if (by == 1) return;
     if (curve.perspective) {
-        curve.near /= by, curve.far *= by;
+        curve.near /= by;
+        curve.far *= by;
         return;
     }
     const double middle = 0.5 * (curve.near + curve.far), half = 0.5 * by * (curve.far - curve.near);
-    curve.near = middle - half, curve.far = middle + half;
+    curve.near = middle - half;
+    curve.far = middle + half;
 }
 
 void step_view_forward(LightView& view) {

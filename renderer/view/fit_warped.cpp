@@ -20,7 +20,10 @@ constexpr double kRimShare = 0.5;    // of 1 / w at the farthest point: what is 
 /// A range of numbers.
 struct Extent {
     double lo = std::numeric_limits<double>::infinity(), hi = -std::numeric_limits<double>::infinity();
-    void add(double v) { lo = std::min(lo, v), hi = std::max(hi, v); }
+    void add(double v) {
+        lo = std::min(lo, v);
+        hi = std::max(hi, v);
+    }
     double size() const { return hi - lo; }
     double middle() const { return 0.5 * (lo + hi); }
     void widen(double least) {
@@ -72,7 +75,8 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     Extent x, y;
     for (const glm::dvec3& p : points) {
         const glm::dvec3 at = to_view * (p - view.eye);
-        x.add(at.x), y.add(at.y);
+        x.add(at.x);
+        y.add(at.y);
     }
     // x = 0 passes through the camera, so that what it sees to both sides is widened alike.
     view.eye += view.axes * glm::dvec3((to_view * (camera.eye - view.eye)).x, y.middle(), 0);
@@ -92,18 +96,24 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     Extent u, v;
     for (const glm::dvec3& p : points) {
         const glm::dvec3 at = to_view * (p - view.eye);
-        u.add(at.x / w_at(at.y)), v.add(at.y / w_at(at.y));
+        u.add(at.x / w_at(at.y));
+        v.add(at.y / w_at(at.y));
     }
     const double least_m = with_margin(0, c.shape.radius, c.resolution, 0);
-    u.widen(2 * least_m), v.widen(2 * least_m);
+    u.widen(2 * least_m);
+    v.widen(2 * least_m);
     const double au = 2 * share / u.size(), bu = -au * u.middle(), av = 2 * share / v.size(), bv = -av * v.middle();
     view.half_width = 0.5 * std::max(x.size(), y.size()) / share;
     view.curve.convention = c.convention;
     view.curve.warp = DepthWarp{};
     view.projection = glm::dmat4(0.0);
-    view.projection[0][0] = au, view.projection[1][0] = bu * k, view.projection[3][0] = bu;
-    view.projection[1][1] = av + bv * k, view.projection[3][1] = bv;
-    view.projection[1][3] = k, view.projection[3][3] = 1;
+    view.projection[0][0] = au;
+    view.projection[1][0] = bu * k;
+    view.projection[3][0] = bu;
+    view.projection[1][1] = av + bv * k;
+    view.projection[3][1] = bv;
+    view.projection[1][3] = k;
+    view.projection[3][3] = 1;
     // 1 / w is 1 - k y / w, and so falls evenly over the map.
     const auto inverse_w = [&](double ndc) { return 1 - k * (ndc - bv) / av; };
     const auto near_far = NearFar(c.settings.near_far);
@@ -152,14 +162,20 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     const bool reversed = c.convention.reversed;
     // Depth rises by ad per unit of (z - middle) / w from bd.
     double ad = (reversed ? -1 : 1) / (end - begin), bd = (reversed ? end : -begin) / (end - begin);
-    if (!c.convention.zero_to_one) ad *= 2, bd = 2 * bd - 1;
+    if (!c.convention.zero_to_one) {
+        ad *= 2;
+        bd = 2 * bd - 1;
+    }
     glm::dmat4& m = view.projection;
-    m[2][2] = -ad, m[1][2] = bd * k, m[3][2] = bd - ad * middle;
+    m[2][2] = -ad;
+    m[1][2] = bd * k;
+    m[3][2] = bd - ad * middle;
 
     const double front = inverse_w(-1), behind = inverse_w(1);
     view.curve.warp = DepthWarp{middle, begin / front, end / front, behind / front - 1};
     const DepthCurve low = view.curve.at_row(0), high = view.curve.at_row(1);
-    view.curve.near = std::min(low.near, high.near), view.curve.far = std::max(low.far, high.far);
+    view.curve.near = std::min(low.near, high.near);
+    view.curve.far = std::max(low.far, high.far);
     return view;
 }
 
@@ -170,7 +186,8 @@ bool holds_across(const LightView& view, std::span<const glm::dvec3> points, std
     const auto map = [&](const glm::dvec3& p) { return m * glm::dvec4(p - view.eye, 1); };
     for (const glm::dvec3& p : points) {
         const glm::dvec4 h = map(p);
-        x.add(h.x / h.w), y.add(h.y / h.w);
+        x.add(h.x / h.w);
+        y.add(h.y / h.w);
     }
     return std::ranges::all_of(others, [&](const glm::dvec3& p) {
         const glm::dvec4 h = map(p);

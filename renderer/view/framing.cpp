@@ -35,7 +35,8 @@ void frame_points(Camera& c, std::span<const glm::dvec3> points) {
     for (const glm::dvec3& p : points) {
         const glm::dvec3 v = turn * p;
         most = glm::max(most, glm::dvec4(tan_x * v.z + v.x, tan_x * v.z - v.x, tan_y * v.z + v.y, tan_y * v.z - v.y));
-        nearest = std::max(nearest, v.z), farthest = std::min(farthest, v.z);
+        nearest = std::max(nearest, v.z);
+        farthest = std::min(farthest, v.z);
     }
     const double along = std::max((most.x + most.y) / (2 * tan_x), (most.z + most.w) / (2 * tan_y));
     c.eye = c.axes * glm::dvec3(0.5 * (most.x - most.y), 0.5 * (most.z - most.w), along);

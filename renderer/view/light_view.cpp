@@ -49,7 +49,8 @@ TexelSize LightView::texel_size_at(const glm::dvec3& point_ws, int resolution) c
     for (int i = 0; i < 2; ++i) {
         const auto row = [&](int r) { return glm::dvec3(m[0][r], m[1][r], m[2][r]); };
         const glm::dvec3 gradient = (row(i) - m[3][i] / w * row(3)) / w;
-        right[i] = glm::dot(gradient, axes[0]), up[i] = glm::dot(gradient, axes[1]);
+        right[i] = glm::dot(gradient, axes[0]);
+        up[i] = glm::dot(gradient, axes[1]);
     }
     // Singular values of that, the smaller by the determinant, which keeps digits that a difference of squares loses.
     const double a = glm::dot(right, right), b = glm::dot(right, up), c = glm::dot(up, up);

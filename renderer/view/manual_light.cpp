@@ -40,7 +40,8 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
         glm::dvec2 lo(0), hi(0);
         for (int i = 0; i < 4; ++i) {
             const glm::dvec2 at(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye));
-            lo = i ? glm::min(lo, at) : at, hi = i ? glm::max(hi, at) : at;
+            lo = i ? glm::min(lo, at) : at;
+            hi = i ? glm::max(hi, at) : at;
         }
         s.extent = 0.5 * std::max(hi.x - lo.x, hi.y - lo.y);
         middle = 0.5 * (lo + hi);

@@ -46,7 +46,8 @@ std::optional<MapRect> rect_of(const SkewBox& box, const glm::dmat4& uvd_from_re
         for (unsigned i = 0; i < 3; ++i) h += corner >> i & 1 ? half[i] : -half[i];
         if (!(h.w > before)) return std::nullopt;
         const glm::dvec2 at = glm::dvec2(h) / h.w;
-        rect.lo = glm::min(rect.lo, at), rect.hi = glm::max(rect.hi, at);
+        rect.lo = glm::min(rect.lo, at);
+        rect.hi = glm::max(rect.hi, at);
     }
     return rect;
 }

@@ -52,7 +52,9 @@ void carry_settings(Settings& settings, const SceneSettings& from, const SceneSe
         if (const double* metres = std::get_if<double>(&value))
             set_value(settings, ref, std::clamp(*metres * by, ref.param->min, ref.param->max));
     }
-    camera.target_x = target.x + now[3].x, camera.target_y = target.y + now[3].y, camera.target_z = target.z + now[3].z;
+    camera.target_x = target.x + now[3].x;
+    camera.target_y = target.y + now[3].y;
+    camera.target_z = target.z + now[3].z;
 }
 
 glm::dvec3 counted_from(const Settings& settings, const glm::dvec3& nearby) {

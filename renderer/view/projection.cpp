@@ -13,12 +13,18 @@ glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half
         a = reversed ? n / range : -f / range;
         b = reversed ? f * (n / range) : -f * (n / range);
         m[2][3] = -1;
-        if (!curve.convention.zero_to_one) a = 2 * a + 1, b = 2 * b;
+        if (!curve.convention.zero_to_one) {
+            a = 2 * a + 1;
+            b = 2 * b;
+        }
     } else {
         a = reversed ? 1 / range : -1 / range;
         b = reversed ? f / range : -n / range;
         m[3][3] = 1;
-        if (!curve.convention.zero_to_one) a = 2 * a, b = 2 * b - 1;
+        if (!curve.convention.zero_to_one) {
+            a = 2 * a;
+            b = 2 * b - 1;
+        }
     }
     m[2][2] = a;
     m[3][2] = b;

@@ -136,7 +136,8 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t from = t.corners[k], to = t.corners[(k + 1) % 3];
             Net& net = nets[t.edges[k]];
-            net.lo = std::min(from, to), net.hi = std::max(from, to);
+            net.lo = std::min(from, to);
+            net.hi = std::max(from, to);
             net.times += (from < to) == faces ? 1 : -1;
         }
     }

@@ -47,7 +47,8 @@ glm::dvec3 sun_of(std::span<const FittedLight> lights) {
     glm::dvec3 to_sun = glm::normalize(glm::dvec3(0.5, 1, 0.7));
     for (const FittedLight& light : lights) {
         if (light.type != LightType::Directional || !(luminance(light.radiance) > brightest)) continue;
-        brightest = luminance(light.radiance), to_sun = light.to_light;
+        brightest = luminance(light.radiance);
+        to_sun = light.to_light;
     }
     return to_sun;
 }

@@ -82,11 +82,14 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     turns.run(state);
     turns.ratio(state, "ratio", "pick", "optimum");
     turns.ratio(state, "ratio_wall", "pick_wall", "optimum_wall");
-    state.counters["held"] = found.held, state.counters["seconds"] = found.seconds;
-    state.counters["combinations"] = double(found.combinations), state.counters["judged"] = double(found.cases.size());
+    state.counters["held"] = found.held;
+    state.counters["seconds"] = found.seconds;
+    state.counters["combinations"] = double(found.combinations);
+    state.counters["judged"] = double(found.cases.size());
     state.counters["that_hold"] = double(all.size());
     state.counters["same"] = found.best.settings == all[optimum].settings;
-    state.counters["error"] = found.best.classified.error, state.counters["most_error"] = *goals.most_error;
+    state.counters["error"] = found.best.classified.error;
+    state.counters["most_error"] = *goals.most_error;
     std::string untried;
     for (const std::string& u : found.untried) untried += "; " + u;
     state.SetLabel(found.summary + untried);

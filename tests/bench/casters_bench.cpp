@@ -22,7 +22,10 @@ namespace {
 /// Times in turn, and says how the second relates to the first in the middle half of the rounds.
 template <typename A, typename B>
 void in_turn(benchmark::State& state, A&& first, B&& second) {
-    for (int i = 0; i < 3; ++i) first(), second();
+    for (int i = 0; i < 3; ++i) {
+        first();
+        second();
+    }
     std::vector<double> first_ms, ratios;
     for (auto _ : state) {
         first_ms.push_back(finished_ms(first));
@@ -32,7 +35,8 @@ void in_turn(benchmark::State& state, A&& first, B&& second) {
     }
     const Quartiles ratio(std::move(ratios));
     state.counters["first_ms"] = median(first_ms);
-    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
     state.counters["ratio_p75"] = ratio.p75;
 }
 
@@ -106,7 +110,15 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
     whole.forced = {Optimisation::Views};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
     in_turn(
-        state, [&] { turn(), renderer.render(scene, s, whole); }, [&] { turn(), renderer.render(scene, s, request); });
+        state,
+        [&] {
+            turn();
+            renderer.render(scene, s, whole);
+        },
+        [&] {
+            turn();
+            renderer.render(scene, s, request);
+        });
 }
 
 /// Frames of a camera that goes round what it looks at, without shadows, with all objects handed to the driver (first)
@@ -119,7 +131,15 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     all.forced = {Optimisation::InSight};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
     in_turn(
-        state, [&] { turn(), renderer.render(scene, s, all); }, [&] { turn(), renderer.render(scene, s, request); });
+        state,
+        [&] {
+            turn();
+            renderer.render(scene, s, all);
+        },
+        [&] {
+            turn();
+            renderer.render(scene, s, request);
+        });
 }
 
 /// What it takes to find what the camera reads of a map: what it sees ("seen_ms", once a camera), and where that lies
@@ -139,7 +159,8 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
         called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(needed_maps(facts.lights[0], *seen, area)); }));
         state.SetIterationTime((seen_ms.back() + called_ms.back()) / 1000);
     }
-    state.counters["seen_ms"] = median(seen_ms), state.counters["called_ms"] = median(called_ms);
+    state.counters["seen_ms"] = median(seen_ms);
+    state.counters["called_ms"] = median(called_ms);
 }
 
 /// Frames in which small boxes of a scene move on, of maps drawn whole (first) and with what rests kept. The scene
@@ -182,7 +203,11 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         }
         refresh(scene);
     };
-    for (int i = 0; i < 4; ++i) move_on(), map_ms(others, whole), map_ms(renderer, request);
+    for (int i = 0; i < 4; ++i) {
+        move_on();
+        map_ms(others, whole);
+        map_ms(renderer, request);
+    }
     kept = 0;
     std::vector<double> first_ms, ratios;
     for (auto _ : state) {
@@ -193,8 +218,10 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         state.SetIterationTime(ms / 1000);
     }
     const Quartiles ratio(std::move(ratios));
-    state.counters["first_ms"] = median(first_ms), state.counters["kept"] = kept;
-    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["first_ms"] = median(first_ms);
+    state.counters["kept"] = kept;
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
     state.counters["ratio_p75"] = ratio.p75;
 }
 
@@ -202,7 +229,9 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
 Settings seeing_a_part(Settings s) {
     s.camera.source = int(CameraSource::Manual);
     s.camera.target_x = s.camera.target_z = -40;
-    s.camera.azimuth = 0, s.camera.elevation = 20, s.camera.distance = 12;
+    s.camera.azimuth = 0;
+    s.camera.elevation = 20;
+    s.camera.distance = 12;
     return s;
 }
 
@@ -242,15 +271,19 @@ const int kRegistered = [] {
     add("casters/seen/100k_triangles_all",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), directional); });
     Settings above = seeing_a_part(directional);
-    above.camera.target_x = above.camera.target_z = 0, above.camera.distance = 150, above.camera.elevation = 60;
+    above.camera.target_x = above.camera.target_z = 0;
+    above.camera.distance = 150;
+    above.camera.elevation = 60;
     add("casters/in_sight/10000_objects_all",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), above); });
     add("casters/in_sight/10000_objects_part",
         [=](benchmark::State& s) { among_objects(s, ten_thousand_objects(), seeing_a_part(directional)); });
     Settings blurred = seeing_a_part(directional);
-    blurred.camera.target_x = blurred.camera.target_z = -3, set_setting(blurred, "filter.kernel", "vsm");
+    blurred.camera.target_x = blurred.camera.target_z = -3;
+    set_setting(blurred, "filter.kernel", "vsm");
     add("casters/seen/64_balls_vsm_part", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
-    blurred.camera.distance = 2.5, blurred.camera.elevation = 40;
+    blurred.camera.distance = 2.5;
+    blurred.camera.elevation = 40;
     add("casters/seen/64_balls_vsm_close", [=](benchmark::State& s) { seen_map(s, balls_on_a_floor(64), blurred); });
     add("casters/seen/100k_triangles_point",
         [=](benchmark::State& s) { seen_map(s, test::agreed_scene(test::AgreedSize::Triangles100k), point); });

@@ -28,7 +28,10 @@ double power_law(std::span<const double> x, std::span<const double> y) {
     double sx = 0, sy = 0, sxx = 0, sxy = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
         const double u = std::log(x[i]), v = std::log(y[i]);
-        sx += u, sy += v, sxx += u * u, sxy += u * v;
+        sx += u;
+        sy += v;
+        sxx += u * u;
+        sxy += u * v;
     }
     return x.size() < 2 ? std::numeric_limits<double>::quiet_NaN() : (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
@@ -138,7 +141,10 @@ public:
 
     void round(bool scene_grows) {
         take("frame, all anew", [&] { draw({.forced_frame = true}); });
-        take("light turned", [&] { settings_.lights[0].azimuth += 1, draw({}); });
+        take("light turned", [&] {
+            settings_.lights[0].azimuth += 1;
+            draw({});
+        });
         if (!scene_grows) return;
         take("nothing changed", [&] { draw({}); });
         take("node moved", [&] {
@@ -192,7 +198,8 @@ void curve(benchmark::State& state, const Axis& axis) {
     {
         Times unused;  // programs
         CurvePoint first(axis, at.front(), unused);
-        first.round(axis.scene_grows), first.round(axis.scene_grows);
+        first.round(axis.scene_grows);
+        first.round(axis.scene_grows);
     }
     std::vector<Times> times(at.size());
     std::vector<std::unique_ptr<CurvePoint>> points;

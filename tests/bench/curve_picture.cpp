@@ -51,7 +51,10 @@ Plot plot_of(const nlohmann::json& run) {
     }
     for (const auto& [curve, points] : found) {
         Curve c{.name = curve, .x = {}, .ms = {}};
-        for (const auto& [x, ms] : points) c.x.push_back(x), c.ms.push_back(std::max(ms, 1e-3));
+        for (const auto& [x, ms] : points) {
+            c.x.push_back(x);
+            c.ms.push_back(std::max(ms, 1e-3));
+        }
         plot.curves.push_back(std::move(c));
     }
     return plot;
@@ -75,7 +78,10 @@ std::vector<Plot> read_plots(const std::filesystem::path& file) {
 /// Whole decades around values.
 struct Decades {
     double lo = 1e300, hi = -1e300;
-    void add(double v) { lo = std::min(lo, std::floor(std::log10(v))), hi = std::max(hi, std::ceil(std::log10(v))); }
+    void add(double v) {
+        lo = std::min(lo, std::floor(std::log10(v)));
+        hi = std::max(hi, std::ceil(std::log10(v)));
+    }
     double share(double v) const { return (std::log10(v) - lo) / std::max(hi - lo, 1.0); }
 };
 

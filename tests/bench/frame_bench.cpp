@@ -39,7 +39,8 @@ std::string missing_file(const std::string& name) {
 /// model has masks but such as have these, too.
 Scene plainly_textured(Scene scene) {
     for (Material& m : scene.materials) {
-        m.normal_texture = -1, m.unlit = false;
+        m.normal_texture = -1;
+        m.unlit = false;
         if (m.alpha == AlphaMode::Blend) m.alpha = AlphaMode::Opaque;
     }
     return scene;
@@ -71,7 +72,8 @@ struct Machine {
 Settings around_the_scene() {
     Settings s;
     s.lights[0].fit = int(LightFit::Scene);
-    s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain);
+    s.shading.sky = int(SkyLook::Plain);
+    s.shading.curve = int(ToneCurve::Plain);
     return s;
 }
 
@@ -169,7 +171,8 @@ void moving_camera(benchmark::State& state, const Row& row) {
     const Match match(Machine::get("100k"), s, row, 2048);
     BareForward floor = match.bare({.kernel = row.bare, .size = row.size, .light = BareLight::Lambert});
     BareForward like = match.bare({.kernel = row.bare, .size = row.size});
-    match.draw(floor), match.draw(like);
+    match.draw(floor);
+    match.draw(like);
     Settings moved = match.settings;
     moved.camera.fov += 1e-3;
     const FrameRequest kept{.width = kWidth, .height = kHeight};
@@ -200,7 +203,8 @@ double picture_difference(const BareForward& bare, const ByteImage& ours) {
 Settings textured_settings(const Scene& scene) {
     Settings s = around_the_scene();
     apply_suggested(scene, s);
-    s.lights[0].intensity = LightSettings{}.intensity, s.shading.ambient = Settings{}.shading.ambient;
+    s.lights[0].intensity = LightSettings{}.intensity;
+    s.shading.ambient = Settings{}.shading.ambient;
     return s;
 }
 

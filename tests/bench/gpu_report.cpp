@@ -34,7 +34,10 @@ Json spread_json(const std::vector<double>& ms) {
 
 /// Two ways in turn. Whose quarters lie wholly below the other's is preferred.
 Json choice(const std::string& key, const std::string& question, const Way& a, const Way& b, int rounds) {
-    for (int i = 0; i < 3; ++i) a.gpu_ms(), b.gpu_ms();  // first use compiles
+    for (int i = 0; i < 3; ++i) {
+        a.gpu_ms();
+        b.gpu_ms();
+    }  // first use compiles
     std::vector<double> ms_a, ms_b, wall_a, wall_b, ratios;
     for (int i = 0; i < rounds; ++i) {
         const auto take = [](const Way& way, std::vector<double>& ms, std::vector<double>& wall) {
@@ -43,7 +46,8 @@ Json choice(const std::string& key, const std::string& question, const Way& a, c
                 glFinish();
             }));
         };
-        take(a, ms_a, wall_a), take(b, ms_b, wall_b);
+        take(a, ms_a, wall_a);
+        take(b, ms_b, wall_b);
         ratios.push_back(ms_b.back() / std::max(ms_a.back(), 1e-6));
     }
     const Quartiles ratio(ratios);
@@ -99,13 +103,15 @@ public:
     }
     void add_optimisation(const OptimisationRow& row, Optimisation saving) {
         Way made = way({{"filter.kernel", "pcf3"}}, {}, {}), forced = way({{"filter.kernel", "pcf3"}}, {}, {saving});
-        made.name = "made", forced.name = "not made";
+        made.name = "made";
+        forced.name = "not made";
         to_.add(fmt::format("saving/{}", row.key), std::string(row.help), made, forced);
     }
     void add_blocks(const std::string& kernel) {
         Way blocks = way({{"filter.kernel", kernel}}, {}, {}, false),
             images = way({{"filter.kernel", kernel}}, {}, {}, true);
-        blocks.name = "uniform blocks", images.name = "images";
+        blocks.name = "uniform blocks";
+        images.name = "images";
         to_.add("uniform_blocks_or_images/" + kernel,
                 "Read the frame's numbers from uniform blocks, or four at a time from images?", blocks, images);
     }
@@ -249,7 +255,8 @@ void write_gpu_report(const std::filesystem::path& file, const GpuReportOptions&
     require_writable(file);
     const HeadlessContext context;
     Json report{{"what", "shadow-inspector GPU report"}, {"version", 1}, {"context", context.description()}};
-    report["width"] = options.width, report["height"] = options.height;
+    report["width"] = options.width;
+    report["height"] = options.height;
     Choices choices(options);
     {
         Renderer renderer;

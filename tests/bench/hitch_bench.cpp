@@ -64,7 +64,10 @@ struct Hands {
         start_ms = wall_ms([&] {
             editor = std::make_unique<HeadlessEditor>(options);
             editor->model().finish_loading();
-            while (!editor->model().facts().result) frame(), editor->model().finish_tracing();
+            while (!editor->model().facts().result) {
+                frame();
+                editor->model().finish_tracing();
+            }
         });
         editor->settle();
     }
@@ -89,8 +92,10 @@ struct Hands {
         for (int still = 0; still < 4 && std::chrono::steady_clock::now() < end;) {
             ms = std::max(ms, frame());
             still = editor->model().drawing() ? 0 : still + 1;
-            if (still == 0 || shown_ms == 0)
-                shown_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+            if (still == 0 || shown_ms == 0) {
+                shown_ms = std::chrono::duration < double;
+                std::milli > (std::chrono::steady_clock::now() - begin).count();
+            }
             if (editor->model().drawing()) std::this_thread::sleep_for(std::chrono::milliseconds(16));
         }
         if (until) until->push_back(shown_ms);
@@ -107,7 +112,8 @@ struct Hands {
             if (i < steps.size()) steps[i](*this);
             u.took = std::max(u.took, frame());
         }
-        u.longest = u.took, u.until = since_ms();
+        u.longest = u.took;
+        u.until = since_ms();
         for (int still = 0; still < 4 && std::chrono::steady_clock::now() < end;) {
             const bool waits = editor->model().tracing() || state().artefact_tour.waits_for != 0;
             if (waits) std::this_thread::sleep_for(std::chrono::milliseconds(16));
@@ -140,7 +146,10 @@ struct Hands {
                 const glm::dvec2 at = view.origin + glm::dvec2(x, y) * view.size;
                 double nearest = 1e9;
                 for (const PlacedHandle& h : taken) nearest = std::min(nearest, glm::distance(at, h.on_screen));
-                if (nearest > farthest) farthest = nearest, best = at;
+                if (nearest > farthest) {
+                    farthest = nearest;
+                    best = at;
+                }
             }
         return glm::vec2(best);
     }
@@ -259,13 +268,18 @@ void first_use(benchmark::State& state, const Tool& tool) {
         Hands hands(true, tool.tab);
         hands.settle();
         try {
-            if (tool.before) tool.before(hands), hands.settle();
+            if (tool.before) {
+                tool.before(hands);
+                hands.settle();
+            }
         } catch (const Error& e) {
             return state.SkipWithError(e.what());
         }
         usual.push_back(hands.usual_ms());
         const Use use = hands.use(tool.steps);
-        took.push_back(use.took), longest.push_back(use.longest), until.push_back(use.until);
+        took.push_back(use.took);
+        longest.push_back(use.longest);
+        until.push_back(use.until);
         over.push_back(took.back() - usual.back());
         state.SetIterationTime(took.back() / 1000);
     }
@@ -345,7 +359,8 @@ void editor_overhead(benchmark::State& state) {
             for (int round = 0; round < 4; ++round) {
                 hands.state().settings.lights[0].azimuth += 1;
                 const double whole = taken([&] { hands.frame(); });
-                hands.editor->model().finish_tracing(), hands.editor->model().finish_measuring();
+                hands.editor->model().finish_tracing();
+                hands.editor->model().finish_measuring();
                 const EditorFrame shown = hands.editor->model().facts();
                 const FrameRequest request{.width = shown.result->colour.width, .height = shown.result->colour.height};
                 const double bare = taken([&] { alone.render(*shown.scene, hands.state().settings, request); });

@@ -33,8 +33,9 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
     for (auto _ : state) {
         const FrameResult f = renderer.render(scene, s, request);
         const auto ms = [&](const char* name) { return f.pass(name) ? f.pass(name)->gpu_ms : 0; };
-        compared.push_back(ms("pixels compared")), causes.push_back(ms("causes found")),
-            unfiltered.push_back(ms("unfiltered map"));
+        compared.push_back(ms("pixels compared"));
+        causes.push_back(ms("causes found"));
+        unfiltered.push_back(ms("unfiltered map"));
         seen.push_back(ms("surfaces seen"));
         classifying.push_back(compared.back() + causes.back());
         visibility.push_back(ms("visibility"));

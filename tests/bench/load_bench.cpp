@@ -98,7 +98,8 @@ Scene make_instances() {
     const int node = add_node(scene, "Field");
     for (int i = 0; i < 50000; ++i) {
         Object o;
-        o.node = node, o.mesh = mesh;
+        o.node = node;
+        o.mesh = mesh;
         o.instance = moved(i % 224, 0, i / 224);
         scene.objects.push_back(o);
     }

@@ -51,14 +51,16 @@ void lookups(benchmark::State& state, const LookupCase& c, bool again) {
         ratios.push_back(ms.back() / b);
     };
     for (int i = 0; i < 2; ++i) both();
-    ratios.clear(), ms.clear();
+    ratios.clear();
+    ms.clear();
     for (auto _ : state) {
         both();
         state.SetIterationTime(ms.back() / 1000);
     }
     const Quartiles ratio(std::move(ratios));
     state.counters["ms"] = median(ms);
-    state.counters["ratio"] = ratio.median, state.counters["ratio_p25"] = ratio.p25;
+    state.counters["ratio"] = ratio.median;
+    state.counters["ratio_p25"] = ratio.p25;
     state.counters["ratio_p75"] = ratio.p75;
 }
 

@@ -37,7 +37,8 @@ si::GpuReportOptions report_options(std::span<char*> arguments) {
         const std::string value = arguments[i + 1];
         if (option == "--size") {
             const si::PictureSize size = si::parse_size(value);
-            options.width = size.width, options.height = size.height;
+            options.width = size.width;
+            options.height = size.height;
             continue;
         }
         std::istringstream keys(value);

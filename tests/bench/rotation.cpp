@@ -80,7 +80,8 @@ const Rotation::Contender& Rotation::of(const std::string& name) const {
 void Rotation::ratio(benchmark::State& state, const std::string& name, const std::string& a,
                      const std::string& b) const {
     const auto report = [&](const std::string& label, const Interval& i) {
-        state.counters[label] = i.median, state.counters[label + "_low"] = i.low,
+        state.counters[label] = i.median;
+        state.counters[label + "_low"] = i.low;
         state.counters[label + "_high"] = i.high;
     };
     std::vector<double> ratios = quotients(of(a).times, of(b).times);

@@ -26,7 +26,9 @@ struct Quartiles {
     /// @param v not empty
     explicit Quartiles(std::vector<double> v) {
         std::sort(v.begin(), v.end());
-        median = v[v.size() / 2], p25 = v[v.size() / 4], p75 = v[v.size() * 3 / 4];
+        median = v[v.size() / 2];
+        p25 = v[v.size() / 4];
+        p75 = v[v.size() * 3 / 4];
     }
 };
 

@@ -35,7 +35,10 @@ TakenMs ms_of(const std::function<void()>& work) {
 
 struct Taken {
     std::vector<double> wall, cpu;
-    void push_back(TakenMs ms) { wall.push_back(ms.wall), cpu.push_back(ms.cpu); }
+    void push_back(TakenMs ms) {
+        wall.push_back(ms.wall);
+        cpu.push_back(ms.cpu);
+    }
 };
 
 /// The view to be traced, and the same rays for a hierarchy without any of our care.
@@ -159,7 +162,10 @@ void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
     for (const bool cpu : {false, true}) {
         const auto of = [cpu](const Taken& t) -> const std::vector<double>& { return cpu ? t.cpu : t.wall; };
         std::vector<const Taken*> bare, robust, made;
-        for (const Way& w : ways) bare.push_back(&w.ms), robust.push_back(&w.robust_ms);
+        for (const Way& w : ways) {
+            bare.push_back(&w.ms);
+            robust.push_back(&w.robust_ms);
+        }
         for (const auto& [at_once, ms] : prepared) made.push_back(&ms);
         const auto quickest = [&](std::vector<const Taken*> all) {
             return *std::ranges::min_element(all, {}, [&](const Taken* t) { return median(of(*t)); });
@@ -173,12 +179,16 @@ void reference_against_bare(benchmark::State& state, test::AgreedSize size) {
             for (std::size_t i = 0; i < of(t).size(); ++i) shares.push_back(of(t)[i] / of(ours)[i]);
             const Quartiles q(std::move(shares));
             const std::string label = name + (cpu ? "_share_cpu" : "_share");
-            state.counters[label] = q.median, state.counters[label + "_p25"] = q.p25;
+            state.counters[label] = q.median;
+            state.counters[label + "_p25"] = q.p25;
             state.counters[label + "_p75"] = q.p75;
         };
-        report("ours", ours), report("place", place);
-        for (const auto& [name, all] : {std::pair("rate", bare), {"robust", robust}, {"prepared", made}})
-            report(name, *quickest(all)), share(name, *quickest(all));
+        report("ours", ours);
+        report("place", place);
+        for (const auto& [name, all] : {std::pair("rate", bare), {"robust", robust}, {"prepared", made}}) {
+            report(name, *quickest(all));
+            share(name, *quickest(all));
+        }
     }
     state.counters["rays"] = double(bench->rays.size());
 }

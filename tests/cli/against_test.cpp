@@ -131,7 +131,10 @@ TEST_F(Against, OverlaysOfTheTruthAreTracedFor) {
     for (std::size_t i = 0; i < 160 * 90; ++i) {
         float v;
         std::memcpy(&v, &bytes[head + 4 * i], 4);
-        if (std::isfinite(v)) sum += v, ++counted;
+        if (std::isfinite(v)) {
+            sum += v;
+            ++counted;
+        }
     }
     EXPECT_EQ(counted, error["pixels"]["counted"].get<int>());
     EXPECT_NEAR(sum / counted, error["signed_mean"], 1e-6);

@@ -57,7 +57,8 @@ TEST(Drivers, PresetsLookAlikeOnTwo) {
             for (std::size_t c = 0; c < 4; ++c)
                 most = std::max(most, std::abs(int(static_cast<unsigned char>(a[i + c])) -
                                                int(static_cast<unsigned char>(b[i + c]))));
-            rounded += most > 0, far += most > 2;
+            rounded += most > 0;
+            far += most > 2;
         }
         for (std::size_t i = 0; i < va.size(); ++i) turned += std::abs(va[i] - vb[i]) > 0.02f;
         EXPECT_GT(std::set<char>(a.begin(), a.end()).size(), 6u) << "hardly a picture";

@@ -25,7 +25,9 @@ struct PlausibleMeter : FakeMeter {
         const int n = c.settings.map.resolution;
         const double texels = c.settings.filter.kernel == 0 ? 0.243 : 0.112;
         ErrorMetrics& m = f.error.metrics;
-        m.mae = texels * 20 / n, m.false_shadow = texels * 9 / n, m.iou = 1 - texels * 30 / n;
+        m.mae = texels * 20 / n;
+        m.false_shadow = texels * 9 / n;
+        m.iou = 1 - texels * 30 / n;
         m.signed_mean = -texels * 5 / n;
         return f;
     }
@@ -33,7 +35,10 @@ struct PlausibleMeter : FakeMeter {
         timed.push_back(c.id);
         const double n = c.settings.map.resolution, ms = 30 + n * n * 4e-6 + 12 * c.settings.filter.kernel;
         TimeSamples s;
-        for (int i = 0; i < frames; ++i) s.total_ms.push_back(ms * (1 + 0.01 * i)), s.maps_ms.push_back(ms * 0.3);
+        for (int i = 0; i < frames; ++i) {
+            s.total_ms.push_back(ms * (1 + 0.01 * i));
+            s.maps_ms.push_back(ms * 0.3);
+        }
         s.clock = "finished wall time (CPU rasteriser)";
         return s;
     }
@@ -70,7 +75,8 @@ Page open_page(const std::string& scene, PlausibleMeter meter = {}) {
     FakeSweep sweep(fresh_test_folder());
     sweep.axes[0] = parse_axis("map.resolution=512:4096:*2");
     sweep.plan = plan_sweep(Settings{}, sweep.axes);
-    sweep.spec.axes = sweep.axes, sweep.spec.scene = scene;
+    sweep.spec.axes = sweep.axes;
+    sweep.spec.scene = scene;
     meter.fails_at_resolution = 4096;
     sweep.run(meter);
     page.results = sweep.results();

@@ -307,7 +307,8 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     ASSERT_EQ(r.code, 0) << r.err;
     EXPECT_EQ(r.err, "");
     OrderedJson whole = results_of(folder / "whole"), merged = results_of(folder / "merged");
-    whole.erase("runs"), merged.erase("runs");
+    whole.erase("runs");
+    merged.erase("runs");
     EXPECT_EQ(whole, merged);
     for (const OrderedJson& row : merged["rows"])
         EXPECT_TRUE(fs::exists(folder / "merged" / row["artefacts"].get<std::string>()));

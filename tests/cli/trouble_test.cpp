@@ -49,7 +49,8 @@ TEST(DriverTrouble, AnOlderOpenGlIsNamed) {
 TEST(DriverTrouble, TheEditorKeepsItsSettingsAndDrawsAgain) {
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 800, options.height = 600;
+    options.width = 800;
+    options.height = 600;
     options.headless = true;
     HeadlessEditor editor(options);
     editor.settle();

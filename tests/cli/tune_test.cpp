@@ -95,7 +95,11 @@ TEST(Tune, KeepsToTheErrorThatIsAsked) {
         if (!c["within_limits"].get<bool>()) continue;
         EXPECT_LE(c["error"], 0.02);
         cheapest = std::min(cheapest, c["ms"].get<double>());
-        if (c["chosen"].get<bool>()) taken = c["ms"], resolution = c["resolution"], ++chosen;
+        if (c["chosen"].get<bool>()) {
+            taken = c["ms"];
+            resolution = c["resolution"];
+            ++chosen;
+        }
     }
     EXPECT_EQ(chosen, 1);
     EXPECT_EQ(json["families"].size(), 3u) << "all that were tried stand side by side";

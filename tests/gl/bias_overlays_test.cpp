@@ -64,10 +64,16 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     s.camera.target_y = 0.6;
     s.camera.distance = 7;
     LightSettings& light = s.lights[0];
-    light.type = int(type), light.fit = int(fit);
-    if (type != LightType::Directional) light.distance = 6, light.cone = 80;
+    light.type = int(type);
+    light.fit = int(fit);
+    if (type != LightType::Directional) {
+        light.distance = 6;
+        light.cone = 80;
+    }
     s.bias.unit = int(BiasUnit::Texels);
-    s.bias.constant = 0.4, s.bias.slope = 2.5, s.bias.normal = 1.3;
+    s.bias.constant = 0.4;
+    s.bias.slope = 2.5;
+    s.bias.normal = 1.3;
     return s;
 }
 
@@ -91,7 +97,8 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
                 set_setting(s, "map.format", format);
                 s.map.reversed_z = reversed;
                 set_setting(s, "filter.kernel", reversed ? "pcf3" : "hard");
-                s.bias.raster_slope = reversed ? 1.5 : 0, s.bias.raster_units = reversed ? 2 : 0;
+                s.bias.raster_slope = reversed ? 1.5 : 0;
+                s.bias.raster_units = reversed ? 2 : 0;
                 const auto compare = [&](const char* overlay, auto&& expected_texels) {
                     const Pixels p = draw(scene, s, overlay);
                     const RasterTraits& driver = renderer.driver();

@@ -110,11 +110,15 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
         EXPECT_GT(count(agree(box, s, kernel), Artefact::Acne), 100u);
-        s.bias.constant = 30, s.bias.normal = 4;
+        s.bias.constant = 30;
+        s.bias.normal = 4;
         EXPECT_GT(count(agree(box, s, "much bias"), Artefact::PeterPanning), 10u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset"), Artefact::PeterPanningOffset), 100u);
-        s.bias.raster_units = 4000, s.bias.raster_slope = 3, s.bias.normal = 0;
+        s.bias.raster_units = 4000;
+        s.bias.raster_slope = 3;
+        s.bias.normal = 0;
         agree(box, s, "polygon offset");
         s.map.blur_texels = 2;
         agree(box, s, "polygon offset and depth blur");
@@ -143,9 +147,11 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
         }
     for (const bool reversed : {false, true}) {
         s = test::texel_settings("pcf3", 128, 0.4);
-        s.lights[0].fit = int(LightFit::Lispsm), s.map.reversed_z = reversed;
+        s.lights[0].fit = int(LightFit::Lispsm);
+        s.map.reversed_z = reversed;
         EXPECT_GT(count(agree(box, s, "warped"), Artefact::Acne), 100u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset in a warped map"), Artefact::PeterPanningOffset), 10u);
         s.bias.constant = s.bias.normal = 0;
         for (const char* plane : {"receiver-plane", "receiver-plane-derivatives", "adaptive"}) {
@@ -155,9 +161,12 @@ TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
     }
     for (const CascadeChoice choice : {CascadeChoice::Interval, CascadeChoice::Map}) {
         s = test::texel_settings("pcf3", 64, 0.4);
-        s.lights[0].cascades = 3, s.lights[0].cascade_blend = 0.3, s.lights[0].cascade_choice = int(choice);
+        s.lights[0].cascades = 3;
+        s.lights[0].cascade_blend = 0.3;
+        s.lights[0].cascade_choice = int(choice);
         EXPECT_GT(count(agree(box, s, "cascades"), Artefact::Acne), 100u);
-        s.bias.constant = 1, s.bias.normal = 20;
+        s.bias.constant = 1;
+        s.bias.normal = 20;
         EXPECT_GT(count(agree(box, s, "much offset in cascades"), Artefact::PeterPanningOffset), 10u);
     }
     s = test::texel_settings("pcf5", 256, 2);
@@ -226,7 +235,8 @@ TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
     s.lights[0].elevation = 40;
     s.bias.normal = 100;
     Settings without = s;
-    without.bias.normal = 0, without.bias.constant = 6;
+    without.bias.normal = 0;
+    without.bias.constant = 6;
     const MeasuredError m = measure(scene, s);
     EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
     EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
@@ -313,7 +323,10 @@ TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
     for (std::size_t a = 0; a < faults().size(); ++a)
         for (std::size_t b = 0; b < faults().size(); ++b) {
             Settings both = base(), twin = base();
-            if (a != b) faults()[b].wrong(both), faults()[b].wrong(twin);
+            if (a != b) {
+                faults()[b].wrong(both);
+                faults()[b].wrong(twin);
+            }
             faults()[a].wrong(both);
             if (both == twin) continue;
             // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
@@ -429,26 +442,39 @@ TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
         void (*light)(Settings&);
     };
     std::vector<Place> places;
-    places.push_back({"room", room(), [](Settings& s) { s.lights[0].azimuth = 40, s.lights[0].elevation = 50; }});
+    places.push_back({"room", room(), [](Settings& s) {
+                          s.lights[0].azimuth = 40;
+                          s.lights[0].elevation = 50;
+                      }});
     places.push_back({"terrain in tiles", tiles(), [](Settings& s) { s.lights[0].elevation = 55; }});
-    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].azimuth = 90, s.lights[0].elevation = 80; }});
-    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 9; }});
-    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3),
-                      [](Settings& s) { s.lights[0].type = int(LightType::Point), s.lights[0].distance = 6; }});
-    places.push_back(
-        {"far away",
-         [] {
-             Scene scene;
-             const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
-             add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey), moved(1150, 30, -820));
-             add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
-                        moved(1150, 30.6, -820));
-             finalise(scene);
-             return scene;
-         }(),
-         [](Settings& s) { s.camera.target_x = 1150, s.camera.target_y = 30.2, s.camera.target_z = -820; }});
+    places.push_back({"straight above", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].azimuth = 90;
+                          s.lights[0].elevation = 80;
+                      }});
+    places.push_back({"spot", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].type = int(LightType::Spot);
+                          s.lights[0].distance = 9;
+                      }});
+    places.push_back({"point", test::floor_and_box(10, {1.5, 0.6, 2}, 0.3), [](Settings& s) {
+                          s.lights[0].type = int(LightType::Point);
+                          s.lights[0].distance = 6;
+                      }});
+    places.push_back({"far away",
+                      [] {
+                          Scene scene;
+                          const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+                          add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey),
+                                     moved(1150, 30, -820));
+                          add_object(scene, "box", -1, add_mesh(scene, "box", make_box({1.5, 0.6, 2}), grey),
+                                     moved(1150, 30.6, -820));
+                          finalise(scene);
+                          return scene;
+                      }(),
+                      [](Settings& s) {
+                          s.camera.target_x = 1150;
+                          s.camera.target_y = 30.2;
+                          s.camera.target_z = -820;
+                      }});
     for (const Place& place : places)
         for (std::size_t a = 0; a < faults().size(); ++a) {
             if (faults()[a].what == std::string("front culling") || faults()[a].what == std::string("wide kernel"))

@@ -18,9 +18,13 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
         s.lights[0].type = int(type);
-        if (type != LightType::Directional) s.lights[0].distance = 9, s.lights[0].cone = 90;
+        if (type != LightType::Directional) {
+            s.lights[0].distance = 9;
+            s.lights[0].cone = 90;
+        }
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
-        s.shading.composition = int(Composition::DimLit), s.shading.dim = 0.3;
+        s.shading.composition = int(Composition::DimLit);
+        s.shading.dim = 0.3;
         FrameRequest request = small();
         request.outputs.visibility = true;
         const FrameResult frame = renderer.render(scene, s, request);
@@ -63,12 +67,16 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);
         s.lights[0].type = int(type);
-        if (type != LightType::Directional) s.lights[0].distance = 9, s.lights[0].cone = 90;
+        if (type != LightType::Directional) {
+            s.lights[0].distance = 9;
+            s.lights[0].cone = 90;
+        }
         set_setting(s, "view.overlay", "transform-difference");
         FrameRequest request = small();
         request.outputs.overlay = true;
         const auto worst = [&](double distance_m) {
-            s.camera.distance = distance_m, s.camera.fov = 2 * std::atan(4 / distance_m) * 180 / 3.14159265;
+            s.camera.distance = distance_m;
+            s.camera.fov = 2 * std::atan(4 / distance_m) * 180 / 3.14159265;
             const FloatImage image = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
             double most = 0;
             for (std::size_t i = 0; i < image.data.size(); i += 4)
@@ -80,7 +88,8 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
         EXPECT_LT(near, 0.02);
         EXPECT_GT(far, 20 * near);
         EXPECT_LT(far, 1024 * 4e5 / 10 * 0x1p-22) << "1e5 m in single precision, as texels of a map 10 m wide";
-        s.camera.distance = 10, s.camera.fov = 45;
+        s.camera.distance = 10;
+        s.camera.fov = 45;
         const ByteImage world = picture(scene, s);
         s.map.transform = int(MapTransform::Eye);
         EXPECT_LT(different_pixels(world, picture(scene, s)), 200u) << "pixels whose comparison lies on the edge";

@@ -26,10 +26,15 @@ protected:
         Settings s = test::hard_settings();
         LightSettings& light = s.lights[0];
         light.type = int(type);
-        light.azimuth = place.azimuth, light.elevation = std::min(place.elevation, 60.0);
-        if (type != LightType::Directional) light.distance = 9, light.cone = 80;
+        light.azimuth = place.azimuth;
+        light.elevation = std::min(place.elevation, 60.0);
+        if (type != LightType::Directional) {
+            light.distance = 9;
+            light.cone = 80;
+        }
         light.contact = 0.5;
-        s.contact.steps = 64, s.contact.thickness = 1;
+        s.contact.steps = 64;
+        s.contact.thickness = 1;
         test::move_camera(s, place.at);
         return s;
     }
@@ -81,8 +86,14 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
                                               : glm::normalize(light.position - hit->position);
                     const auto met = rays.first_hit(hit->position + 1e-6 * to, to);
                     const double within = met ? glm::distance(met->position, hit->position) : 1e9;
-                    if (within < 0.45) ++dark, found += v.at(x, y) == 0;
-                    if (within > 1e8) ++lit, wrong += v.at(x, y) == 0;
+                    if (within < 0.45) {
+                        ++dark;
+                        found += v.at(x, y) == 0;
+                    }
+                    if (within > 1e8) {
+                        ++lit;
+                        wrong += v.at(x, y) == 0;
+                    }
                 }
             SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x);
             EXPECT_GT(lit, 5000);
@@ -99,7 +110,9 @@ TEST_F(ContactTest, BringBackWhatBiasLost) {
     Settings s = test::texel_settings("pcf3", 512, 40);
     const auto measured = [&] { return measure_error(renderer, scene, s, request, 0, {}, cache).metrics; };
     const ErrorMetrics without = measured();
-    s.lights[0].contact = 0.6, s.contact.steps = 64, s.contact.thickness = 2;
+    s.lights[0].contact = 0.6;
+    s.contact.steps = 64;
+    s.contact.thickness = 2;
     const ErrorMetrics with = measured();
     ASSERT_GT(without.bias_false_light, 0.001);
     EXPECT_LT(with.bias_false_light, 0.3 * without.bias_false_light);

@@ -39,7 +39,8 @@ protected:
             for (std::size_t i = 0; i < before.classified.size(); ++i) {
                 const bool was = before.classified[i].artefact != Artefact::None,
                            is = after.classified[i].artefact != Artefact::None;
-                cured += was && !is, broken += !was && is;
+                cured += was && !is;
+                broken += !was && is;
             }
             for (const std::size_t n : row.cured_of) of += n;
             EXPECT_EQ(row.cured, cured) << "exactly as predicted";
@@ -88,7 +89,8 @@ TEST_F(FixesTest, AnOffsetsStripIsCured) {
 
 TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     const Scene stage = load_scene("stage");
-    width = 320, height = 180;
+    width = 320;
+    height = 180;
     // A light under which few pixels are wrong for two causes at once.
     const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
         Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
@@ -109,7 +111,8 @@ TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     finalise(scene);
     Settings s = test::texel_settings("hard", 128, 3);
     s.camera.distance = 7;
-    width = 480, height = 360;
+    width = 480;
+    height = 360;
     cured(scene, s, {Artefact::Undersampled}, 300);
 }
 
@@ -147,7 +150,8 @@ TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
 
 // All rows of the tables of fits and biases that suit the light, and cascades.
 TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
-    width = 160, height = 120;
+    width = 160;
+    height = 120;
     const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
     struct Kind {
         LightType type;
@@ -164,7 +168,8 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     for (const Kind& kind : kinds) {
         SCOPED_TRACE(testing::Message() << int(kind.type) << " " << int(kind.fit) << " " << int(kind.projection));
         Settings s = test::texel_settings("pcf3", 256, 0);
-        s.lights[0].type = int(kind.type), s.lights[0].fit = int(kind.fit);
+        s.lights[0].type = int(kind.type);
+        s.lights[0].fit = int(kind.fit);
         s.lights[0].projection = int(kind.projection);
         const MeasuredError m = measure(scene, s);
         const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(m, s, renderer.driver()));
@@ -203,13 +208,15 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
 
 // The least bias of each row of the table, families or not, clears flat ground wholly.
 TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
-    width = 240, height = 180;
+    width = 240;
+    height = 180;
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.6);
     int numbers = 0;
     for (const char* kernel : {"pcf3", "pcf7"})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s = test::texel_settings(kernel, 512, 0);
-            s.lights[0].type = int(type), s.lights[0].elevation = 35;
+            s.lights[0].type = int(type);
+            s.lights[0].elevation = 35;
             const MeasuredError before = measure(scene, s);
             ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
             const FixFacts facts = fix_facts(before, s, renderer.driver());
@@ -226,7 +233,10 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
                 }
                 Settings less = with;
                 for (const std::string_view key : bias->settings)
-                    if (key == "bias.raster_slope") less.bias.raster_slope *= 0.5, ++numbers;
+                    if (key == "bias.raster_slope") {
+                        less.bias.raster_slope *= 0.5;
+                        ++numbers;
+                    }
                 if (!(less == with)) {
                     EXPECT_GT(measure(scene, less).metrics.any_acne, 0.01) << "twice too much";
                 }
@@ -236,7 +246,8 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
 }
 
 TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
-    width = 320, height = 180;
+    width = 320;
+    height = 180;
     const Scene scene = load_scene("landscape");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "scene"}});
     const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);

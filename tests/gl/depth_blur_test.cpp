@@ -16,8 +16,10 @@ std::vector<double> box_blur(const FloatImage& map, int radius) {
             double sum = 0;
             int count = 0;
             for (int v = std::max(0, y - radius); v <= std::min(map.height - 1, y + radius); ++v)
-                for (int u = std::max(0, x - radius); u <= std::min(map.width - 1, x + radius); ++u)
-                    sum += map.at(u, v), ++count;
+                for (int u = std::max(0, x - radius); u <= std::min(map.width - 1, x + radius); ++u) {
+                    sum += map.at(u, v);
+                    ++count;
+                }
             out[std::size_t(y) * std::size_t(map.width) + std::size_t(x)] = sum / count;
         }
     return out;
@@ -44,7 +46,8 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
                     // The faces of a point light overlap by what is read beyond them: as far for an offset as for a
                     // blur.
                     Settings unblurred = s;
-                    unblurred.map.blur_texels = 0, unblurred.bias.normal += radius;
+                    unblurred.map.blur_texels = 0;
+                    unblurred.bias.normal += radius;
                     const FrameResult plain = renderer.render(scene, unblurred, maps());
                     const auto faces = plain.lights.at(0).views.size();
                     std::vector<FloatImage> sharp;

@@ -41,7 +41,10 @@ protected:
                 if (m.classified[std::size_t(y * kPicture.width + x)].artefact != wanted) continue;
                 const glm::ivec2 off = glm::ivec2(x, y) - glm::ivec2(80, 60);
                 const int distance = off.x * off.x + off.y * off.y;
-                if (distance < least) least = distance, best = glm::ivec2(x, y);
+                if (distance < least) {
+                    least = distance;
+                    best = glm::ivec2(x, y);
+                }
             }
         return best;
     }

@@ -29,7 +29,8 @@ protected:
     const Scene scene = load_scene("boxes");
     FrameResult draw(const Settings& s, bool timing = false) {
         FrameRequest request = small();
-        request.force = true, request.timing = timing;
+        request.force = true;
+        request.timing = timing;
         return renderer.render(scene, s, request);
     }
 };
@@ -139,17 +140,23 @@ decltype(epoxy_glUseProgram) real_use = nullptr;
 // A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
 TEST_F(DriverTest, CompilesWhatAFrameUses) {
     const GLuint program = glCreateProgram();
-    glLinkProgram(program), glUseProgram(0);  // epoxy looks a function up when it is first called
+    glLinkProgram(program);
+    glUseProgram(0);  // epoxy looks a function up when it is first called
     glDeleteProgram(program);
-    real_link = epoxy_glLinkProgram, real_use = epoxy_glUseProgram;
+    real_link = epoxy_glLinkProgram;
+    real_use = epoxy_glUseProgram;
     const Instead linking(
-        epoxy_glLinkProgram, +[](GLuint id) { linked.insert(id), real_link(id); });
+        epoxy_glLinkProgram, +[](GLuint id) {
+            linked.insert(id);
+            real_link(id);
+        });
     const Instead using_(
         epoxy_glUseProgram, +[](GLuint id) {
             if (id) used.insert(id);
             real_use(id);
         });
-    linked.clear(), used.clear();
+    linked.clear();
+    used.clear();
     Renderer fresh;
     EXPECT_TRUE(linked.empty()) << "before the first frame";
     FrameRequest request = small();
@@ -162,7 +169,8 @@ TEST_F(DriverTest, CompilesWhatAFrameUses) {
         EXPECT_TRUE(std::ranges::includes(used, linked)) << kernel;
         Renderer other;
         EXPECT_EQ(at_once, other.read_colour(other.render(scene, s, request).colour)) << kernel;
-        linked.clear(), used.clear();
+        linked.clear();
+        used.clear();
     }
 }
 

@@ -42,8 +42,11 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                 Settings s = test::hard_settings();
                 set_setting(s, "filter.kernel", "pcf3");
                 s.lights[0].elevation = 1.64;
-                s.camera.target_x = place.x, s.camera.target_y = place.y, s.camera.target_z = place.z;
-                s.camera.distance = view.distance * size, s.camera.elevation = view.elevation;
+                s.camera.target_x = place.x;
+                s.camera.target_y = place.y;
+                s.camera.target_z = place.z;
+                s.camera.distance = view.distance * size;
+                s.camera.elevation = view.elevation;
                 s.camera.fov = view.distance > 10 ? 4 : 45;
                 const std::vector<float> shown = values(scene, s, "least-bias");
                 int told = 0;
@@ -60,7 +63,8 @@ TEST_F(FaceNormalsOnGpu, OnePlaneNeedsOneBiasOnEveryPixel) {
                             bias_account(frame.lights[0], s, frame.map_resolution,
                                          {at, {0, 1, 0}, {0, 1, 0}, frame.camera.origin()}, renderer.driver());
                         const double ratio = value / a.amount(a.least.total()).texels;
-                        least = std::min(least, ratio), most = std::max(most, ratio);
+                        least = std::min(least, ratio);
+                        most = std::max(most, ratio);
                     }
                 EXPECT_GT(told, 500);
                 EXPECT_GT(least, 0.99);
@@ -96,7 +100,8 @@ TEST_F(FaceNormalsOnGpu, StayPerpendicularUnderAnyTransform) {
                 frame.camera.pixel_ray(x, y, kWidth, kHeight, origin, dir);
                 const auto hit = rays.first_hit(origin, dir);
                 if (std::isnan(value) || !hit) continue;
-                ++checked, facing += value > 0;
+                ++checked;
+                facing += value > 0;
                 off += std::abs(value - glm::dot(hit->normal, frame.lights[0].to_light)) > 5e-7;
             }
         EXPECT_GT(checked, 300);
@@ -110,7 +115,9 @@ TEST_F(FaceNormalsOnGpu, FollowPoses) {
     Scene scene = make_scene(make_sphere(1, 24, 12));
     Mesh& mesh = scene.meshes[0];
     auto source = std::make_shared<DeformSource>();
-    source->positions = mesh.positions, source->normals = mesh.normals, source->indices = mesh.indices;
+    source->positions = mesh.positions;
+    source->normals = mesh.normals;
+    source->indices = mesh.indices;
     source->targets.resize(1);
     for (const glm::vec3& p : mesh.positions)
         source->targets[0].positions.push_back({0.5f * p.y * p.y, 0.4f * p.x, -0.3f * p.z});
@@ -119,7 +126,8 @@ TEST_F(FaceNormalsOnGpu, FollowPoses) {
     rig->rest.resize(scene.nodes.size());
     rig->rest[0].weights = {0};
     AnimationChannel bend{.node = 0, .property = AnimatedProperty::Weights, .width = 1};
-    bend.times_s = {0, 1}, bend.values = {0, 1};
+    bend.times_s = {0, 1};
+    bend.values = {0, 1};
     rig->animations.push_back({.name = "bend", .duration_s = 1, .channels = {bend}});
     scene.rig = rig;
     std::vector<float> before;

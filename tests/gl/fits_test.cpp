@@ -95,20 +95,27 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
             light.azimuth = i % 3 == 0 ? 90 * (i % 4) : 180 * unit(random);
             light.elevation = i % 5 == 0 ? 90 : 15 + 60 * std::abs(unit(random));
             if (i % 4 == 3) {
-                light.type = int(LightType::Spot), light.cone = 70 + 30 * unit(random);
+                light.type = int(LightType::Spot);
+                light.cone = 70 + 30 * unit(random);
                 light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above all, or amid it
             }
             CameraSettings& camera = s.camera;
             camera.source = int(CameraSource::Manual);
             const glm::dvec3 at = scene.bounds.centre() + 0.4 * r * glm::dvec3(unit(random), 0, unit(random));
-            camera.target_x = at.x, camera.target_y = at.y, camera.target_z = at.z;
-            camera.azimuth = 180 * unit(random), camera.elevation = i == 7 ? -60 : 10 + 60 * std::abs(unit(random));
-            camera.distance = r * (i % 2 ? 0.15 : 1.2), camera.fov = i % 5 == 4 ? 15 : 55;
-            camera.orthographic = i % 6 == 1, camera.height = 0.6 * r;
+            camera.target_x = at.x;
+            camera.target_y = at.y;
+            camera.target_z = at.z;
+            camera.azimuth = 180 * unit(random);
+            camera.elevation = i == 7 ? -60 : 10 + 60 * std::abs(unit(random));
+            camera.distance = r * (i % 2 ? 0.15 : 1.2);
+            camera.fov = i % 5 == 4 ? 15 : 55;
+            camera.orthographic = i % 6 == 1;
+            camera.height = 0.6 * r;
             const Judged j = judge(scene, s, 112, 63);
             EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
             EXPECT_EQ(j.unlit_beyond, 0u);
-            beyond += j.beyond, shadowed += j.shadowed;
+            beyond += j.beyond;
+            shadowed += j.shadowed;
             (j.light.closed ? closed : open) += 1;
         }
     }
@@ -147,7 +154,8 @@ TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
     for (const char* kernel : {"hard", "pcf3", "pcf9"}) {
         SCOPED_TRACE(kernel);
         Settings s = test::texel_settings(kernel, 128, 8);
-        s.lights[0].elevation = 90, s.lights[0].azimuth = 0;
+        s.lights[0].elevation = 90;
+        s.lights[0].azimuth = 0;
         s.lights[0].fit = int(LightFit::Casters);
         FrameRequest request{.width = 300, .height = 200};
         request.outputs = {.colour = false, .visibility = true};
@@ -159,7 +167,9 @@ TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
         light.fit = int(LightFit::Manual);
         light.extent = view.half_width;
         const glm::dvec3 aside = view.eye - frame.lights[0].position;
-        light.target_x = aside.x, light.target_y = aside.y, light.target_z = aside.z;
+        light.target_x = aside.x;
+        light.target_y = aside.y;
+        light.target_z = aside.z;
         const FrameResult by_hand = renderer.render(scene, s, request);
         ASSERT_NEAR(by_hand.lights[0].views[0].half_width, view.half_width, 1e-9);
         const FloatImage read = renderer.read_float(by_hand.visibility, 1);

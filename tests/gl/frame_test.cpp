@@ -94,7 +94,8 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
                             set_setting(s, "filter.method", sampler ? "sampler" : "gather");
                             s.lights[0].fit = int(LightFit::Manual);
                             s.lights[0].distance = 20;
-                            s.lights[0].near = behind ? 24 : 1, s.lights[0].far = behind ? 60 : 20;
+                            s.lights[0].near = behind ? 24 : 1;
+                            s.lights[0].far = behind ? 60 : 20;
                             pictures[sampler][behind] =
                                 renderer.read_float(renderer.render(scene, s, request).visibility, 1).data;
                         }
@@ -404,7 +405,10 @@ TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
     EXPECT_EQ(none.reason, "no object casts");
     s.objects.begin()->second.cast = true;
     EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
-    for (auto& [path, object] : s.objects) object.cast = true, object.receive = false;
+    for (auto& [path, object] : s.objects) {
+        object.cast = true;
+        object.receive = false;
+    }
     EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
 }
 

@@ -151,7 +151,10 @@ TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
     for (const Sets& sets : all) {
         Settings s = settings_for(scene, {{"map.resolution", "128"}});
         std::string what;
-        for (const auto& [key, value] : sets) set_setting(s, key, value), what += key + "=" + value + " ";
+        for (const auto& [key, value] : sets) {
+            set_setting(s, key, value);
+            what += key + "=" + value + " ";
+        }
         for (const auto& ask : asks) {
             FrameRequest request{.width = 96, .height = 64};
             for (const Ask a : ask) request.outputs.*a = true;

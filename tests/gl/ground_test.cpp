@@ -119,10 +119,12 @@ protected:
             for (int x = 0; x < ids.width; ++x) {
                 const std::size_t i = std::size_t(y) * std::size_t(ids.width) + std::size_t(x);
                 if (ids.data[i].x == 0) continue;
-                ++out.surfaces, out.dark_surfaces += reference.visibility.data[i] < 0.5f;
+                ++out.surfaces;
+                out.dark_surfaces += reference.visibility.data[i] < 0.5f;
                 if (!floors[ids.data[i].x - 1]) continue;
                 const bool dark = reference.visibility.data[i] < 0.5f;
-                ++out.ground, out.dark += dark;
+                ++out.ground;
+                out.dark += dark;
                 out.dark_at_rim += dark && (x == 0 || y == 0 || x == ids.width - 1 || y == ids.height - 1);
             }
         if (!out.own_floor) {
@@ -206,7 +208,10 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
     };
     const std::vector<float> stood = of_box(with.scene), alone = of_box(without.scene);
     std::size_t box = 0, differ = 0;
-    for (std::size_t i = 0; i < alone.size(); ++i) box += alone[i] >= 0, differ += stood[i] != alone[i];
+    for (std::size_t i = 0; i < alone.size(); ++i) {
+        box += alone[i] >= 0;
+        differ += stood[i] != alone[i];
+    }
     EXPECT_GT(box, 5000u);
     EXPECT_LT(differ, box / 100);
 }
@@ -316,8 +321,10 @@ TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
                     for (std::size_t i = 0; i < ids.data.size(); ++i) {
                         if (ids.data[i].x != ground) continue;
                         const float was = whole.data[i], is = fitted.data[i];
-                        dark += was < 0.01f, lost += was < 0.01f && is > 0.99f;
-                        lit += was > 0.99f, made += was > 0.99f && is < 0.01f;
+                        dark += was < 0.01f;
+                        lost += was < 0.01f && is > 0.99f;
+                        lit += was > 0.99f;
+                        made += was > 0.99f && is < 0.01f;
                     }
                     EXPECT_GT(dark, nearer == 1 ? 500u : 50u);
                     EXPECT_LE(lost, dark / 30 + 5);
@@ -416,7 +423,9 @@ TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
     EXPECT_EQ(session.scene.objects.size(), objects - 1);
     EXPECT_EQ(session.scene.nodes.size(), nodes - 1);
     EXPECT_TRUE(session.scene.ground_bounds.empty());
-    moment.ground = int(Ground::Auto), moment.scale = 1, moment.distance = 0;
+    moment.ground = int(Ground::Auto);
+    moment.scale = 1;
+    moment.distance = 0;
     pose_scene(session.scene, moment);
     EXPECT_EQ(session.scene.objects.size(), objects);
     EXPECT_NEAR(session.scene.ground_bounds.hi.y, session.scene.bounds.lo.y, 0.01);

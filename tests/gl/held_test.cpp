@@ -27,7 +27,10 @@ protected:
         for (HeldBytes h : memory_facts().holders) {
             if (h.holder != holder) continue;
             for (const HeldBytes& b : before_)
-                if (b.holder == holder) h.bytes -= b.bytes, h.count -= b.count;
+                if (b.holder == holder) {
+                    h.bytes -= b.bytes;
+                    h.count -= b.count;
+                }
             return h;
         }
         return {};
@@ -104,7 +107,8 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
 TEST_F(HeldTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
     constexpr int kSide = 8192;
     gl::Target tiny, large;
-    tiny.ensure("a test's image", GL_R8, 1, 1), large.ensure("a test's image", GL_R8, kSide, kSide);
+    tiny.ensure("a test's image", GL_R8, 1, 1);
+    large.ensure("a test's image", GL_R8, kSide, kSide);
     const gl::Framebuffer into_tiny = gl::make_framebuffer("a test's image", &tiny, nullptr);
     const gl::Framebuffer into_large = gl::make_framebuffer("a test's image", &large, nullptr);
     constexpr float kBlack[4] = {};
@@ -167,7 +171,10 @@ gl::ProgramRequest plain_program(int number) {
 
 TEST_F(HeldTest, TheLongestUnusedProgramsGiveWay) {
     gl::ProgramCache cache;
-    for (int i = 0; i < 6; ++i) cache.get(plain_program(i)), cache.end_frame(6);
+    for (int i = 0; i < 6; ++i) {
+        cache.get(plain_program(i));
+        cache.end_frame(6);
+    }
     const GLuint first = cache.get(plain_program(0));
     cache.end_frame(6);
     EXPECT_EQ(cache.size(), 6u);

@@ -82,7 +82,8 @@ std::string difference(const Bytes& a, const Bytes& b) {
     int most = 0;
     for (std::size_t i = 0; i < a.size(); ++i) {
         const int d = std::abs(int(a[i]) - int(b[i]));
-        differ += d > 1, most = std::max(most, d);
+        differ += d > 1;
+        most = std::max(most, d);
     }
     return differ == 0 ? "" : fmt::format("{} of {} bytes differ, by {} at most", differ, a.size(), most);
 }
@@ -112,7 +113,10 @@ TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
     for (const Sets& sets : states()) {
         Settings s = settings_for(scene, {{"map.resolution", "64"}, {"filter.kernel", "hard"}});
         std::string what;
-        for (const auto& [key, value] : sets) set_setting(s, key, value), what += key + "=" + value + " ";
+        for (const auto& [key, value] : sets) {
+            set_setting(s, key, value);
+            what += key + "=" + value + " ";
+        }
         const Bytes before = pictures(scene, s);
         for (const SettingRef& ref : all_settings(s)) {
             if (ref.light > 1 || idle_reason(s, ref).empty()) continue;

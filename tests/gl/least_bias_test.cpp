@@ -41,17 +41,21 @@ protected:
         Settings& s = sight.settings;
         s.camera.source = int(CameraSource::Manual);
         const glm::dvec3 from = glm::normalize(sight.normal + 0.4 * glm::dvec3(place[0]));
-        s.camera.target_x = sight.at.x, s.camera.target_y = sight.at.y, s.camera.target_z = sight.at.z;
+        s.camera.target_x = sight.at.x;
+        s.camera.target_y = sight.at.y;
+        s.camera.target_z = sight.at.z;
         s.camera.azimuth = glm::degrees(std::atan2(from.x, from.z));
         s.camera.elevation = glm::degrees(std::asin(std::clamp(from.y, -1.0, 1.0)));
         s.camera.distance = 4;
         LightSettings& light = s.lights[0];
-        light.type = int(type), light.fit = int(fit);
+        light.type = int(type);
+        light.fit = int(fit);
         // Some lights lie along the axes exactly.
         light.azimuth = uniform(0, 1) < 0.3 ? 90 * std::floor(uniform(0, 4)) : uniform(-180, 180);
         light.elevation = uniform(0, 1) < 0.2 ? 90 : uniform(-85, 85);
         light.target_x = light.target_y = light.target_z = 0;
-        light.distance = type == LightType::Directional ? 0 : uniform(6, 30), light.cone = uniform(50, 100);
+        light.distance = type == LightType::Directional ? 0 : uniform(6, 30);
+        light.cone = uniform(50, 100);
         s.map.resolution = 1 << int(uniform(6, 11));
         return sight;
     }
@@ -118,7 +122,8 @@ TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
                         << (s.map.reversed_z ? " reversed" : "") << ", cosine " << cosine << ", at " << x << "," << y
                         << ": " << value << " on the GPU, " << expected << " here";
                     worst = std::max(worst, off / tolerance);
-                    ++compared, ++here;
+                    ++compared;
+                    ++here;
                     perspective += a.curve.perspective;
                     warped += frame.lights[0].is_warped();
                     grazing += cosine < 0.2;

@@ -44,7 +44,9 @@ protected:
     double wrong_share(const Scene& scene, const Settings& s) {
         std::size_t wrong = 0, all = 0, dark = 0;
         each_pixel(scene, s, {.nearest = false}, [&](const Receiver&, double v, double t) {
-            ++all, dark += t < 0.5, wrong += (v >= 0.5) != (t >= 0.5);
+            ++all;
+            dark += t < 0.5;
+            wrong += (v >= 0.5) != (t >= 0.5);
         });
         EXPECT_GT(dark, all / 100);
         return double(wrong) / double(all);
@@ -76,7 +78,8 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
                 Settings s = light_mapped(test::hard_settings(), resolution);
                 s.lights[0].type = int(type);
-                s.lights[0].azimuth = place.azimuth, s.lights[0].elevation = place.elevation;
+                s.lights[0].azimuth = place.azimuth;
+                s.lights[0].elevation = place.elevation;
                 s.lights[0].distance = type == LightType::Directional ? 0 : 9;
                 s.lights[0].cone = 80;
                 test::move_camera(s, place.at);
@@ -128,7 +131,8 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
     s.lights[0].elevation = 90;
     s.lights[0].size = 6;
     s.light_map.samples = 256;
-    request.width = 960, request.height = 540;
+    request.width = 960;
+    request.height = 540;
     const double radius_m = 2.25 * std::tan(s.lights[0].size * std::numbers::pi / 180);
     double worst = 0, squares = 0;
     std::size_t within = 0;
@@ -138,7 +142,9 @@ TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
         if (std::abs(d) > 1.5) return;
         const double c = std::clamp(d, -1.0, 1.0);
         const double share = 0.5 + (c * std::sqrt(1 - c * c) + std::asin(c)) / std::numbers::pi;
-        worst = std::max(worst, std::abs(v - share)), squares += (v - share) * (v - share), ++within;
+        worst = std::max(worst, std::abs(v - share));
+        squares += (v - share) * (v - share);
+        ++within;
     });
     std::printf("penumbra: off by %.4f at most, %.4f root mean square, %zu pixels\n", worst,
                 std::sqrt(squares / double(within)), within);
@@ -186,11 +192,17 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
         SCOPED_TRACE(testing::Message() << one_floor << sheet);
         const Scene scene = rooms(one_floor, sheet);
         Settings s = light_mapped(test::hard_settings(), 64);
-        s.lights[0].azimuth = 90 + kRoomsTurned, s.lights[0].elevation = 55;
+        s.lights[0].azimuth = 90 + kRoomsTurned;
+        s.lights[0].elevation = 55;
         s.camera.source = int(CameraSource::Manual);
         const glm::dvec3 target(turned(kRoomsTurned) * glm::dvec4(-0.6, 0.3, 0, 1));
-        s.camera.target_x = target.x, s.camera.target_y = target.y, s.camera.target_z = target.z;
-        s.camera.azimuth = 265 + kRoomsTurned, s.camera.elevation = 15, s.camera.distance = 2, s.camera.near = 0.05;
+        s.camera.target_x = target.x;
+        s.camera.target_y = target.y;
+        s.camera.target_z = target.z;
+        s.camera.azimuth = 265 + kRoomsTurned;
+        s.camera.elevation = 15;
+        s.camera.distance = 2;
+        s.camera.near = 0.05;
         s.camera.fov = 80;
         double brightest = 0, reach_m = 0;
         std::size_t pixels = 0;
@@ -305,7 +317,8 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     expect_unknown("light_map.resolution", "300");
     expect_unknown("caster.blend", "mask");
     Settings area = s;
-    area.light_map.samples = 64, area.lights[0].size = 2;
+    area.light_map.samples = 64;
+    area.lights[0].size = 2;
     EXPECT_FALSE(renderer.render(scene, area, request).light_maps[0].met);
     Settings dropped = s;
     dropped.objects[scene.nodes[std::size_t(scene.objects[0].node)].path].cast = false;

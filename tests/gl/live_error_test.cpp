@@ -175,7 +175,10 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
     double sum = 0;
     std::size_t counted = 0;
     for (std::size_t i = 0; i < difference.data.size(); i += 4)
-        if (difference.data[i + 3] > 0 && !std::isnan(difference.data[i])) sum += difference.data[i], ++counted;
+        if (difference.data[i + 3] > 0 && !std::isnan(difference.data[i])) {
+            sum += difference.data[i];
+            ++counted;
+        }
     EXPECT_EQ(counted, frame.error->metrics.counted);
     EXPECT_NEAR(sum / double(counted), frame.error->metrics.signed_mean, 1e-6);
 }
@@ -208,7 +211,8 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
                 const glm::dvec3 axis = light.views[account.receiver.view].axes[2];
                 const double gap = nearest * glm::dot(account.receiver.to_light, axis) / account.receiver.texel_m;
                 const double texels = gap - account.amount(account.least.total()).texels;
-                ++shadowed, closed += texels <= 0;
+                ++shadowed;
+                closed += texels <= 0;
                 off += !(std::abs(value - texels) <= 0.02 + 2e-3 * std::abs(texels));
             }
         EXPECT_GT(shadowed, 1000u);

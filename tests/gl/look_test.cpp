@@ -22,7 +22,9 @@ namespace {
 class LookTest : public FrameTest {
 protected:
     static Settings plain(Settings s) {
-        s.shading.sky = int(SkyLook::Plain), s.shading.curve = int(ToneCurve::Plain), s.shading.exposure = 0;
+        s.shading.sky = int(SkyLook::Plain);
+        s.shading.curve = int(ToneCurve::Plain);
+        s.shading.exposure = 0;
         return s;
     }
     static glm::ivec3 pixel(const ByteImage& image, int x, int y) {
@@ -109,7 +111,8 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
         std::size_t own = 0, dark = 0, differ = 0;
         for (std::size_t i = 0; i < none.ids.data.size(); ++i) {
             if (none.ids.data[i].x == 0 || none.ids.data[i].x != all.ids.data[i].x) continue;
-            ++own, dark += none.visibility.data[i] < 0.5f;
+            ++own;
+            dark += none.visibility.data[i] < 0.5f;
             differ += none.visibility.data[i] != all.visibility.data[i];
         }
         EXPECT_GT(own, 1000u);
@@ -122,7 +125,9 @@ TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
     s.light_count = 2;
-    s.lights[0].intensity = 1.5, s.lights[1] = s.lights[0], s.lights[1].azimuth += 20;
+    s.lights[0].intensity = 1.5;
+    s.lights[1] = s.lights[0];
+    s.lights[1].azimuth += 20;
     const int filmic = brightest(picture(scene, s));
     s.shading.curve = int(ToneCurve::Plain);
     EXPECT_EQ(brightest(picture(scene, s)), 255);
@@ -167,11 +172,18 @@ TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
     for (std::size_t i = 0; i < ids.data.size(); ++i) {
         const std::uint8_t* p = &image.data[4 * i];
         const double luma = (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]) / 255;
-        sum += luma, clipped += std::max({p[0], p[1], p[2]}) == 255;
+        sum += luma;
+        clipped += std::max({p[0], p[1], p[2]}) == 255;
         if (ids.data[i].x == 0 || scene.nodes[std::size_t(scene.objects[ids.data[i].x - 1].node)].name != "Ground")
             continue;
-        if (visibility.data[i] > 0.99f) lit += luma, ++lit_count;
-        if (visibility.data[i] < 0.01f) dark += luma, ++dark_count;
+        if (visibility.data[i] > 0.99f) {
+            lit += luma;
+            ++lit_count;
+        }
+        if (visibility.data[i] < 0.01f) {
+            dark += luma;
+            ++dark_count;
+        }
     }
     const double count = double(ids.data.size());
     EXPECT_GT(sum / count, 0.35);
@@ -198,11 +210,13 @@ TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
 TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 64, 3);
-    s.shading.specular = 0, s.shading.sky = int(SkyLook::Plain);
+    s.shading.specular = 0;
+    s.shading.sky = int(SkyLook::Plain);
     s.shading.exposure = 1;
     const ByteImage exposed = picture(scene, s);
     s.shading.exposure = 0;
-    s.lights[0].intensity *= 2, s.shading.ambient *= 2;
+    s.lights[0].intensity *= 2;
+    s.shading.ambient *= 2;
     EXPECT_LE(different_pixels(exposed, picture(scene, s), 1), 3u);
 }
 
@@ -264,7 +278,8 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     PictureState state;
     state.settings = settings_for(scene, {{"map.resolution", "64"}});
     EditorActions actions;
-    actions.scene_width = 64, actions.scene_height = 36;
+    actions.scene_width = 64;
+    actions.scene_height = 36;
     const auto changed = [&] { return loop.update(scene, state, actions, nullptr).changed; };
     const auto shows_smooth = [&] {
         const FrameResult result = loop.facts().result;
@@ -296,7 +311,8 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
         FrameRequest request = small();
-        request.smoothed = 1, request.force = true;
+        request.smoothed = 1;
+        request.force = true;
         for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))
             if (e.name == name) return e;
         ADD_FAILURE() << name;

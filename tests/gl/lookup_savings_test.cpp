@@ -44,7 +44,10 @@ protected:
     /// Every pixel that shows a surface fetches so many texels.
     void expect_taps(const Scene& scene, const Settings& s, OptimisationSet forced, float texels, const char* what) {
         int shown = 0, other = 0;
-        for (const float n : taps(scene, s, forced)) shown += n >= 0, other += n >= 0 && n != texels;
+        for (const float n : taps(scene, s, forced)) {
+            shown += n >= 0;
+            other += n >= 0 && n != texels;
+        }
         EXPECT_GT(shown, 1000) << what;
         EXPECT_EQ(other, 0) << what;
     }
@@ -83,7 +86,8 @@ TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
     for (const char* kernel : {"pcf", "gauss", "poisson", "vogel", "dpcf", "pcss"}) {
         Settings s = floor_settings(kernel);
         s.filter.size = 15;
-        s.map.resolution = 1024, s.camera.distance = 2;  // far from the floor's edges
+        s.map.resolution = 1024;
+        s.camera.distance = 2;  // far from the floor's edges
         s.filter.taps = s.filter.blocker_taps = 64;
         s.lights[0].size = 0.2;
         const FilterCost cost = cost_of(s);
@@ -104,7 +108,8 @@ TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
     for (std::size_t i = 0; i < saved.size(); ++i) {
         if (saved[i] > 0) ++fetched;
         if (saved[i] != 0) continue;
-        dark += lit.data[i] == 0, bright += lit.data[i] == 1;
+        dark += lit.data[i] == 0;
+        bright += lit.data[i] == 1;
         EXPECT_TRUE(lit.data[i] == 0 || lit.data[i] == 1) << i;
     }
     EXPECT_GT(dark, 100);
@@ -123,7 +128,8 @@ TEST_F(LookupOptimisationsTest, ASearchWithoutAPenumbraLooksOnce) {
     s.lights[0].size = 0.5;
     expect_taps(scene, s, {Optimisation::EarlyOut}, 24, "a light of size");
     set_setting(s, "filter.kernel", "smrt");
-    s.lights[0].size = 0, s.bias.normal = 3;
+    s.lights[0].size = 0;
+    s.bias.normal = 3;
     expect_taps(scene, s, {Optimisation::EarlyOut}, 1, "rays, size 0");
     expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::Blockers}, float(1 + s.filter.rays * s.filter.steps),
                 "forced");
@@ -187,7 +193,8 @@ const std::vector<Sets>& ways() {
 TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;
-    request.width = 64, request.height = 48;
+    request.width = 64;
+    request.height = 48;
     test::move_scene(far, {115, -3, 40});
     for (std::size_t way = 0; way < ways().size(); ++way) {
         int bounded = 0;
@@ -202,11 +209,15 @@ TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
             s.lights[0].size = way % 3 == 0 ? 0 : 0.1;
             s.filter.taps = s.filter.blocker_taps = 64;
             std::string what = kernel;
-            for (const auto& [key, value] : ways()[way]) set_setting(s, key, value), what += " " + key + "=" + value;
+            for (const auto& [key, value] : ways()[way]) {
+                set_setting(s, key, value);
+                what += " " + key + "=" + value;
+            }
             const bool away = way % 2 != 0;
             if (away) test::move_camera(s, {115, -3, 40});
             expect_equal_bytes(away ? far : scene, s, kLookups, what);
-            request.outputs = {}, request.forced = {};
+            request.outputs = {};
+            request.forced = {};
             draw_maps(away ? far : scene, s, {});
             const FrameResult frame = renderer.render(away ? far : scene, s, request);
             told = frame.pass("map bounds")->reason;
@@ -222,7 +233,10 @@ TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
     const FrameRequest tiny{.width = 64, .height = 36};
     KeptFrames frames(scene, s, tiny, Optimisation::EarlyOut);
-    for (int i = 0; i < 3; ++i) frames.draw({}), frames.draw({Optimisation::EarlyOut});
+    for (int i = 0; i < 3; ++i) {
+        frames.draw({});
+        frames.draw({Optimisation::EarlyOut});
+    }
     const FrameResult with = frames.draw({});
     EXPECT_NE(with.pass("map bounds")->state, PassState::Skipped) << with.pass("map bounds")->reason;
     const ByteImage picture = renderer.read_colour(with.colour);

@@ -131,9 +131,14 @@ TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
         y.push_back(std::log2(m.false_shadow + m.false_light));
     }
     double mean_x = 0, mean_y = 0, xy = 0, xx = 0;
-    for (std::size_t i = 0; i < x.size(); ++i) mean_x += x[i] / double(x.size()), mean_y += y[i] / double(x.size());
-    for (std::size_t i = 0; i < x.size(); ++i)
-        xy += (x[i] - mean_x) * (y[i] - mean_y), xx += (x[i] - mean_x) * (x[i] - mean_x);
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        mean_x += x[i] / double(x.size());
+        mean_y += y[i] / double(x.size());
+    }
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        xy += (x[i] - mean_x) * (y[i] - mean_y);
+        xx += (x[i] - mean_x) * (x[i] - mean_x);
+    }
     EXPECT_NEAR(xy / xx, -1, 0.2);
 }
 
@@ -157,7 +162,8 @@ TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
     s.camera.azimuth += 10;
     measure(scene, s);
     EXPECT_GT(measured.traced.place_ms, 0);
-    s.lights[0].azimuth -= 10, s.camera.azimuth -= 10;
+    s.lights[0].azimuth -= 10;
+    s.camera.azimuth -= 10;
     measure(scene, s);
     EXPECT_EQ(measured.traced.reference, reference) << "the last few are kept";
     const auto hard_reference = measured.traced.reference;

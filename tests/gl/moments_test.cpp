@@ -216,8 +216,11 @@ TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
         s.map.reversed_z = c.reversed;
         s.map.format = int(turn % 2 ? MapFormat::D24 : MapFormat::D32F);
         move_camera(s, c.at);
-        s.filter.exponent = turn % 2 ? 8 : 20, s.filter.negative_exponent = 4;
-        s.filter.blur_shape = int(turn % 2), s.filter.blur = 2, s.filter.window = 4.4;
+        s.filter.exponent = turn % 2 ? 8 : 20;
+        s.filter.negative_exponent = 4;
+        s.filter.blur_shape = int(turn % 2);
+        s.filter.blur = 2;
+        s.filter.window = 4.4;
         s.filter.moment_bias = 1e-4;
         ++turn;
         const FrameRequest maps{
@@ -274,11 +277,17 @@ Scene covered_floor(double upper, double lower = 0) {
 
 Settings overhead(const Filter& row) {
     Settings s = texel_settings(row.key, 64, 0.2);
-    s.lights[0].elevation = 90, s.lights[0].azimuth = 0;
-    s.camera.elevation = 2, s.camera.azimuth = 0, s.camera.distance = 4;
+    s.lights[0].elevation = 90;
+    s.lights[0].azimuth = 0;
+    s.camera.elevation = 2;
+    s.camera.azimuth = 0;
+    s.camera.distance = 4;
     s.bias.constant = 5e-4;
-    s.filter.bleed = 0, s.filter.min_variance = 0, s.filter.moment_bias = 1e-6;
-    s.filter.blur = 1, s.filter.window = 3;
+    s.filter.bleed = 0;
+    s.filter.min_variance = 0;
+    s.filter.moment_bias = 1e-6;
+    s.filter.blur = 1;
+    s.filter.window = 3;
     return s;
 }
 
@@ -380,7 +389,8 @@ TEST(Moments, BySummedAreasAreThoseOfABlur) {
             s.filter.blur = radius;
             const FloatImage blurred = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
             s.filter.kernel = kernel("savsm");
-            s.filter.window = 2 * radius + 1, s.filter.sums = sums;
+            s.filter.window = 2 * radius + 1;
+            s.filter.sums = sums;
             const FloatImage summed = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
             double worst = 0, total = 0;
             for (std::size_t i = 0; i < summed.data.size(); ++i) {
@@ -414,7 +424,9 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
             add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(6, 6), grey));
             move_scene(scene, place.at);
             Settings s = texel_settings(row->key, 128, row->moments.quantised ? 24 : 5);
-            s.lights[0].type = int(place.light), s.lights[0].elevation = place.elevation, s.lights[0].azimuth = 90;
+            s.lights[0].type = int(place.light);
+            s.lights[0].elevation = place.elevation;
+            s.lights[0].azimuth = 90;
             s.lights[0].distance = place.light == LightType::Directional ? 0 : 7;
             s.lights[0].cone = 90;
             move_camera(s, place.at);
@@ -467,8 +479,10 @@ TEST(Moments, Of16BitsAreNearThoseOf32) {
     for (const Filter* row : moment_rows()) {
         if (!reads(*row, "filter.moment_format")) continue;
         Settings s = texel_settings(row->key, 96, 6);
-        s.filter.exponent = 5, s.filter.negative_exponent = 5;
-        s.filter.min_variance = 1e-4, s.filter.moment_bias = 1e-4;
+        s.filter.exponent = 5;
+        s.filter.negative_exponent = 5;
+        s.filter.min_variance = 1e-4;
+        s.filter.moment_bias = 1e-4;
         const Shot wide = shoot(scene, s);
         s.filter.moment_format = int(MomentFormat::Bits16);
         const Shot narrow = shoot(scene, s);
@@ -544,8 +558,10 @@ TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
 Settings from_above(const Filter& row, const Scene& scene, double texels) {
     Settings s = overhead(row);
     s.map.resolution = 128;
-    s.camera.elevation = 90, s.camera.orthographic = true;
-    s.filter.mips = true, s.filter.blur = 0;
+    s.camera.elevation = 90;
+    s.camera.orthographic = true;
+    s.filter.mips = true;
+    s.filter.blur = 0;
     const FrameResult frame = hard_renderer().render(scene, s, kPicture);
     s.camera.target_x += 0.13;  // so that no pixel is centred in a texel of a level
     s.camera.height = texels * frame.lights[0].views[0].texel_size(1, 128) * kPicture.height;
@@ -595,8 +611,10 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelsFootprint) {
 TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Settings s = texel_settings("vsm", 512, 1);
-    s.camera.elevation = 6, s.camera.distance = 14;
-    s.filter.blur = 0, s.filter.mips = true;
+    s.camera.elevation = 6;
+    s.camera.distance = 14;
+    s.filter.blur = 0;
+    s.filter.mips = true;
     const Shot plain = shoot(scene, s);
     s.filter.anisotropy = 16;
     const double most = hard_renderer().driver().max_anisotropy;
@@ -623,17 +641,22 @@ TEST(Moments, AreShownByTheMapViewer) {
     for (const Filter* row : moment_rows()) {
         Settings s = texel_settings(row->key, 64, 1);
         s.map.reversed_z = true;
-        s.filter.exponent = 4, s.filter.negative_exponent = 3, s.filter.blur = row->moments.summed ? 0 : 2;
+        s.filter.exponent = 4;
+        s.filter.negative_exponent = 3;
+        s.filter.blur = row->moments.summed ? 0 : 2;
         const FrameResult plain = renderer.render(scene, s, maps);
         EXPECT_EQ(plain.shown_map.channel, 0);
         const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
         for (int channel = 1; channel <= int(row->moments.names.size()); ++channel) {
-            s.view.map_channel = channel, s.view.map = int(MapView::Raw), s.filter.blur = 2;
+            s.view.map_channel = channel;
+            s.view.map = int(MapView::Raw);
+            s.filter.blur = 2;
             const FrameResult raw = renderer.render(scene, s, maps);
             ASSERT_EQ(raw.shown_map.channel, channel);
             EXPECT_EQ(raw.shown_map.name, row->moments.names[std::size_t(channel - 1)]);
             const FloatImage numbers = renderer.read_map_view_depth(raw);
-            s.view.map = int(MapView::Linear), s.filter.blur = 0;
+            s.view.map = int(MapView::Linear);
+            s.filter.blur = 0;
             const FloatImage alone = renderer.read_map_view_depth(renderer.render(scene, s, maps));
             double sum = 0;
             for (int x = 3; x < 61; x += 3) {
@@ -667,10 +690,13 @@ TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
     for (const int n : {5, 16, 33})
         for (const int radius : {0, 1, 3, 8}) {
             Settings s = texel_settings("vsm", n, 2.0 * n / 16);
-            s.filter.moment_format = int(MomentFormat::Bits32), s.filter.blur = 0;
+            s.filter.moment_format = int(MomentFormat::Bits32);
+            s.filter.blur = 0;
             const FrameResult plain = renderer.render(scene, s, maps);
             const Shares shares(renderer.read_shadow_map(plain, 0, 0), plain.lights[0].views[0].curve);
-            s.view.map_channel = 1, s.view.map = int(MapView::Raw), s.filter.blur = radius;
+            s.view.map_channel = 1;
+            s.view.map = int(MapView::Raw);
+            s.filter.blur = radius;
             const FloatImage numbers = renderer.read_map_view_depth(renderer.render(scene, s, maps));
             ASSERT_EQ(numbers.width, n);
             for (int y = 0; y < n; ++y)
@@ -692,8 +718,10 @@ TEST(Moments, AreShownByMipLevels) {
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
     for (const Filter* row : moment_rows()) {
         Settings s = texel_settings(row->key, 64, 1);
-        s.filter.mips = true, s.filter.moment_format = int(MomentFormat::Bits32);
-        s.view.map = int(MapView::Raw), s.view.map_channel = 1;
+        s.filter.mips = true;
+        s.filter.moment_format = int(MomentFormat::Bits32);
+        s.view.map = int(MapView::Raw);
+        s.view.map_channel = 1;
         FloatImage finer;
         for (const int level : {0, 1, 2, 3, 6}) {
             s.view.map_mip = level;
@@ -715,7 +743,8 @@ TEST(Moments, AreShownByMipLevels) {
                         const double mean = 0.25 * (double(finer.at(2 * x, 2 * y)) + finer.at(2 * x + 1, 2 * y) +
                                                     finer.at(2 * x, 2 * y + 1) + finer.at(2 * x + 1, 2 * y + 1));
                         ASSERT_NEAR(numbers.at(x, y), mean, 1e-5 * std::abs(mean)) << row->key << " level " << level;
-                        most = std::max(most, mean), least = std::min(least, mean);
+                        most = std::max(most, mean);
+                        least = std::min(least, mean);
                     }
                 EXPECT_GT(most, least * 1.05) << "all alike, so this says little";
             }
@@ -737,13 +766,15 @@ TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
     Renderer& renderer = hard_renderer();
     for (const Filter* row : moment_rows()) {
         Settings s = texel_settings(row->key, 64, 2);
-        s.map.samples = 4, s.filter.mips = true;
+        s.map.samples = 4;
+        s.filter.mips = true;
         const FrameResult first = renderer.render(scene, s, kPicture);
         EXPECT_EQ(first.pass("moments")->state, PassState::Drawn) << row->key;
         EXPECT_EQ(first.pass("moments")->category, PassCategory::Maps);
         s.camera.azimuth += 10;
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
-        s.filter.bleed = 0.1, s.filter.moment_bias = 1e-5;
+        s.filter.bleed = 0.1;
+        s.filter.moment_bias = 1e-5;
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Cached) << row->key;
         s.lights[0].azimuth += 10;
         EXPECT_EQ(renderer.render(scene, s, kPicture).pass("moments")->state, PassState::Drawn) << row->key;

@@ -12,7 +12,8 @@ namespace {
 class UploadCount {
 public:
     UploadCount() {
-        current = this, put_ = epoxy_glNamedBufferSubData;
+        current = this;
+        put_ = epoxy_glNamedBufferSubData;
         epoxy_glNamedBufferSubData = [](GLuint buffer, GLintptr at, GLsizeiptr size, const void* data) {
             current->bytes_ += std::size_t(size);
             current->put_(buffer, at, size, data);
@@ -74,7 +75,10 @@ TEST_F(MovedNodes, WhatIsAnotherMeshOrMaterialIsHandedOverAnew) {
     refresh(scene);
     EXPECT_GT(uploads(scene), all / 2);
     expect_as_fresh(scene);
-    for (Material& m : scene.materials) m.alpha = AlphaMode::Mask, m.alpha_cutoff = 2;
+    for (Material& m : scene.materials) {
+        m.alpha = AlphaMode::Mask;
+        m.alpha_cutoff = 2;
+    }
     refresh(scene);
     EXPECT_GT(uploads(scene), all / 2);
     expect_as_fresh(scene);

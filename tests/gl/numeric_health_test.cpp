@@ -242,7 +242,8 @@ TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
     };
     expect_sound();
     for (int turn = 0; turn < 8; ++turn) {
-        s.camera.roll += 45, s.camera.target_x += 0.01;
+        s.camera.roll += 45;
+        s.camera.target_x += 0.01;
         expect_sound();
     }
 }

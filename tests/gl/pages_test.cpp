@@ -66,7 +66,8 @@ TEST_F(PagesTest, AreTheWholeMapsTexels) {
             EXPECT_LT(frame.pages->drawn, int(frame.lights[0].views.size()) * 225);
             const std::size_t differ = differing(whole, paged);
             EXPECT_LE(differ, whole.data.size() / 1000) << "kind " << i << " at " << place.x;
-            pixels += whole.data.size(), wrong += differ;
+            pixels += whole.data.size();
+            wrong += differ;
             dark += std::size_t(std::count_if(whole.data.begin(), whole.data.end(), [](float v) { return v < 0.5f; }));
         }
     }
@@ -94,7 +95,8 @@ TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
     for (int step = 0; step < 110; ++step) {
         switch (step % 11) {
             case 3:
-                s.lights[0].azimuth += 10, s.lights[0].elevation = between(20, 90);
+                s.lights[0].azimuth += 10;
+                s.lights[0].elevation = between(20, 90);
                 break;
             case 6: {  // one box moves
                 Node& node = scene.nodes[std::size_t(1 + step % int(scene.nodes.size() - 1))];
@@ -106,14 +108,16 @@ TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
                 s.map.page_pool = step % 2 ? 150 : 40;
                 break;
             default:
-                s.camera.azimuth += between(-15, 15), s.camera.target_x += between(-0.4, 0.4);
+                s.camera.azimuth += between(-15, 15);
+                s.camera.target_x += between(-0.4, 0.4);
                 s.camera.distance = between(4, 14);
         }
         FrameResult frame;
         const FloatImage a = visibility(renderer, scene, s, &frame);
         const FloatImage b = visibility(cold, scene, s, nullptr, true);
         ASSERT_EQ(differing(a, b), 0u) << "step " << step;
-        kept += std::size_t(frame.pages->kept), evicted += std::size_t(frame.pages->evicted);
+        kept += std::size_t(frame.pages->kept);
+        evicted += std::size_t(frame.pages->evicted);
         coarser += std::size_t(frame.pages->coarser);
         EXPECT_EQ(std::count_if(a.data.begin(), a.data.end(), [](float v) { return std::isnan(v); }), 0) << step;
     }
@@ -200,7 +204,8 @@ TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
                                       {"camera.elevation", "0"},
                                       {"camera.distance", "6"}});
     const ByteImage whole = picture(scene, s);
-    s.map.paged = true, s.map.virtual_levels = 1;
+    s.map.paged = true;
+    s.map.virtual_levels = 1;
     EXPECT_LE(different_pixels(whole, picture(scene, s), 1), 20u);
     s.lights[0].cast = s.lights[1].cast = false;
     EXPECT_GT(different_pixels(whole, picture(scene, s), 1), 200u) << "there is a shadow on the glass";

@@ -102,7 +102,8 @@ TEST_F(PanesTest, FittedRangesFollowThePicture) {
     // The same picture as with these numbers by hand.
     const ByteImage fitted = renderer.read_colour(f.colour);
     Settings manual = settings_for(scene, {{"view.overlay", "own-depth"}, {"view.overlay_range", "manual"}});
-    manual.view.overlay_min = expected->min, manual.view.overlay_max = expected->max;
+    manual.view.overlay_min = expected->min;
+    manual.view.overlay_max = expected->max;
     EXPECT_EQ(fitted, picture(scene, manual));
     // And another one once the values change.
     settings.push_back({"light.elevation", "80"});

@@ -97,7 +97,10 @@ TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
         for (const Sets& other : others) {
             Settings changed = s;
             std::string what;
-            for (const auto& [key, value] : other) set_setting(changed, key, value), what += key + "=" + value + " ";
+            for (const auto& [key, value] : other) {
+                set_setting(changed, key, value);
+                what += key + "=" + value + " ";
+            }
             SCOPED_TRACE(what);
             for (const int width : {96, 120}) plan(changed, request(width, 72));
             const FrameResult again = draw(s, request(96, 72));

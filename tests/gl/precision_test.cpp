@@ -35,7 +35,8 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
         for (const double distance : {0.0, 1e5}) {
             Scene scene = floor_and_box();
             Settings s = settings_at(scene, distance, type);
-            s.map.origin = int(MapOrigin::World), s.bias.normal = 0;
+            s.map.origin = int(MapOrigin::World);
+            s.bias.normal = 0;
             const FrameResult frame = hard_renderer().render(
                 scene, s,
                 {.width = kWidth, .height = kHeight, .outputs = {.map_coordinates = true, .precision = true}});
@@ -149,7 +150,8 @@ TEST(PrecisionTest, CostsNothingUnasked) {
 /// Cascades over what the camera sees of a wide floor with a box.
 Settings crawling(bool snap) {
     Settings s = hard_settings();
-    s.lights[0].fit = int(LightFit::Stabilised), s.lights[0].snap = snap;
+    s.lights[0].fit = int(LightFit::Stabilised);
+    s.lights[0].snap = snap;
     s.lights[0].cascades = 2;
     s.camera.distance = 6;
     s.map.resolution = 128;

@@ -28,7 +28,9 @@ public:
                 stop.scene, {{"map.resolution", "256"}, {"camera.source", "manual"}, {"light.fit", "scene"}});
             const Bounds& b = stop.scene.bounds;
             CameraSettings& c = stop.settings.camera;
-            c.target_x = b.centre().x, c.target_y = b.centre().y, c.target_z = b.centre().z;
+            c.target_x = b.centre().x;
+            c.target_y = b.centre().y;
+            c.target_z = b.centre().z;
             stops_.push_back(std::move(stop));
         }
     }
@@ -47,10 +49,12 @@ public:
                 return "another scene";
             case 1:
             case 2:
-                s.camera.azimuth += between(-40, 40), s.camera.elevation = between(5, 85);
+                s.camera.azimuth += between(-40, 40);
+                s.camera.elevation = between(5, 85);
                 return "camera turned";
             case 3:
-                s.camera.distance = between(3, 25), s.camera.target_x += between(-1, 1);
+                s.camera.distance = between(3, 25);
+                s.camera.target_x += between(-1, 1);
                 return "camera moved";
             case 4:
                 return move_caster();
@@ -134,7 +138,8 @@ protected:
     int kept_apart = 0;  ///< maps of which only what moved was drawn
 
     Drawn draw(Renderer& by, Stop& stop, FrameRequest request) {
-        request.width = stop.width, request.height = stop.height;
+        request.width = stop.width;
+        request.height = stop.height;
         request.outputs.shadow_map = true;
         Drawn out;
         const FrameResult frame = by.render(stop.scene, stop.settings, request);

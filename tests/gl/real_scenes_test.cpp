@@ -26,7 +26,10 @@ protected:
         double sum = 0, count = 0;
         for (int y = 0; y < v.height; ++y)
             for (int x = 0; x < v.width; ++x)
-                if (v.at(x, y) < 0.5f) sum += x, ++count;
+                if (v.at(x, y) < 0.5f) {
+                    sum += x;
+                    ++count;
+                }
         return {count > 0 ? sum / count : -1, count};
     }
     /// The pixel in the middle of the picture of an overlay.
@@ -92,7 +95,9 @@ TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
 /// One texel of a tangent-space normal.
 int add_normal_map(Scene& scene, const glm::vec3& n) {
     Texture t;
-    t.width = t.height = 1, t.srgb = false, t.mipmaps = false;
+    t.width = t.height = 1;
+    t.srgb = false;
+    t.mipmaps = false;
     for (int i = 0; i < 3; ++i) t.rgba.push_back(std::uint8_t(std::lround((n[i] * 0.5f + 0.5f) * 255)));
     t.rgba.push_back(255);
     scene.textures.push_back(t);

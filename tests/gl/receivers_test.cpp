@@ -32,7 +32,8 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
                 const bool below = y + 1 < height && on_one_surface(here, r.at(x, y + 1));
                 ASSERT_EQ(here.joins_right, right) << x << ", " << y << " of " << height;
                 ASSERT_EQ(here.joins_below, below) << x << ", " << y << " of " << height;
-                joined += right + below, apart += !right + !below;
+                joined += right + below;
+                apart += !right + !below;
             }
         EXPECT_GT(joined, 0u);
         EXPECT_GT(apart, 0u);

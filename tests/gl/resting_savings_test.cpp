@@ -224,7 +224,10 @@ TEST_F(StaticOptimisationsTest, WhatComesToRestIsKeptInTime) {
         for (Node& node : scene.nodes)
             if (node.name.starts_with("Ball") && count-- > 0) node.local[3].y += 0.01;
     };
-    for (int i = 0; i < 4; ++i) move_balls(20), move_by(scene, node_named(scene, "Mover"), 0.1, 0, 0);
+    for (int i = 0; i < 4; ++i) {
+        move_balls(20);
+        move_by(scene, node_named(scene, "Mover"), 0.1, 0, 0);
+    }
     std::vector<std::uint64_t> drawn;
     for (int i = 0; i < 12; ++i) {
         if (i < 4) move_balls(20);
@@ -261,12 +264,15 @@ TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
     for (const Sets& sets : {kinds()[0], kinds()[4]}) {
         Settings s = small_maps(scene, sets);
         s.camera.source = int(CameraSource::Manual);
-        s.camera.distance = 6, s.camera.elevation = 30, s.camera.target_y = 0.5;
+        s.camera.distance = 6;
+        s.camera.elevation = 30;
+        s.camera.target_y = 0.5;
         FrameRequest few{.width = 64, .height = 36}, all = few;
         all.forced = {Optimisation::Static};
         int kept = 0;
         for (int i = 0; i < 12; ++i) {
-            s.camera.azimuth += 25, s.camera.target_x = i % 5 - 2;
+            s.camera.azimuth += 25;
+            s.camera.target_x = i % 5 - 2;
             if (i % 3) move_by(scene, node_named(scene, "Mover"), 0.4, 0, i % 2 ? 0.6 : -0.7);
             const FrameResult f = renderer.render(scene, s, few);
             kept += is_kept(f);
@@ -311,7 +317,8 @@ TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
             if (e.name == "casters at rest in maps of light 0") return e;
         return Effect{};
     };
-    told(), told();
+    told();
+    told();
     const Effect drawn = told(), kept = told();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
@@ -340,7 +347,10 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     Settings s = small_maps(scene, kinds()[0]);
     s.scene.time = 0.9;  // over the end
     KeptFrames frames(scene, s, asked(), Optimisation::Static);
-    for (int i = 0; i < 4; ++i) frames.draw({}), frames.draw({Optimisation::Static});
+    for (int i = 0; i < 4; ++i) {
+        frames.draw({});
+        frames.draw({Optimisation::Static});
+    }
     ByteImage before;
     for (int i = 0; i < 4; ++i) {
         const FrameResult kept = frames.draw({});

@@ -43,7 +43,9 @@ protected:
         expect_one_picture(scene, s, what);
         s.camera = manual_camera(scene, s);
         const glm::dvec3 corner = glm::mix(scene.bounds.centre(), scene.bounds.hi, 0.6);
-        s.camera.target_x = corner.x, s.camera.target_z = corner.z, s.camera.distance *= 0.3;
+        s.camera.target_x = corner.x;
+        s.camera.target_z = corner.z;
+        s.camera.distance *= 0.3;
         expect_one_picture(scene, s, what + ", near a corner");
     }
     /// Frames made each of these, or nothing was compared.

@@ -39,7 +39,8 @@ protected:
     /// Floor under a sun that stands so many degrees high over the map's v axis.
     static Settings sun(double elevation, double constant_texels) {
         Settings s = test::texel_settings("hard", 256, constant_texels);
-        s.lights[0].azimuth = 0, s.lights[0].elevation = elevation;
+        s.lights[0].azimuth = 0;
+        s.lights[0].elevation = elevation;
         return s;
     }
     /// y of the surface's line.
@@ -164,7 +165,8 @@ TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
                         << name << " " << step.texel;
                 }
                 EXPECT_NEAR(middle.y, along, 1e-5 + 1e-4 * glm::length(from_surface)) << name << " " << step.texel;
-                ++steps, nearer += step.meets == KernelTap::Meets::Nearer;
+                ++steps;
+                nearer += step.meets == KernelTap::Meets::Nearer;
             }
         }
         EXPECT_GT(steps, 12) << name;
@@ -259,7 +261,8 @@ TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
                     const SectionDrawing d = draw_section(s, {.captions = false});
                     expect_window_before_surface(s, d);
                     expect_to_scale(s, d);
-                    ++classified, bounded += std::isfinite(s.window_to);
+                    ++classified;
+                    bounded += std::isfinite(s.window_to);
                     aslant += s.texel_long_m > 1.02 * s.texel_m;
                     leave_the_cut += std::abs(s.surface_aside) > 0.5;
                 }
@@ -277,7 +280,8 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     for (int y = 58; y < 64 && !found; ++y) {
         // Seen from beside the sheet, through below it.
         Settings s = settings;
-        s.camera.elevation = 5, s.camera.target_y = 0.1;
+        s.camera.elevation = 5;
+        s.camera.target_y = 0.1;
         const Section one = section(test::sheet_over_floor(height), s, {80, y});
         if (one.artefact.find("peter-panning") == 0) found = one;
     }

@@ -293,7 +293,8 @@ TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
                                                   {"shading.specular", "0"}});
         const int found = p.data[4 * (8 * 16 + 8)];
         EXPECT_NEAR(found, wanted, 1) << "of " << linear;
-        other += found != wanted, ++levels;
+        other += found != wanted;
+        ++levels;
     }
     EXPECT_LE(other, levels / 20);
     const ByteImage bright =

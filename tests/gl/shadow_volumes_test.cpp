@@ -65,7 +65,11 @@ protected:
                 for (int j = std::max(y - 1, 0); j <= std::min(y + 1, v.height - 1); ++j)
                     for (int i = std::max(x - 1, 0); i <= std::min(x + 1, v.width - 1); ++i)
                         edge |= reference->visibility.at(i, j) != t || triangle(i, j) != triangle(x, y);
-                if (!edge) ++c.off_inside, c.x = x, c.y = y;
+                if (!edge) {
+                    ++c.off_inside;
+                    c.x = x;
+                    c.y = y;
+                }
             }
         return c;
     }
@@ -119,9 +123,12 @@ TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
     const Scene sheet = test::floor_under_a_sheet({});
     Settings s = test::hard_settings();
     s.lights[0].elevation = 90;
-    s.camera.target_y = 0.5, s.camera.elevation = 10, s.camera.distance = 1.2;
+    s.camera.target_y = 0.5;
+    s.camera.elevation = 10;
+    s.camera.distance = 1.2;
     EXPECT_GT(differing(sheet, s), 0.5);
-    s.camera.distance = 8, s.camera.elevation = 30;
+    s.camera.distance = 8;
+    s.camera.elevation = 30;
     EXPECT_LT(differing(sheet, s), 1e-4);
 }
 

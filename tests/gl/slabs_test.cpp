@@ -38,7 +38,8 @@ bool covers(const TexelSlab& slab, const Camera& camera, int width, int height, 
             q(camera.project(slab.corners[std::size_t(b)], width, height)), along = glm::normalize(q - p),
                                                                             d = pixel - p;
         const double aside = along.x * d.y - along.y * d.x;
-        least = std::min(least, aside), most = std::max(most, aside);
+        least = std::min(least, aside);
+        most = std::max(most, aside);
     }
     return least > 1.5 || most < -1.5;
 }
@@ -116,7 +117,8 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     for (const TexelSlab& slab : slabs(f, s, Slabs::Both))
         for (const glm::dvec3& c : slab.corners) {
             const glm::dvec2 p(f.camera.project(c, 320, 180));
-            lo = glm::min(lo, p), hi = glm::max(hi, p);
+            lo = glm::min(lo, p);
+            hi = glm::max(hi, p);
         }
     int inside = 0, outside = 0;
     for (int y = 0; y < 180; ++y)
@@ -150,7 +152,8 @@ TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
         for (int y = 0; y < 180; ++y)
             for (int x = 0; x < 320; ++x) {
                 const glm::ivec2 t = tint(without, with, x, y);
-                blue += t.x > 45, orange += t.y > 45;
+                blue += t.x > 45;
+                orange += t.y > 45;
             }
         return std::pair(blue, orange);
     };

@@ -80,8 +80,13 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             Settings s = test::hard_settings();
             set_setting(s, "light.source", "blob");
             LightSettings& light = s.lights[0];
-            light.type = int(type), light.azimuth = place.azimuth, light.elevation = place.elevation;
-            if (type != LightType::Directional) light.distance = 9, light.cone = 90;
+            light.type = int(type);
+            light.azimuth = place.azimuth;
+            light.elevation = place.elevation;
+            if (type != LightType::Directional) {
+                light.distance = 9;
+                light.cone = 90;
+            }
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
             test::move_camera(s, place.at);
             const test::Shot shot = test::shoot(scene, s, 160, 120);
@@ -240,7 +245,8 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
             std::size_t dark = 0, penumbra = 0;
             for (std::size_t i = 0; i < t.state.size(); ++i) {
                 if (t.state[i] != PixelState::Counted || !is_wrong(1, true_pixel(t, i))) continue;
-                ++dark, penumbra += t.hard().data[i] >= 0.5f;
+                ++dark;
+                penumbra += t.hard().data[i] >= 0.5f;
             }
             ASSERT_GT(dark, 300u);
             const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);

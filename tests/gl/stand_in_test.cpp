@@ -39,7 +39,8 @@ TEST_F(StandInTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
     const int leaf = add_mesh(scene, "leaf", make_box(glm::dvec3(1)), cut);
     for (int i = 0; i < 2000; ++i) {
         Object o;
-        o.node = node, o.mesh = i == 777 ? leaf : dense;
+        o.node = node;
+        o.mesh = i == 777 ? leaf : dense;
         o.instance = i == 778 ? scaled(-1, 1, 1) : moved(115 + i % 50, 0, i / 50);
         scene.objects.push_back(o);
     }

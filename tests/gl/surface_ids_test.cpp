@@ -81,10 +81,12 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     leaf.double_sided = true;
     scene.materials.push_back(leaf);
     Texture t;
-    t.width = 13, t.height = 8;
+    t.width = 13;
+    t.height = 8;
     t.mipmaps = false;  // level 0 whatever the distance
     t.nearest_mag = t.nearest_min = nearest;
-    t.wrap_s = wrap, t.wrap_t = TextureWrap::Mirror;
+    t.wrap_s = wrap;
+    t.wrap_t = TextureWrap::Mirror;
     Random random(5);
     for (int i = 0; i < t.width * t.height; ++i) t.rgba.append({90, 120, 60, std::uint8_t(random.in(0, 256))});
     scene.textures.push_back(t);
@@ -173,7 +175,8 @@ TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
     std::size_t met = 0;
     for (const int turn : {0, 4}) {
         Settings s = stage_from_above(scene, "256");
-        s.camera.roll += 45 * turn, s.camera.target_x += 0.01 * turn;
+        s.camera.roll += 45 * turn;
+        s.camera.target_x += 0.01 * turn;
         const SurfaceIds ids = draw(scene, s, 295, 332);
         FrameRequest request{.width = ids.width, .height = ids.height};
         const ByteImage fused = renderer.read_colour(renderer.render(scene, s, request).colour);
@@ -184,8 +187,10 @@ TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
             SCOPED_TRACE(testing::Message() << "turn " << turn << ", pixel " << at.x << ", " << at.y);
             const std::size_t i = std::size_t(at.y * ids.width + at.x);
             int brightness = 0, off = 0;
-            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c)
-                brightness += fused.data[c], off = std::max(off, std::abs(int(fused.data[c]) - int(apart.data[c])));
+            for (std::size_t c = 4 * i; c < 4 * i + 3; ++c) {
+                brightness += fused.data[c];
+                off = std::max(off, std::abs(int(fused.data[c]) - int(apart.data[c])));
+            }
             EXPECT_GT(brightness, 0) << "what is no number is drawn black";
             EXPECT_LE(off, 1) << "fused and apart";
             const Probe probe = renderer.probe(scene, s, request, at.x, at.y);

@@ -80,7 +80,8 @@ std::vector<Settings> square_kernels() {
         };
         for (const bool point : {false, true})
             for (const int size : {2, 3, 8}) {
-                s.filter.size = size, s.filter.point = point;
+                s.filter.size = size;
+                s.filter.point = point;
                 if ((size == 3 || owns("filter.size")) && (!point || owns("filter.point"))) out.push_back(s);
             }
     }

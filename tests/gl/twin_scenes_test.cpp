@@ -53,7 +53,8 @@ protected:
 TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
     const Scene boxes = load_scene("boxes");
     glm::dmat4 shear(1);
-    shear[1][0] = 0.6, shear[2][1] = -0.3;
+    shear[1][0] = 0.6;
+    shear[2][1] = -0.3;
     const std::pair<const char*, glm::dmat4> transforms[] = {
         {"mirrored", glm::scale(glm::dmat4(1), {-1, 1, 1})},
         {"mirrored in all axes", glm::scale(glm::dmat4(1), {-1, -1, -1})},

@@ -56,7 +56,8 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
             for (const float d : depths.data) {
                 if (d == 0) continue;  // nothing is there
                 const double z = frame.camera.curve.distance(d);
-                from = std::min(from, z), to = std::max(to, z);
+                from = std::min(from, z);
+                to = std::max(to, z);
             }
             ASSERT_TRUE(frame.seen_m) << name;
             EXPECT_NEAR(frame.seen_m->from_m, from, 1e-4 * to) << name;
@@ -103,11 +104,16 @@ Scene floor_under_far_sheet(const test::Place& place) {
 Settings far_sheet_settings(const Scene& scene, const test::Place& place, const char* fit, int cascades) {
     Settings s = test::texel_settings("pcf3", 256, 3);
     set_setting(s, "light.fit", fit);
-    s.lights[0].azimuth = place.azimuth, s.lights[0].elevation = place.elevation;
+    s.lights[0].azimuth = place.azimuth;
+    s.lights[0].elevation = place.elevation;
     s.lights[0].cascades = cascades;
     const glm::dvec3 target = place.at - scene.bounds.centre();
-    s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
-    s.lights[0].target_x = target.x, s.lights[0].target_y = target.y, s.lights[0].target_z = target.z;
+    s.camera.target_x = place.at.x;
+    s.camera.target_y = place.at.y;
+    s.camera.target_z = place.at.z;
+    s.lights[0].target_x = target.x;
+    s.lights[0].target_y = target.y;
+    s.lights[0].target_z = target.z;
     return s;
 }
 
@@ -197,7 +203,8 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
         for (const int cascades : {1, 3}) {
             set_setting(s, "light.near_far", "manual");
             s.lights[0].cascades = cascades;
-            s.lights[0].near = depth_of(all, place.at) - 9, s.lights[0].far = depth_of(all, place.at) + 8;
+            s.lights[0].near = depth_of(all, place.at) - 9;
+            s.lights[0].far = depth_of(all, place.at) + 8;
             const FloatImage cut = visibility(scene, s, &frame);
             for (const LightView& view : frame.lights[0].views) EXPECT_NEAR(range_of(view), 17, 1e-9);
             EXPECT_EQ(std::ranges::count_if(cut.data, [](float v) { return v < 0.5f; }), 0);
@@ -246,7 +253,8 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
             FrameRequest request = small();
             request.outputs = {.colour = false, .visibility = true};
             const FrameResult own = renderer.render(scene, s, request);
-            s.camera.azimuth += 120, s.camera.distance = 14;
+            s.camera.azimuth += 120;
+            s.camera.distance = 14;
             const FrameResult moved = renderer.render(scene, s, request);
             request.map_camera = MapCamera{own.camera, own.seen_m};
             const FrameResult frozen = renderer.render(scene, s, request);
@@ -275,7 +283,8 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
                                           {"bias.constant", "4"},
                                           {"map.resolution", "256"}});
         Settings walking = s;
-        walking.camera.source = int(CameraSource::Manual), walking.camera.distance = 3;
+        walking.camera.source = int(CameraSource::Manual);
+        walking.camera.distance = 3;
         FrameRequest request{.width = 160, .height = 90};
         request.outputs = {.colour = false, .visibility = true};
         std::vector<float> before;
@@ -284,7 +293,8 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
         test::RayReference rays(scene);
         std::vector<std::optional<test::Hit>> hits;
         for (int i = 0; i < 120; ++i) {
-            walking.camera.target_x += 0.0011, walking.camera.target_z -= 0.0007;
+            walking.camera.target_x += 0.0011;
+            walking.camera.target_z -= 0.0007;
             if (i >= 60) walking.camera.azimuth += 6;
             request.map_camera = MapCamera{make_camera(scene, walking, 16.0 / 9), {}};
             const FrameResult frame = renderer.render(scene, s, request);
@@ -308,7 +318,8 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
             }
             for (std::size_t k = 0; k < before.size(); ++k)
                 count += chosen[k] < 99 && chosen[k] == chosen_before[k] && v.data[k] != before[k];
-            before = v.data, chosen_before = chosen;
+            before = v.data;
+            chosen_before = chosen;
         }
         return count;
     };

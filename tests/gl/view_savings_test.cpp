@@ -88,8 +88,10 @@ TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDra
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
-    s.camera.target_x = scene.bounds.centre().x, s.camera.target_y = scene.bounds.hi.y;
-    s.camera.target_z = scene.bounds.lo.z, s.camera.distance = 0.1 * scene.bounds.radius();
+    s.camera.target_x = scene.bounds.centre().x;
+    s.camera.target_y = scene.bounds.hi.y;
+    s.camera.target_z = scene.bounds.lo.z;
+    s.camera.distance = 0.1 * scene.bounds.radius();
     const auto [saved, forced] = expect_one_picture(scene, s, "landscape");
     EXPECT_GT(saved, 0u);
     EXPECT_LT(double(saved), 0.3 * double(forced)) << "its triangles go row by row along z";
@@ -232,14 +234,19 @@ TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
             set_setting(s, "filter.kernel", kernels[next++ % 4]);
             CameraSettings& c = s.camera;
             c.source = int(CameraSource::Manual);
-            c.azimuth = azimuth, c.elevation = 5 + 0.2 * azimuth, c.distance = 2 + 0.03 * azimuth;
-            c.target_x = -9 + 0.08 * azimuth, c.target_y = 0.5, c.target_z = 0.01 * azimuth;
+            c.azimuth = azimuth;
+            c.elevation = 5 + 0.2 * azimuth;
+            c.distance = 2 + 0.03 * azimuth;
+            c.target_x = -9 + 0.08 * azimuth;
+            c.target_y = 0.5;
+            c.target_z = 0.01 * azimuth;
             const std::string what =
                 (light.empty() ? std::string("plain") : light.back().second) + ", " + std::to_string(azimuth);
             const auto [few, all] = expect_one_picture(scene, s, what);
             if (!frozen) frozen = MapCamera{frame(scene, s).camera, {}};
             if (fit_reads_camera(s, 0)) expect_one_picture(scene, s, what + ", maps made for another camera", frozen);
-            saved += few, forced += all;
+            saved += few;
+            forced += all;
         }
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
@@ -286,11 +293,13 @@ TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
         std::uint64_t orbit = 0;
         int redrawn = 0;
         for (int i = 0; i < 12; ++i) {
-            s.camera.target_x = -16 + 32 * (i % 2), s.camera.azimuth += 30;
+            s.camera.target_x = -16 + 32 * (i % 2);
+            s.camera.azimuth += 30;
             const FrameResult f = frame(scene, s);
             const ByteImage kept = renderer.read_colour(f.colour);
             const std::uint64_t drawn = drawn_triangles(f);
-            redrawn += drawn > 0, orbit += drawn;
+            redrawn += drawn > 0;
+            orbit += drawn;
             EXPECT_EQ(map_pass(f).state, drawn > 0 ? PassState::Drawn : PassState::Cached);
             Renderer other;
             EXPECT_EQ(different_pixels(kept, other.read_colour(other.render(scene, s, cold()).colour)), 0u) << i;
@@ -310,7 +319,8 @@ TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
         whole.outputs.shadow_map = true;
         EXPECT_GT(drawn_triangles(frame(scene, s, whole)), 0u);
         for (int i = 0; i < 12; ++i) {
-            s.camera.azimuth += 30, s.camera.target_x += 2;
+            s.camera.azimuth += 30;
+            s.camera.target_x += 2;
             const FrameResult f = frame(scene, s);
             EXPECT_EQ(map_pass(f).state, PassState::Cached);
             if (const PassInfo* moments = f.pass("moments")) {

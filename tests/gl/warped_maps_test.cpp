@@ -51,10 +51,15 @@ protected:
         Settings s;
         set_setting(s, "light.fit", fit);
         s.map.resolution = resolution;
-        s.lights[0].azimuth = 70, s.lights[0].elevation = 55;
+        s.lights[0].azimuth = 70;
+        s.lights[0].elevation = 55;
         CameraSettings& c = s.camera;
         c.source = int(CameraSource::Manual);
-        c.target_y = 0.5, c.target_z = 20, c.azimuth = 0, c.elevation = 12, c.distance = 9;
+        c.target_y = 0.5;
+        c.target_z = 20;
+        c.azimuth = 0;
+        c.elevation = 12;
+        c.distance = 9;
         test::move_camera(s, at);
         return s;
     }
@@ -93,7 +98,8 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
     for (int i = 0; i < 2; ++i) {
         const Settings s = settings_for(scene, {{"light.fit", fits[i]}, {"map.resolution", "1024"}});
         const FloatImage pixels = values(scene, s, "pixels-per-texel");
-        near[i] = median(pixels, 82, 90), far[i] = median(pixels, 28, 36);
+        near[i] = median(pixels, 82, 90);
+        far[i] = median(pixels, 28, 36);
     }
     RecordProperty("near", std::to_string(near[0]) + " " + std::to_string(near[1]));
     RecordProperty("far", std::to_string(far[0]) + " " + std::to_string(far[1]));
@@ -144,7 +150,8 @@ TEST_F(WarpedMapsTest, PerTexelBiasesLeaveNoAcneOnPlanes) {
                         set_setting(s, "light.near_far", near_far);
                         s.map.reversed_z = reversed;
                         s.bias.constant = s.bias.slope = s.bias.normal = 0;
-                        s.lights[0].azimuth = azimuth, s.lights[0].elevation = elevation;
+                        s.lights[0].azimuth = azimuth;
+                        s.lights[0].elevation = elevation;
                         const ErrorMetrics m = measure(scene, s).metrics;
                         EXPECT_GT(m.counted, 2000u);
                         EXPECT_EQ(m.artefacts[std::size_t(Artefact::Acne)], 0u);
@@ -222,7 +229,8 @@ TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAnEvenMap) {
         for (std::size_t i = 0; i < even.data.size(); ++i) {
             const auto grey = [](float v) { return v > 0.05f && v < 0.95f; };
             off += std::abs(even.data[i] - warped.data[i]);
-            grey_even += grey(even.data[i]), grey_warped += grey(warped.data[i]);
+            grey_even += grey(even.data[i]);
+            grey_warped += grey(warped.data[i]);
         }
         EXPECT_GT(grey_even, 150);
         EXPECT_NEAR(grey_warped / grey_even, 1, 0.12) << grey_even << " " << grey_warped;

@@ -116,7 +116,8 @@ TEST_F(WasteTest, PagesAreTriedLightByLight) {
     EXPECT_EQ(waste.share(), 0);
     // Seen from where nothing is looked up.
     Sets away = paged;
-    away.emplace_back("camera.source", "manual"), away.emplace_back("camera.target_x", "500");
+    away.emplace_back("camera.source", "manual");
+    away.emplace_back("camera.target_x", "500");
     EXPECT_FALSE(tried_named(waste_of(scene, away), "pages of light 0").changes);
 }
 
@@ -221,7 +222,8 @@ struct Sum {
     std::string list;
     void add(const std::string& what, const Waste& waste) {
         drawn += waste.triangles();
-        maps_ms += waste.maps_ms.value_or(0), wasted_ms += waste.wasted_ms();
+        maps_ms += waste.maps_ms.value_or(0);
+        wasted_ms += waste.wasted_ms();
         for (const Tried& t : waste.tried) {
             if (!t.changes && t.read < 0 && t.triangles == 0)
                 list += fmt::format("  {}: {} changes nothing, {:.2f} ms\n", what, t.name, t.maps_ms);

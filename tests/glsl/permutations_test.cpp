@@ -79,7 +79,9 @@ class Recorder {
 public:
     explicit Recorder(fs::path folder) : folder_(std::move(folder)) {
         current = this;
-        source_ = epoxy_glShaderSource, arrays_ = epoxy_glDrawArrays, instanced_ = epoxy_glDrawArraysInstanced;
+        source_ = epoxy_glShaderSource;
+        arrays_ = epoxy_glDrawArrays;
+        instanced_ = epoxy_glDrawArraysInstanced;
         elements_ = epoxy_glDrawElementsInstancedBaseVertexBaseInstance;
         read_ = epoxy_glGetTextureImage;
         // Where nothing is drawn a probe finds nothing and stops: its block of 2x2 pixels is full of ones instead, and
@@ -111,7 +113,9 @@ public:
                                                                  GLuint) {};
     }
     ~Recorder() {
-        epoxy_glShaderSource = source_, epoxy_glDrawArrays = arrays_, epoxy_glDrawArraysInstanced = instanced_;
+        epoxy_glShaderSource = source_;
+        epoxy_glDrawArrays = arrays_;
+        epoxy_glDrawArraysInstanced = instanced_;
         epoxy_glDrawElementsInstancedBaseVertexBaseInstance = elements_;
         epoxy_glGetTextureImage = read_;
         current = nullptr;

@@ -154,10 +154,15 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                 const Scene scene =
                     make_scene(make_plane(place.size, place.size), moved(place.at.x, place.at.y, place.at.z));
                 Settings s = plane_settings(MapFormat::D32F, "hard");
-                s.camera.target_x = place.at.x, s.camera.target_y = place.at.y, s.camera.target_z = place.at.z;
+                s.camera.target_x = place.at.x;
+                s.camera.target_y = place.at.y;
+                s.camera.target_z = place.at.z;
                 s.camera.distance *= place.size / 10;
                 s.lights[0].type = int(type);
-                if (type == LightType::Spot) s.lights[0].distance = 2 * place.size, s.lights[0].cone = 60;
+                if (type == LightType::Spot) {
+                    s.lights[0].distance = 2 * place.size;
+                    s.lights[0].cone = 60;
+                }
                 s.lights[0].elevation = 90 - theta;
                 s.bias.unit = int(BiasUnit::Texels);
                 const auto visible = [&](Shot& shot) {

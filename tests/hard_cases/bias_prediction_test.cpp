@@ -44,7 +44,10 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
     light.type = int(c.light);
     light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
-    if (c.light == LightType::Spot) light.distance = 20, light.cone = 50;
+    if (c.light == LightType::Spot) {
+        light.distance = 20;
+        light.cone = 50;
+    }
     return s;
 }
 

@@ -168,10 +168,14 @@ TEST(HardCase4, SixteenBitsOfDistanceAreFinerFarAway) {
     LightSettings& light = s.lights[0];
     light.type = int(LightType::Spot);
     light.fit = int(LightFit::Manual);
-    light.elevation = 60, light.distance = 20, light.near = 0.03, light.far = 30;
+    light.elevation = 60;
+    light.distance = 20;
+    light.near = 0.03;
+    light.far = 30;
     const auto acne = [&](MapFormat format, double texels) {
         s.map.format = int(format);
-        s.bias.unit = int(BiasUnit::Texels), s.bias.constant = texels;
+        s.bias.unit = int(BiasUnit::Texels);
+        s.bias.constant = texels;
         return shadow_share(shoot(scene, s));
     };
     // Far beyond what sampling calls for; steps of depth at 20 m are 0.2 m there, those of distance half a millimetre.
@@ -217,7 +221,10 @@ TEST(HardCase5, PolygonOffset) {
         LightSettings& light = s.lights[0];
         light.elevation = 90;
         light.fit = int(LightFit::Manual);
-        light.distance = 6, light.near = 1e-9, light.far = 10, light.extent = 6;
+        light.distance = 6;
+        light.near = 1e-9;
+        light.far = 10;
+        light.extent = 6;
         const Shot flat = shoot(scene, s, 64, 48);
         const double step = depth_quantum(format, 0.6);
         s.bias.raster_units = format == MapFormat::D16 ? 100 : 1000;
@@ -229,7 +236,8 @@ TEST(HardCase5, PolygonOffset) {
         }
         // The factor's slope: |dz/dx| of the window for a plane that tilts along one axis of the map.
         s.bias.raster_units = 0;
-        light.elevation = 60, light.azimuth = 0;
+        light.elevation = 60;
+        light.azimuth = 0;
         const Shot tilted = shoot(scene, s, 64, 48);
         const ReceiverPlane plane = receiver_plane(tilted.view(), {0, 0, 0}, {0, 1, 0});
         const glm::dvec2 g = glm::abs(plane.gradient) / double(tilted.frame.map_resolution);

@@ -128,10 +128,12 @@ struct Differences {
             const bool counts = home.state[i] != PixelState::OutsideCone;
             const bool known =
                 (counts && std::abs(home.reference[i] - there.reference[i]) > 0.02f) || home.state[i] != there.state[i];
-            visibility += seen, reference += known;
+            visibility += seen;
+            reference += known;
             inside += (seen || known) && !near_edge(home, i);
             if (home.cause[i] == Artefact::None || there.cause[i] == Artefact::None) continue;
-            ++wrong, other_cause += home.cause[i] != there.cause[i];
+            ++wrong;
+            other_cause += home.cause[i] != there.cause[i];
         }
     }
 };
@@ -141,8 +143,10 @@ std::string bytes_off(const Judged& a, const Judged& b) {
     std::size_t visibility = 0, reference = 0, state = 0, cause = 0;
     float most = 0;
     for (std::size_t i = 0; i < a.state.size(); ++i) {
-        visibility += a.visibility[i] != b.visibility[i], reference += a.reference[i] != b.reference[i];
-        state += a.state[i] != b.state[i], cause += a.cause[i] != b.cause[i];
+        visibility += a.visibility[i] != b.visibility[i];
+        reference += a.reference[i] != b.reference[i];
+        state += a.state[i] != b.state[i];
+        cause += a.cause[i] != b.cause[i];
         most = std::max(most, std::abs(a.visibility[i] - b.visibility[i]));
     }
     return std::to_string(visibility) + " visibilities by up to " + std::to_string(most) + ", " +
@@ -232,9 +236,11 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
         for (std::size_t i = 0; i < exact.state.size(); ++i) {
             // Faces parallel to the light face away from it, and a little towards it beside.
             if (exact.state[i] != PixelState::Counted || beside->state[i] != PixelState::Counted) continue;
-            ++pixels, look += std::abs(exact.visibility[i] - beside->visibility[i]) > 0.5f;
+            ++pixels;
+            look += std::abs(exact.visibility[i] - beside->visibility[i]) > 0.5f;
             if (exact.cause[i] == Artefact::None || beside->cause[i] == Artefact::None) continue;
-            ++wrong, other_cause += exact.cause[i] != beside->cause[i];
+            ++wrong;
+            other_cause += exact.cause[i] != beside->cause[i];
         }
     }
     EXPECT_LE(double(look), 1e-3 * double(pixels)) << "pixels that look otherwise beside an axis";

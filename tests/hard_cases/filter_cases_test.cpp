@@ -29,7 +29,8 @@ double grey_share(const DrawnCase& c) {
             continue;
         const glm::dvec3 p = reference.hits[i]->position - glm::dvec3(0, 2, 0);
         if (std::max(std::abs(p.x), glm::length(glm::dvec2(p.y, p.z))) > 4.75) continue;
-        ++sheet, grey += shot.visibility.data[i] < 1 - 1e-3f;
+        ++sheet;
+        grey += shot.visibility.data[i] < 1 - 1e-3f;
     }
     EXPECT_GT(sheet, 3000);
     return double(grey) / std::max(sheet, 1);
@@ -50,8 +51,10 @@ TEST(HardCase22, VarianceIsNeverNegative) {
             for (int j = -radius; j <= radius; ++j)
                 for (int i = -radius; i <= radius; ++i) {
                     const float z = map.at(x + i, y + j);
-                    first += z, second += z * z;
-                    least = std::min(least, z), most = std::max(most, z);
+                    first += z;
+                    second += z * z;
+                    least = std::min(least, z);
+                    most = std::max(most, z);
                 }
             if (most == 1 || most - least > 1e-4f) continue;
             const auto n = float((2 * radius + 1) * (2 * radius + 1));
@@ -126,10 +129,14 @@ TEST(HardCase26, NothingAndAllBeforeTheSurface) {
             double worst = 0;
             int clear = 0, covered = 0;
             for (std::size_t i = 0; i < reference.lit.size(); ++i) {
-                if (reference.lit[i] == Lit::Lit)
-                    ++clear, worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
-                if (reference.lit[i] == Lit::Shadow)
-                    ++covered, worst = std::max(worst, double(shot.visibility.data[i]));
+                if (reference.lit[i] == Lit::Lit) {
+                    ++clear;
+                    worst = std::max(worst, std::abs(1.0 - shot.visibility.data[i]));
+                }
+                if (reference.lit[i] == Lit::Shadow) {
+                    ++covered;
+                    worst = std::max(worst, double(shot.visibility.data[i]));
+                }
             }
             judge(26, worst);
             shows_fault(26, clear);

@@ -30,8 +30,14 @@ Amiss amiss(const Guided& g) {
     for (int y = 0; y < g.shot.height; ++y)
         for (int x = 0; x < g.shot.width; ++x) {
             const double v = g.shot.visibility.at(x, y);
-            if (reference.at(x, y) == Lit::Shadow) ++dark, sum.bled += v;
-            if (reference.at(x, y) == Lit::Lit) ++lit, sum.darkened += 1 - v;
+            if (reference.at(x, y) == Lit::Shadow) {
+                ++dark;
+                sum.bled += v;
+            }
+            if (reference.at(x, y) == Lit::Lit) {
+                ++lit;
+                sum.darkened += 1 - v;
+            }
         }
     EXPECT_GT(dark, 40);
     EXPECT_GT(lit, 1000);

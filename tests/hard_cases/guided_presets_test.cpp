@@ -76,7 +76,8 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
         const Session session = open_session({.scene = {}, .preset = p.key, .sets = {}});
         EXPECT_TRUE(session.notes.empty()) << session.notes.front();
         FrameRequest request;
-        request.width = 64, request.height = 36;
+        request.width = 64;
+        request.height = 36;
         request.outputs.health = true;
         ReferenceCache references;  // what is baked or traced for a picture is there when it is shown
         trace_sources(hard_renderer(), session.scene, session.settings, request, references);

@@ -93,7 +93,8 @@ const Claims& guided_view_claims() {
              double least = 1e300, most = 0;
              for (std::size_t i = 0; i < views.size(); ++i) {
                  const double share = views[i].half_width / spans[i].ends;
-                 least = std::min(least, share), most = std::max(most, share);
+                 least = std::min(least, share);
+                 most = std::max(most, share);
                  if (i > 1) {
                      EXPECT_NEAR(spans[i].ends / spans[i - 1].ends, spans[1].ends / spans[0].ends, 1e-6);
                  }

@@ -114,7 +114,8 @@ TEST(HardCaseTable, PresetsOfFaultsShowThem) {
             ReferenceCache cache;
             const MeasuredError e =
                 measure_error(hard_renderer(), c.scene, c.settings, {.width = 160, .height = 120}, 0, {}, cache);
-            wrong[fixed] = e.metrics.false_light + e.metrics.false_shadow, mae[fixed] = e.metrics.mae;
+            wrong[fixed] = e.metrics.false_light + e.metrics.false_shadow;
+            mae[fixed] = e.metrics.mae;
         }
         RecordProperty(std::string(row.key), std::to_string(wrong[0]) + " " + std::to_string(wrong[1]));
         EXPECT_GT(mae[0], 1.3 * mae[1]) << row.key << ": " << wrong[0] << " and " << wrong[1] << " wrong";

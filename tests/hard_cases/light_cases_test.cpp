@@ -46,7 +46,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                          << "azimuth " << angles.x << " elevation " << angles.y << " type " << int(type));
             Settings s = hard_settings();
             s.lights[0].type = int(type);
-            s.lights[0].azimuth = angles.x, s.lights[0].elevation = angles.y;
+            s.lights[0].azimuth = angles.x;
+            s.lights[0].elevation = angles.y;
             const Shot shot = shoot(scene, s);
             const RayReference rays(scene);
             int parallel = 0, lit = 0;
@@ -57,7 +58,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
                     const auto hit = rays.first_hit(origin, dir);
                     if (!hit || std::abs(glm::dot(hit->normal, direction_to(shot.light(), hit->position))) > 1e-12)
                         continue;
-                    ++parallel, lit += shot.visibility.at(x, y) > 0;
+                    ++parallel;
+                    lit += shot.visibility.at(x, y) > 0;
                 }
             if (type == LightType::Directional) {
                 EXPECT_GT(parallel, 50);
@@ -67,7 +69,8 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     // What the truth counts: none of them, so that none is false.
     for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
         Settings s = hard_settings();
-        s.lights[0].azimuth = azimuth, s.lights[0].elevation = 90;
+        s.lights[0].azimuth = azimuth;
+        s.lights[0].elevation = 90;
         ReferenceCache cache;
         const MeasuredError m = measure_error(hard_renderer(), scene, s, {.width = 160, .height = 120}, 0, {}, cache);
         const Shot shot = shoot(scene, s);

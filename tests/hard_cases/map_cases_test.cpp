@@ -23,7 +23,8 @@ TEST(HardCase19, BadSettings) {
             s.lights[0].near = near;
             s.lights[0].far = far;
             const Shot shot = shoot(scene, s);
-            judge(19, shot.frame.notes.empty()), ++tried;
+            judge(19, shot.frame.notes.empty());
+            ++tried;
         }
         for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
             Settings s = hard_settings();
@@ -35,14 +36,16 @@ TEST(HardCase19, BadSettings) {
             s.camera.azimuth = s.camera.distance = s.camera.fov = s.camera.near = s.camera.far = bad;
             s.shading.ambient = s.shading.shininess = s.view.map_black = s.view.overlay_opacity = bad;
             const Shot shot = shoot(scene, s);
-            judge(19, shot.frame.notes.empty()), ++tried;
+            judge(19, shot.frame.notes.empty());
+            ++tried;
         }
         Settings s = hard_settings();
         s.lights[0].type = 77;
         s.map.format = s.map.wrap = s.map.compare = s.filter.kernel = s.bias.unit = s.view.overlay = -3;
         s.map.resolution = -5;
         s.light_count = 99;
-        judge(19, shoot(scene, s).frame.notes.empty()), ++tried;
+        judge(19, shoot(scene, s).frame.notes.empty());
+        ++tried;
     }
     shows_fault(19, tried);
     EXPECT_TRUE(shoot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
@@ -88,7 +91,8 @@ TEST(HardCase20, BeyondTheDriversLimit) {
     s.map.resolution = 1 << 30;
     s.map.format = int(MapFormat::D16);
     FrameRequest request;
-    request.width = 32, request.height = 24;
+    request.width = 32;
+    request.height = 24;
     Renderer& renderer = hard_renderer();
     const FrameResult frame = renderer.render(floor_and_box(), s, request);
     EXPECT_LE(frame.map_resolution, renderer.driver().max_texture_size);

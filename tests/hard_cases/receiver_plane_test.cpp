@@ -26,14 +26,20 @@ struct Plane {
 Settings over(const Plane& plane, LightType type, double theta_deg) {
     Settings s = hard_settings();
     s.camera.elevation = 70;
-    s.camera.target_x = plane.at.x, s.camera.target_y = plane.at.y, s.camera.target_z = plane.at.z;
+    s.camera.target_x = plane.at.x;
+    s.camera.target_y = plane.at.y;
+    s.camera.target_z = plane.at.z;
     s.camera.distance *= plane.size / 10;
     s.bias = no_bias();
     LightSettings& light = s.lights[0];
     light.type = int(type);
-    light.azimuth = plane.azimuth, light.elevation = 90 - theta_deg;
+    light.azimuth = plane.azimuth;
+    light.elevation = 90 - theta_deg;
     light.target_x = light.target_y = light.target_z = 0;
-    if (type != LightType::Directional) light.distance = 2 * plane.size, light.cone = 50;
+    if (type != LightType::Directional) {
+        light.distance = 2 * plane.size;
+        light.cone = 50;
+    }
     return s;
 }
 
@@ -151,10 +157,17 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
             Settings s = texel_settings("hard", 512, texels);
             choose(s, "receiver-plane");
             s.lights[0].type = int(type);
-            s.lights[0].azimuth = 23, s.lights[0].elevation = 35;  // from +z
-            if (type == LightType::Spot) s.lights[0].distance = 16, s.lights[0].cone = 60;
-            s.camera.azimuth = 180, s.camera.elevation = 65, s.camera.distance = 9;
-            s.camera.target_x = s.camera.target_y = 0, s.camera.target_z = -0.5;
+            s.lights[0].azimuth = 23;
+            s.lights[0].elevation = 35;  // from +z
+            if (type == LightType::Spot) {
+                s.lights[0].distance = 16;
+                s.lights[0].cone = 60;
+            }
+            s.camera.azimuth = 180;
+            s.camera.elevation = 65;
+            s.camera.distance = 9;
+            s.camera.target_x = s.camera.target_y = 0;
+            s.camera.target_z = -0.5;
             const Shot shot = shoot(scene, s, 480, 360);
             double lit = 0, expected = 0;
             int columns = 0;
@@ -179,13 +192,15 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
                 EXPECT_NEAR(a.amount(a.clears()).metres * a.receiver.axis_per_ray / a.receiver.texel_m, texels, 0.1);
                 ++columns;
             }
-            lit /= columns, expected /= columns;
+            lit /= columns;
+            expected /= columns;
             // Pixels at the foot show the wall, not the floor before it: less than one of them is missing.
             EXPECT_LE(lit, 1.02 * expected);
             EXPECT_GE(lit, expected - pixel_m);
-            if (texels == 2)
-                narrow = lit, narrow_expected = expected;
-            else  // under a spot light texels grow along the strip
+            if (texels == 2) {
+                narrow = lit;
+                narrow_expected = expected;
+            } else  // under a spot light texels grow along the strip
                 EXPECT_NEAR((lit - narrow) / (expected - narrow_expected), 1, 0.05);
         }
     }
@@ -201,7 +216,8 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
             SCOPED_TRACE(testing::Message() << row.key << ", light " << int(type));
             Settings s = texel_settings(row.key, 512, 0);
             s.lights[0].type = int(type);
-            s.lights[0].distance = 9, s.lights[0].cone = 80;
+            s.lights[0].distance = 9;
+            s.lights[0].cone = 80;
             choose(s, "receiver-plane");
             const Shot plane = shoot(scene, s, 320, 240);
             choose(s, "constant");
@@ -218,7 +234,9 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
                     const glm::dvec4 uvd = uvdw(view_of(plane.light(), hit->position), hit->position);
                     if (std::min(uvd.x, uvd.y) < 0.02 || std::max(uvd.x, uvd.y) > 0.98) continue;
                     const float a = plane.visibility.at(x, y), b = one.visibility.at(x, y);
-                    ++floor, dark += b == 0, partly += b > 0 && b < 1;
+                    ++floor;
+                    dark += b == 0;
+                    partly += b > 0 && b < 1;
                     differ += std::abs(a - b) > 1e-5f;
                 }
             EXPECT_GT(floor, 5000);

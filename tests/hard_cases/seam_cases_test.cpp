@@ -58,13 +58,19 @@ TEST_F(HardCase30, AreNoWorseThanTheFaces) {
                 Scene scene = hard_lamp();
                 test::move_scene(scene, at);
                 Settings s = test::texel_settings(kernel, 256, 0);
-                s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.25, s.bias.normal = 3;
+                s.bias.unit = int(BiasUnit::Metres);
+                s.bias.constant = 0.25;
+                s.bias.normal = 3;
                 LightSettings& light = s.lights[0];
-                light.type = int(LightType::Point), light.size = 0.02;
+                light.type = int(LightType::Point);
+                light.size = 0.02;
                 light.distance = 1e-3;  // at its target
                 const glm::dvec3 from = at + lamp - scene.bounds.centre();
-                light.target_x = from.x, light.target_y = from.y, light.target_z = from.z;
-                s.camera.distance = 11, s.camera.elevation = 65;
+                light.target_x = from.x;
+                light.target_y = from.y;
+                light.target_z = from.z;
+                s.camera.distance = 11;
+                s.camera.elevation = 65;
                 test::move_camera(s, at);
                 const Seams seams = count(scene, s);
                 EXPECT_GT(seams.near, 500u);

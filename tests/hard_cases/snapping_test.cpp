@@ -44,10 +44,17 @@ Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, d
     set_setting(s, "light.fit", fit);
     s.map.resolution = kResolution;
     LightSettings& l = s.lights[0];
-    l.cascades = cascades, l.azimuth = azimuth, l.elevation = elevation, l.split = int(Split::Logarithmic);
+    l.cascades = cascades;
+    l.azimuth = azimuth;
+    l.elevation = elevation;
+    l.split = int(Split::Logarithmic);
     CameraSettings& c = s.camera;
     c.source = int(CameraSource::Manual);
-    c.target_x = at.x - 10, c.target_y = at.y + 1, c.target_z = at.z - 5, c.distance = 9, c.elevation = 12;
+    c.target_x = at.x - 10;
+    c.target_y = at.y + 1;
+    c.target_z = at.z - 5;
+    c.distance = 9;
+    c.elevation = 12;
     std::mt19937 random(3);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::vector<glm::dvec3> probes;
@@ -71,9 +78,10 @@ Walk walk(const glm::dvec3& at, const char* fit, int cascades, double azimuth, d
         }
         before = std::move(now);
         const double texel = light.views[0].texel_size(1, kResolution);
-        if (step < 1000)
-            c.target_x += 0.6 * unit(random) * texel + 0.2 * texel, c.target_z += 0.6 * unit(random) * texel;
-        else
+        if (step < 1000) {
+            c.target_x += 0.6 * unit(random) * texel + 0.2 * texel;
+            c.target_z += 0.6 * unit(random) * texel;
+        } else
             c.azimuth += 0.72;
     }
     return out;

@@ -54,7 +54,8 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
             // Not the bar's shadow, which crosses that of the wires at their end.
             const glm::dvec3 p = reference.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
             if (glm::dot(p - glm::dvec3(0, 0.75, -1.75), turn * glm::dvec3(0, 0, 1)) < 0.25) continue;
-            ++shadow, missing += shot.visibility.data[i] > 0.5f;
+            ++shadow;
+            missing += shot.visibility.data[i] > 0.5f;
         }
         ASSERT_GT(shadow, 200);
         const double share = double(missing) / shadow;

@@ -22,7 +22,9 @@ Scene placed_scene(const glm::dmat4& placed) {
 }
 
 Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
-    s.camera.target_x = target.x, s.camera.target_y = target.y, s.camera.target_z = target.z;
+    s.camera.target_x = target.x;
+    s.camera.target_y = target.y;
+    s.camera.target_z = target.z;
     s.camera.distance *= scale;
     return s;
 }
@@ -92,7 +94,8 @@ TEST(HardCase14, NormalsStandOnStretchedFaces) {
     for (std::size_t i = 0; i < overlays().size(); ++i)
         if (overlays()[i].key == "normals") s.view.overlay = int(i) + 1;
     FrameRequest request;
-    request.width = 160, request.height = 120;
+    request.width = 160;
+    request.height = 120;
     request.outputs = {.colour = false, .shadow_map = false, .visibility = false, .overlay = true};
     Renderer& renderer = hard_renderer();
     const FrameResult frame = renderer.render(scene, s, request);

@@ -52,7 +52,8 @@ double enters_box(const Solids& s, const glm::dvec3& p, const glm::dvec3& d) {
         }
         double a = (s.box_lo[axis] - p[axis]) / d[axis], b = (s.box_hi[axis] - p[axis]) / d[axis];
         if (a > b) std::swap(a, b);
-        from = std::max(from, a), to = std::min(to, b);
+        from = std::max(from, a);
+        to = std::min(to, b);
     }
     return from <= to && to > 0 ? from : INFINITY;
 }
@@ -88,7 +89,11 @@ Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const gl
         for (int axis = 0; axis < 3; ++axis)
             for (const double side : {-1.0, 1.0}) {
                 const double off = std::abs(at[axis] - (side < 0 ? s.box_lo : s.box_hi)[axis]);
-                if (off < nearest) nearest = off, n = glm::dvec3(0), n[axis] = side;
+                if (off < nearest) {
+                    nearest = off;
+                    n = glm::dvec3(0);
+                    n[axis] = side;
+                }
             }
     }
     *facing = glm::dot(n, glm::normalize(to_light));
@@ -104,8 +109,14 @@ Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const gl
 std::vector<Solids> variants() {
     std::vector<Solids> out(3);
     const double rounding = 2e-4, facets = 1.5e-3;
-    out[1].box_lo -= rounding, out[1].box_hi += rounding, out[1].ball += rounding, out[1].floor += rounding;
-    out[2].box_lo += rounding, out[2].box_hi -= rounding, out[2].ball -= facets, out[2].floor -= rounding;
+    out[1].box_lo -= rounding;
+    out[1].box_hi += rounding;
+    out[1].ball += rounding;
+    out[1].floor += rounding;
+    out[2].box_lo += rounding;
+    out[2].box_hi -= rounding;
+    out[2].ball -= facets;
+    out[2].floor -= rounding;
     return out;
 }
 
@@ -125,7 +136,9 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
         place_scene(scene, placement.matrix());
         Settings s;
         s.map.resolution = 64;
-        s.lights[0].type = int(type), s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
+        s.lights[0].type = int(type);
+        s.lights[0].azimuth = 30;
+        s.lights[0].elevation = 40;
         if (type == LightType::Point) s.lights[0].distance = 6;
         ASSERT_TRUE(place_settings(s, placement) || placement.scale == 4);
         ReferenceCache cache;
@@ -154,7 +167,10 @@ TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
                 const Seen& seen = answers[0];
                 if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
                 const PixelState state = e.traced.reference->state[i];
-                if (std::abs(facing) < 1e-12) ++parallel, otherwise += state != PixelState::FacesAway;
+                if (std::abs(facing) < 1e-12) {
+                    ++parallel;
+                    otherwise += state != PixelState::FacesAway;
+                }
                 // Facets lean: near its terminator nothing is said of the ball.
                 if (std::abs(facing) < (seen.body == Body::Ball ? 0.1 : 1e-6)) continue;
                 ++classified;
@@ -209,7 +225,9 @@ TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
         for (LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s;
             s.map.resolution = 256;
-            s.lights[0].type = int(type), s.lights[0].azimuth = 30, s.lights[0].elevation = 40;
+            s.lights[0].type = int(type);
+            s.lights[0].azimuth = 30;
+            s.lights[0].elevation = 40;
             const Shot a = shoot(baked, s), b = shoot(placed, s);
             EXPECT_GT(shadow_share(a), 0.02);
             EXPECT_LE(differing_share(a, b), 5e-4) << int(type);

@@ -100,13 +100,17 @@ protected:
     }
     Settings settings(double value) const {
         Settings s = unbiased(row);
-        s.map.resolution = 256, s.map.format = int(c.format), s.map.reversed_z = c.reversed;
+        s.map.resolution = 256;
+        s.map.format = int(c.format);
+        s.map.reversed_z = c.reversed;
         set_setting(s, "filter.kernel", c.kernel);
         LightSettings& light = s.lights[0];
         light.type = int(c.light);
-        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.azimuth = c.place.azimuth;
+        light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80, light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        light.cone = 80;
+        light.size = c.light == LightType::Directional ? 0.5 : 0.05;
         set_setting(s, "light.fit", c.fit);
         s.camera.elevation = 35;  // sees below the cover
         move_camera(s, c.place.at);
@@ -148,7 +152,10 @@ double least_value(Share share_cleared) {
     constexpr double kEnough = 0.75, most = 1e8;  // a tenth of it: as much as bias.raster_units may be
     double lo = 0, hi = 1e-3;
     if (share_cleared(0) >= kEnough) return 0;
-    while (hi < most && share_cleared(hi) < kEnough) lo = hi, hi *= 4;
+    while (hi < most && share_cleared(hi) < kEnough) {
+        lo = hi;
+        hi *= 4;
+    }
     hi = std::min(hi, most);
     for (int i = 0; i < 12; ++i) {
         const double middle = 0.5 * (lo + hi);

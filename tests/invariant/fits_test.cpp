@@ -54,10 +54,15 @@ protected:
         Settings s = texel_settings(c.kernel, 256, 0);
         LightSettings& light = s.lights[0];
         light.type = int(c.light);
-        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.azimuth = c.place.azimuth;
+        light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
-        light.cone = 80, light.size = c.light == LightType::Directional ? 0.5 : 0.05;
-        if (c.seen_in_part) s.camera.distance = 4, s.camera.target_x = 1;
+        light.cone = 80;
+        light.size = c.light == LightType::Directional ? 0.5 : 0.05;
+        if (c.seen_in_part) {
+            s.camera.distance = 4;
+            s.camera.target_x = 1;
+        }
         move_camera(s, c.place.at);
         // Enough for any of these maps: in metres, so that it is the same for all fits.
         s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.6;
@@ -157,10 +162,15 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             const bool sun = type == LightType::Directional;
             Settings s = texel_settings("pcf3", 512, 0);
             LightSettings& light = s.lights[0];
-            light.type = int(type), light.azimuth = 30, light.elevation = 60, light.distance = 9, light.cone = 100;
+            light.type = int(type);
+            light.azimuth = 30;
+            light.elevation = 60;
+            light.distance = 9;
+            light.cone = 100;
             light.projection = int(sun ? LightProjection::Perspective : LightProjection::Orthographic);
             set_setting(s, "light.fit", row.key);
-            s.bias.unit = int(BiasUnit::Metres), s.bias.constant = 0.4;
+            s.bias.unit = int(BiasUnit::Metres);
+            s.bias.constant = 0.4;
             const Shot shot = shoot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
             EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";

@@ -159,7 +159,8 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
     }
     // In a depth buffer they were at the near plane.
     Settings s;
-    set_setting(s, "light.azimuth", "270"), set_setting(s, "light.elevation", "14.899059362498523");
+    set_setting(s, "light.azimuth", "270");
+    set_setting(s, "light.elevation", "14.899059362498523");
     FrameRequest request{.width = kPixels, .height = kPixels};
     request.outputs.shadow_map = true;
     const FloatImage map = renderer->read_shadow_map(renderer->render(small_scene("figures"), s, request), 0, 0);
@@ -178,7 +179,10 @@ TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
     const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
     for (unsigned i = from; i < to; ++i) {
         const unsigned seed = first + i / each * kSeedsAProgram + i % each;
-        if (i > from && seed % kSeedsARenderer == 0) renderer.reset(), renderer = std::make_unique<Renderer>();
+        if (i > from && seed % kSeedsARenderer == 0) {
+            renderer.reset();
+            renderer = std::make_unique<Renderer>();
+        }
         const RandomCase of = random_case(seed);
         const Verdict verdict = judge(of);
         if (verdict.good()) continue;

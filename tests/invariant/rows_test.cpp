@@ -139,8 +139,14 @@ TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
     for_pixels(shot, scene, reach, [&](Lit reference, double v) {
-        if (reference == Lit::Lit) ++lit, darkened += v < 1 - row.tolerance.lit;
-        if (reference == Lit::Shadow) ++dark, most = std::max(most, v);
+        if (reference == Lit::Lit) {
+            ++lit;
+            darkened += v < 1 - row.tolerance.lit;
+        }
+        if (reference == Lit::Shadow) {
+            ++dark;
+            most = std::max(most, v);
+        }
     });
     EXPECT_GT(lit, 2000);
     EXPECT_GT(dark, 100);
@@ -178,7 +184,8 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
         // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
         const glm::dvec3 at = reference.hits[i]->position - c.place.at;
         if (row.samples == Samples::Moments && std::max(std::abs(at.x), std::abs(at.z)) > 2.2) continue;
-        ++lit, least = std::min(least, double(shot.visibility.data[i]));
+        ++lit;
+        least = std::min(least, double(shot.visibility.data[i]));
     }
     EXPECT_GT(lit, 1000);
     EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
@@ -223,7 +230,8 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
             }
             double sum = 0, weights = 0;
             for (const KernelTap& t : l.taps) {
-                sum += t.lit ? t.weight : 0, weights += t.weight;
+                sum += t.lit ? t.weight : 0;
+                weights += t.weight;
                 const glm::dvec2 off =
                     glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
                 EXPECT_LE(std::max(off.x, off.y), reach_under(s, l.fitted, p.map_resolution).read + 1e-3);
@@ -310,7 +318,10 @@ void along_the_edge(const Shot& shot, const Scene& scene, Visit visit) {
             if (!hit || hit->position.y > 1e-6 || std::abs(hit->position.x) > 1.5 || std::abs(hit->position.z) > 1.5)
                 continue;
             double place = uvdw(view, hit->position)[axis] * n, first = std::ceil(edge - 0.5);
-            if (!grows) place = n - place, first = std::ceil(n - edge - 0.5);
+            if (!grows) {
+                place = n - place;
+                first = std::ceil(n - edge - 0.5);
+            }
             const double fraction = place - std::floor(place);
             if (std::min(fraction, 1 - fraction) < 1e-3) continue;
             visit(place, first, double(shot.visibility.at(x, y)));
@@ -328,7 +339,8 @@ TEST(FixedKernels, BlurAnEdgeAsTheirDefinitionsSay) {
             for (const bool point : {false, true}) {
                 if ((size != 3 && !owns("filter.size")) || (point && !owns("filter.point"))) continue;
                 Settings s = overhead(row.key);
-                s.filter.size = size, s.filter.point = point;
+                s.filter.size = size;
+                s.filter.point = point;
                 int partly = 0, wrong = 0;
                 along_the_edge(shoot(scene, s, 240, 180), scene, [&](double place, double first, double v) {
                     // Of an even size nearest texels change where the look-up crosses a texel's middle.
@@ -352,7 +364,9 @@ TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
     for (const int blur : {0, 1, 2}) {
         Settings s = overhead("vsm");
         s.bias.constant = 0.01;
-        s.filter.blur = blur, s.filter.bleed = 0, s.filter.min_variance = 0;
+        s.filter.blur = blur;
+        s.filter.bleed = 0;
+        s.filter.min_variance = 0;
         const Settings same = overhead(blur == 0 ? "hw2x2" : blur == 1 ? "pcf3" : "pcf5");
         int partly = 0;
         double worst = 0;
@@ -370,7 +384,9 @@ TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("vsm");
     s.bias.constant = 0.01;
-    s.filter.blur = 1, s.filter.bleed = 0.3, s.filter.min_variance = 0;
+    s.filter.blur = 1;
+    s.filter.bleed = 0.3;
+    s.filter.min_variance = 0;
     double worst = 0;
     along_the_edge(shoot(scene, s, 320, 240), scene, [&](double place, double first, double v) {
         const double share = edge_profile(overhead("pcf3"), place, first);
@@ -428,7 +444,8 @@ TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
         s.lights[0].distance = light.type == LightType::Directional ? 0 : place_m;
         s.lights[0].cone = 80;
         s.filter.max_radius = 64;
-        s.filter.rays = 32, s.filter.steps = 16;
+        s.filter.rays = 32;
+        s.filter.steps = 16;
         s.camera.distance = 3;
         FrameRequest request{.width = 320, .height = 240};
         request.outputs = {.colour = false, .overlay = true};

@@ -63,7 +63,8 @@ double crossing(const std::map<int, std::pair<double, int>>& stripes, double str
     for (const auto& [i, sum] : stripes) {
         const double mean = sum.first / sum.second, at = (i + 0.5) * stripe_m;
         if (mean > share) return mean > before ? place + (at - place) * (share - before) / (mean - before) : at;
-        before = mean, place = at;
+        before = mean;
+        place = at;
     }
     ADD_FAILURE() << "visibility stays below " << share;
     return 0;
@@ -95,7 +96,8 @@ TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
                 std::map<int, std::pair<double, int>> stripes;
                 across_the_edge(shot, [&](double x, double v) {
                     auto& [sum, count] = stripes[int(std::floor(x / stripe_m))];
-                    sum += v, ++count;
+                    sum += v;
+                    ++count;
                 });
                 ASSERT_GT(stripes.size(), 40u);
                 // An edge before a disk of light: a tenth of it shows at 0.687 of the way from the middle.
@@ -122,7 +124,8 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
             const double stripe_m = 0.006;
             across_the_edge(shot, [&](double x, double v) {
                 auto& [sum, count] = stripes[int(std::floor(x / stripe_m))];
-                sum += v, ++count;
+                sum += v;
+                ++count;
             });
             // The disk lies about the receiver: its shadowed part is a tenth 0.687 radii from the edge.
             const double found_m = (crossing(stripes, stripe_m, 0.9) - crossing(stripes, stripe_m, 0.1)) / 0.687;
@@ -192,7 +195,11 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
             }
             ASSERT_GT(soft, 300);
             const double x = std::log(places), y = 0.5 * std::log(sum / soft);
-            n += 1, sx += x, sy += y, sxx += x * x, sxy += x * y;
+            n += 1;
+            sx += x;
+            sy += y;
+            sxx += x * x;
+            sxy += x * y;
         }
         const double slope = (n * sxy - sx * sy) / (n * sxx - sx * sx);
         RecordProperty(std::string(row.key), std::to_string(slope));

@@ -52,10 +52,12 @@ protected:
         LightSettings& light = s.lights[0];
         set_setting(s, "light.source", c.source);
         light.type = int(c.light);
-        light.azimuth = c.place.azimuth, light.elevation = c.place.elevation;
+        light.azimuth = c.place.azimuth;
+        light.elevation = c.place.elevation;
         light.distance = c.light == LightType::Directional ? 0 : 9;
         light.cone = 80;
-        s.camera.elevation = 22, s.camera.distance = 11;  // sees below the cover
+        s.camera.elevation = 22;
+        s.camera.distance = 11;  // sees below the cover
         move_camera(s, c.place.at);
         return s;
     }

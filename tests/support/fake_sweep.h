@@ -29,7 +29,10 @@ struct FakeMeter : CaseMeter {
         const int n = c.settings.map.resolution;
         if (n == fails_at_resolution) throw Error("no memory for\nthis map");
         CaseFacts f{.notes = {"a note"}, .picture_jpg = "jpg", .artefacts_png = "png"};
-        if (n > most_resolution) f.map_resolution = most_resolution, f.notes.push_back("smaller, for reasons");
+        if (n > most_resolution) {
+            f.map_resolution = most_resolution;
+            f.notes.push_back("smaller, for reasons");
+        }
         f.error.metrics.mae = 100.0 / n;
         f.cost.map_texels = std::uint64_t(n) * std::uint64_t(n);
         f.cost.bytes_touched = 4 * f.cost.map_texels;
@@ -40,7 +43,8 @@ struct FakeMeter : CaseMeter {
         TimeSamples s;
         for (int i = 0; i < frames; ++i) {
             drift *= 1.05;
-            s.total_ms.push_back(drift * c.settings.map.resolution), s.maps_ms.push_back(1);
+            s.total_ms.push_back(drift * c.settings.map.resolution);
+            s.maps_ms.push_back(1);
         }
         s.clock = "clock";
         return s;
@@ -53,7 +57,10 @@ struct FakeSweep {
     SweepPlan plan = plan_sweep(Settings{}, axes);
     SweepSpec spec;
     explicit FakeSweep(fs::path f) : folder(std::move(f)) {
-        spec.scene = "stage", spec.axes = axes, spec.width = 8, spec.height = 8;
+        spec.scene = "stage";
+        spec.axes = axes;
+        spec.width = 8;
+        spec.height = 8;
     }
     nlohmann::ordered_json spec_text() const { return spec_json(spec); }
     /// Runs until nothing is left or `steps` were made.

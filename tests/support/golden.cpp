@@ -111,9 +111,11 @@ const std::vector<GoldenTable>& tables() {
 
 GoldenPicture picture_of(const GoldenTable& table, const std::string& row, const Sets& sets) {
     GoldenPicture out{table.name, row, still_life(), texel_settings("hard", 96, 1.5)};
-    out.settings.camera.distance = 6.5, out.settings.camera.target_y = 0.6;
+    out.settings.camera.distance = 6.5;
+    out.settings.camera.target_y = 0.6;
     out.settings.view.overlay_opacity = 1;
-    out.settings.shading.sky = int(SkyLook::Plain), out.settings.shading.curve = int(ToneCurve::Plain);
+    out.settings.shading.sky = int(SkyLook::Plain);
+    out.settings.shading.curve = int(ToneCurve::Plain);
     const auto set = [&](const Sets& of) {
         for (const auto& [key, value] : of) set_setting(out.settings, key, value);
     };

@@ -90,7 +90,10 @@ double Guided::mean_of_drawn(const std::function<double(int x, int y)>& value) c
     int count = 0;
     for (int y = 0; y < map.height; ++y)
         for (int x = 0; x < map.width; ++x)
-            if (map.at(x, y) != empty) sum += value(x, y), ++count;
+            if (map.at(x, y) != empty) {
+                sum += value(x, y);
+                ++count;
+            }
     EXPECT_GT(count, 100) << "too few texels to say anything";
     return sum / std::max(count, 1);
 }
@@ -102,7 +105,10 @@ bool Guided::shadowed(const RayReference& rays, const Hit& hit) const {
 double Guided::wrongly_dark(const Nodes& receivers) const {
     int lit = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
-        if (!shadowed(rays(), hit)) ++lit, wrong += v < 0.5f;
+        if (!shadowed(rays(), hit)) {
+            ++lit;
+            wrong += v < 0.5f;
+        }
     });
     EXPECT_GT(lit, 100) << "too few pixels to say anything";
     return double(wrong) / std::max(lit, 1);
@@ -113,7 +119,10 @@ double Guided::wrongly_lit(const Nodes& receivers, const Nodes& casters) const {
     if (!casters.empty()) some.emplace(only(scene, casters));
     int shadow = 0, wrong = 0;
     each_pixel(receivers, [&](const Hit& hit, float v) {
-        if (shadowed(some ? *some : rays(), hit)) ++shadow, wrong += v >= 0.5f;
+        if (shadowed(some ? *some : rays(), hit)) {
+            ++shadow;
+            wrong += v >= 0.5f;
+        }
     });
     EXPECT_GT(shadow, 30) << "too few pixels to say anything";
     return double(wrong) / std::max(shadow, 1);
@@ -123,7 +132,8 @@ double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& cho
     int count = 0, lit = 0;
     each_pixel({}, [&](const Hit& hit, float v) {
         if (!chosen(uvdw(view_of(shot.light(), hit.position), hit.position), shadowed(rays(), hit))) return;
-        ++count, lit += v >= 0.5f;
+        ++count;
+        lit += v >= 0.5f;
     });
     EXPECT_GT(count, 100) << "too few pixels to say anything";
     return count > 0 ? double(lit) / count : -1;
@@ -131,7 +141,10 @@ double Guided::lit_where(const std::function<bool(const glm::dvec4&, bool)>& cho
 
 double Guided::grey() const {
     int count = 0, seen = 0;
-    each_pixel({}, [&](const Hit&, float v) { ++seen, count += v > 0.01f && v < 0.99f; });
+    each_pixel({}, [&](const Hit&, float v) {
+        ++seen;
+        count += v > 0.01f && v < 0.99f;
+    });
     return double(count) / std::max(seen, 1);
 }
 
@@ -145,7 +158,10 @@ int Guided::grey_levels() const {
 
 double Guided::dark() const {
     int count = 0, seen = 0;
-    each_pixel({}, [&](const Hit&, float v) { ++seen, count += v < 0.5f; });
+    each_pixel({}, [&](const Hit&, float v) {
+        ++seen;
+        count += v < 0.5f;
+    });
     return double(count) / std::max(seen, 1);
 }
 

@@ -73,10 +73,12 @@ Renderer& hard_renderer() {
 Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {
     Renderer& renderer = hard_renderer();
     Shot shot;
-    shot.width = width, shot.height = height;
+    shot.width = width;
+    shot.height = height;
     ReferenceCache cache;
     FrameRequest request;
-    request.width = width, request.height = height;
+    request.width = width;
+    request.height = height;
     request.outputs = {.colour = true, .shadow_map = true, .visibility = true, .overlay = true};
     Settings s = settings;
     s.view.overlay = overlay_row("non-finite");
@@ -130,8 +132,15 @@ ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texel
             if (lit == Lit::Nothing || lit == Lit::Away) continue;
             ++e.domain;
             const float v = shot.visibility.at(x, y);
-            if (lit == Lit::Shadow) ++e.shadow, e.false_light += v >= 0.5f, e.any_leak += v > 1e-3f;
-            if (lit == Lit::Lit) e.false_shadow += v < 0.5f, e.any_acne += v < 1 - 1e-3f;
+            if (lit == Lit::Shadow) {
+                ++e.shadow;
+                e.false_light += v >= 0.5f;
+                e.any_leak += v > 1e-3f;
+            }
+            if (lit == Lit::Lit) {
+                e.false_shadow += v < 0.5f;
+                e.any_acne += v < 1 - 1e-3f;
+            }
             if (lit == Lit::Boundary) ++e.boundary;
         }
     return e;
@@ -202,8 +211,11 @@ Scene wall_on_plane() {
 
 Settings low_sun_settings(std::string_view filter, int resolution, double constant_texels) {
     Settings s = texel_settings(filter, resolution, constant_texels);
-    s.lights[0].azimuth = 0, s.lights[0].elevation = 15;
-    s.camera.distance = 18, s.camera.elevation = 35, s.camera.azimuth = 150;
+    s.lights[0].azimuth = 0;
+    s.lights[0].elevation = 15;
+    s.camera.distance = 18;
+    s.camera.elevation = 35;
+    s.camera.azimuth = 150;
     return s;
 }
 
@@ -215,7 +227,9 @@ void move_scene(Scene& scene, const glm::dvec3& by) {
 }
 
 void move_camera(Settings& settings, const glm::dvec3& by) {
-    settings.camera.target_x += by.x, settings.camera.target_y += by.y, settings.camera.target_z += by.z;
+    settings.camera.target_x += by.x;
+    settings.camera.target_y += by.y;
+    settings.camera.target_z += by.z;
 }
 
 Scene floor_under_a_sheet(const Place& place) {

@@ -153,9 +153,13 @@ std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed) {
             // Always one that is still wanted, so that every row brings something.
             auto it = wanted.begin();
             std::advance(it, std::ptrdiff_t(random.next() % wanted.size()));
-            row[(*it)[0]] = (*it)[1], row[(*it)[2]] = (*it)[3];
+            row[(*it)[0]] = (*it)[1];
+            row[(*it)[2]] = (*it)[3];
             if (!may_stand(placement(row))) continue;
-            if (const std::size_t gain = pairs_of(row); gain > most) most = gain, best = row;
+            if (const std::size_t gain = pairs_of(row); gain > most) {
+                most = gain;
+                best = row;
+            }
         }
         if (most == 0) continue;
         for (std::size_t a = 0; a < best.size(); ++a)

@@ -115,12 +115,15 @@ void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
         c.target_z = centre.z + chance.between(-0.5, 0.5) * radius;
         c.distance = radius * std::pow(10.0, chance.between(-0.5, 0.5));
         if (chance.is(0.8)) c.near = c.far = 0;
-        c.height = radius * chance.between(0.5, 3), c.fov = chance.is(0.8) ? chance.between(20, 100) : c.fov;
+        c.height = radius * chance.between(0.5, 3);
+        c.fov = chance.is(0.8) ? chance.between(20, 100) : c.fov;
     }
     for (int i = 0; i < s.light_count; ++i) {
         LightSettings& l = s.lights[std::size_t(i)];
         if (chance.is(0.7)) {
-            l.target_x = centre.x, l.target_y = centre.y, l.target_z = centre.z;
+            l.target_x = centre.x;
+            l.target_y = centre.y;
+            l.target_z = centre.z;
             l.distance = chance.is(0.3) ? 0 : radius * chance.between(0.2, 4);
         }
         if (of_programs.is(0.7)) l.range = 0;
@@ -148,7 +151,9 @@ void set_objects(Settings& s, Chance& chance, const Scene& scene) {
     for (int i = chance.below(3); i >= 0; --i) {
         const Object& object = scene.objects[std::size_t(chance.below(int(scene.objects.size())))];
         ObjectSettings& o = s.objects[scene.nodes[std::size_t(object.node)].path];
-        o.cull = chance.below(4), o.cast = chance.is(0.7), o.receive = chance.is(0.7);
+        o.cull = chance.below(4);
+        o.cast = chance.is(0.7);
+        o.receive = chance.is(0.7);
     }
 }
 

@@ -71,7 +71,10 @@ std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const gl
     hit.distance = kFar;
     along(origin, direction, [&](std::size_t i) {
         const double t = intersect(triangles_[i], origin, direction);
-        if (t > 0 && t < hit.distance) hit.distance = t, hit.triangle = int(i);
+        if (t > 0 && t < hit.distance) {
+            hit.distance = t;
+            hit.triangle = int(i);
+        }
         return false;
     });
     if (hit.triangle < 0) return std::nullopt;
@@ -113,7 +116,8 @@ glm::dvec4 uvdw(const LightView& view, const glm::dvec3& point_ws) {
 ReferenceImage trace_reference(const RayReference& scene, const Camera& camera, const FittedLight& light, int width,
                                int height, int map_resolution, double reach_texels) {
     ReferenceImage image;
-    image.width = width, image.height = height;
+    image.width = width;
+    image.height = height;
     image.lit.assign(std::size_t(width) * std::size_t(height), Lit::Nothing);
     image.hits.resize(image.lit.size());
     for (int y = 0; y < height; ++y)

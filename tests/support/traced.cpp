@@ -12,7 +12,8 @@ Receiver receiver_on(const ReferenceGeometry& geometry, std::uint32_t object, st
     r.position_ws = t.a + u * e1 + v * e2;
     r.normal_ws = turned ? -normal : normal;
     r.edge_m = float(std::max(glm::length(e1), glm::length(e2)));
-    r.object = object, r.primitive = primitive;
+    r.object = object;
+    r.primitive = primitive;
     return r;
 }
 

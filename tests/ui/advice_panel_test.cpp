@@ -29,12 +29,16 @@ AdviceReport made_up_advice() {
     TriedAdvice t;
     t.idea.sentence = "nothing is seen of it";
     t.settings = {{"filter.kernel", "hard"}, {"map.resolution", "512"}};
-    t.before.error = 0.01, t.after.error = 0.0125, t.ms = {-3.25, 0.5};
+    t.before.error = 0.01;
+    t.after.error = 0.0125;
+    t.ms = {-3.25, 0.5};
     r.holds = {t};
-    t.idea.sentence = "this was hoped", t.why_not = "the error grows";
+    t.idea.sentence = "this was hoped";
+    t.why_not = "the error grows";
     r.fails = {t};
     r.findings = {{Severity::Error, "acne everywhere", "more bias", {{"bias.normal", "7"}}}};
-    r.before.error = 0.01, r.time.total_ms.median = 12;
+    r.before.error = 0.01;
+    r.time.total_ms.median = 12;
     return r;
 }
 
@@ -61,7 +65,9 @@ TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
     ASSERT_TRUE(ui.last_wish.find_advice);
     EXPECT_FALSE(ui.last_wish.find_advice->most_error);
     EXPECT_EQ(ui.last_wish.find_advice->cost, CostCase::Camera);
-    ui.state.advice.most_error = 0.02, ui.state.advice.bound_ms = true, ui.state.advice.most_ms = 5;
+    ui.state.advice.most_error = 0.02;
+    ui.state.advice.bound_ms = true;
+    ui.state.advice.most_ms = 5;
     ui.state.advice.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
@@ -77,7 +83,8 @@ TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
 }
 
 TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
-    ui.advice.advice = &report, ui.advice.advice_current = true;
+    ui.advice.advice = &report;
+    ui.advice.advice_current = true;
     ui.frames(3);
     const std::string text = printed_by(ui);
     for (const char* part : {"nothing is seen of it", "-3.25 ms", "+0.0025", "error: acne everywhere", "more bias",
@@ -90,7 +97,10 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
         for (float x = 290; x < 440 && !applied; x += 14) {
             ui.click({x, y});
             applied = ui.state.settings.map.resolution == 512;
-            if (!applied && !(ui.state.settings == before)) ui.state.settings = before, ui.frames(3);
+            if (!applied && !(ui.state.settings == before)) {
+                ui.state.settings = before;
+                ui.frames(3);
+            }
         }
     ASSERT_TRUE(applied);
     EXPECT_EQ(ui.state.settings.filter.kernel, 0);
@@ -99,23 +109,27 @@ TEST_F(AdvicePanelTest, ShowsFiguresAndAppliesAsOneStepOfUndo) {
 }
 
 TEST_F(AdvicePanelTest, SaysWhenItIsOfOtherSettings) {
-    ui.advice.advice = &report, ui.advice.advice_current = false;
+    ui.advice.advice = &report;
+    ui.advice.advice_current = false;
     ui.frames(3);
     EXPECT_NE(printed_by(ui).find(without_spaces("of other settings: run again")), std::string::npos);
 }
 
 TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     AutopilotResult flight;
-    flight.held = true, flight.summary = "hard at 512 holds it";
+    flight.held = true;
+    flight.summary = "hard at 512 holds it";
     flight.dropped = {{"light.contact", "0.1", "0", 0.004, {1.5, 0.2}}};
     flight.untried = {"7 of 9 combinations were not tried"};
-    ui.advice.autopilot = &flight, ui.advice.advice_current = true;
+    ui.advice.autopilot = &flight;
+    ui.advice.advice_current = true;
     ui.frames(3);
     const std::string text = printed_by(ui);
     for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"})
         EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
     EXPECT_TRUE(ui.find("found", "", "Apply"));
-    flight.held = false, flight.summary = "it cannot be held";
+    flight.held = false;
+    flight.summary = "it cannot be held";
     ui.frames(3);
     EXPECT_FALSE(ui.find("found", "", "Apply"));
 }
@@ -123,14 +137,17 @@ TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
 TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     EditorOptions o;
     o.session.scene = "boxes";
-    o.width = 1280, o.height = 720, o.headless = true;
+    o.width = 1280;
+    o.height = 720;
+    o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
     model.state.open_tab = BottomTab::Advice;
     model.state.layout.bottom_height = 27;
     editor.settle();
     EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
+    wish.scene_width = model.facts().result->colour.width;
+    wish.scene_height = model.facts().result->colour.height;
     wish.find_advice = AdviceWish{.cost = CostCase::Forced};
     const Settings settings = model.state.settings;
     model.fulfil(wish);
@@ -150,7 +167,9 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     wish.find_advice->most_error = 1;
     model.fulfil(wish);
     EditorActions cancel;
-    cancel.scene_width = wish.scene_width, cancel.scene_height = wish.scene_height, cancel.cancel_advice = true;
+    cancel.scene_width = wish.scene_width;
+    cancel.scene_height = wish.scene_height;
+    cancel.cancel_advice = true;
     model.fulfil(cancel);
     editor.settle();
     EXPECT_FALSE(model.facts().autopilot);

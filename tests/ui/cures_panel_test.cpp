@@ -15,13 +15,18 @@ namespace {
 
 FixTable made_up_fixes() {
     FixTable table;
-    table.wrong = 1234, table.wrong_of[std::size_t(Artefact::Acne)] = 1234;
+    table.wrong = 1234;
+    table.wrong_of[std::size_t(Artefact::Acne)] = 1234;
     MeasuredFix least{
         .name = "least bias", .settings = {{"bias.constant", "2.5"}, {"bias.unit", "texels"}}, .untried = {}};
-    least.cured = 1200, least.broken = 3, least.ms = CostChange{0.1, 0.4};
+    least.cured = 1200;
+    least.broken = 3;
+    least.ms = CostChange{0.1, 0.4};
     least.cured_of[std::size_t(Artefact::Acne)] = 1200;
     MeasuredFix finer{.name = "twice the resolution", .settings = {{"map.resolution", "4096"}}, .untried = {}};
-    finer.cured = 600, finer.ms = CostChange{12.5, 0.4}, finer.map_bytes = 48 << 20;
+    finer.cured = 600;
+    finer.ms = CostChange{12.5, 0.4};
+    finer.map_bytes = 48 << 20;
     table.rows = {least, finer, {.name = "tighter fit", .settings = {}, .untried = "only for a directional light"}};
     return table;
 }
@@ -45,7 +50,8 @@ TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     ui.state.open_tab = BottomTab::Error;
     ui.reference = ReferenceFacts{.current = true, .wanted = true};
     ui.error = LiveError();
-    ui.error->metrics.counted = 5000, ui.error->metrics.false_shadow = 0.2;
+    ui.error->metrics.counted = 5000;
+    ui.error->metrics.false_shadow = 0.2;
     ui.state.layout.bottom_height = 32;
     ui.frames(4);
     auto find = ui.find("Error", "", "Find cures");
@@ -105,8 +111,12 @@ TEST(TunedFamilies, StandSideBySideAndAClickTakesOne) {
                        .chosen = true};
     normal.bias.normal = 3;
     TunedFamily constant = normal;
-    constant.name = "constant bias", constant.bias.normal = 0, constant.bias.constant = 9, constant.wrong = 654,
-    constant.shift_p95_m = 0, constant.chosen = false;
+    constant.name = "constant bias";
+    constant.bias.normal = 0;
+    constant.bias.constant = 9;
+    constant.wrong = 654;
+    constant.shift_p95_m = 0;
+    constant.chosen = false;
     ui.tuned = {normal, constant};
     ui.state.search = "bias.";
     ui.frames(5);
@@ -125,7 +135,8 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.constant=0", "bias.normal=0", "map.resolution=512"};
-    o.width = 1280, o.height = 720;
+    o.width = 1280;
+    o.height = 720;
     o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
@@ -135,7 +146,8 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     ASSERT_TRUE(model.facts().error);
     const ErrorMetrics before = model.facts().error->metrics;
     EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
+    wish.scene_width = model.facts().result->colour.width;
+    wish.scene_height = model.facts().result->colour.height;
     wish.want_error = true;
     wish.find_fixes = FixWish{};
     const Settings settings = model.state.settings;
@@ -150,7 +162,9 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     for (int i = 0; i < 3; ++i) editor.frame();  // columns take the width of what they hold
     write_png(std::filesystem::path(SI_TEST_OUTPUT_DIR) / "cures_table.png", editor.picture());
     EditorActions narrower;
-    narrower.scene_width = wish.scene_width - 16, narrower.scene_height = wish.scene_height, narrower.want_error = true;
+    narrower.scene_width = wish.scene_width - 16;
+    narrower.scene_height = wish.scene_height;
+    narrower.want_error = true;
     model.fulfil(narrower);
     EXPECT_FALSE(model.facts().fixes.current) << "a picture of another size";
     narrower.scene_width = wish.scene_width;

@@ -16,7 +16,8 @@ namespace {
 PixelDiagnosis acne_diagnosis() {
     PixelDiagnosis d;
     d.reference.state = PixelState::Counted;
-    d.least = {0.001, 1.8, 0.02}, d.has = {0.0003, 0.6, 0.007};
+    d.least = {0.001, 1.8, 0.02};
+    d.has = {0.0003, 0.6, 0.007};
     d.right = false;
     d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
     d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
@@ -131,7 +132,8 @@ EditorOptions boxes() {
     EditorOptions o;
     o.session.scene = "boxes";
     o.session.sets = {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"};
-    o.width = 1280, o.height = 720;
+    o.width = 1280;
+    o.height = 720;
     o.headless = true;
     return o;
 }
@@ -151,8 +153,10 @@ TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
             EXPECT_FALSE(facts.tracing_probe) << "settled";
             if (!facts.probe || !facts.probe->hit) continue;
             ASSERT_EQ(facts.diagnoses.size(), facts.probe->lights.size());
-            if (facts.diagnoses[0].cause().artefact == Artefact::Acne)
-                diagnosis = facts.diagnoses[0], found = &diagnosis;
+            if (facts.diagnoses[0].cause().artefact == Artefact::Acne) {
+                diagnosis = facts.diagnoses[0];
+                found = &diagnosis;
+            }
         }
     ASSERT_TRUE(found);
     EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
@@ -170,7 +174,8 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     EditorModel& model = editor.model();
     const Settings before = model.state.settings;
     EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
+    wish.scene_width = 320;
+    wish.scene_height = 180;
     model.fulfil(wish);
     wish.tune = TuneWish{};
     model.fulfil(wish);
@@ -191,7 +196,8 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     EXPECT_GT(model.facts().tuned.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
     EditorActions resize;
-    resize.scene_width = 320, resize.scene_height = 180;
+    resize.scene_width = 320;
+    resize.scene_height = 180;
     model.fulfil(resize);
     EXPECT_TRUE(model.facts().tuned_current);
     EXPECT_EQ(model.state.history.undo(), before);
@@ -207,7 +213,8 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
     editor.settle();
     EditorModel& model = editor.model();
     EditorActions wish;
-    wish.scene_width = 320, wish.scene_height = 180;
+    wish.scene_width = 320;
+    wish.scene_height = 180;
     model.fulfil(wish);
     wish.tune = TuneWish{};
     model.fulfil(wish);
@@ -218,7 +225,8 @@ TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
 
     model.fulfil(wish);
     EditorActions cancel;
-    cancel.scene_width = 320, cancel.scene_height = 180;
+    cancel.scene_width = 320;
+    cancel.scene_height = 180;
     cancel.cancel_tune = true;
     model.fulfil(cancel);
     editor.settle();

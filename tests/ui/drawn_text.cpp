@@ -19,7 +19,8 @@ DrawnText::DrawnText() {
             if (g.Visible) letters_.emplace(place({g.U0, g.V0}, {g.U1, g.V1}), char32_t(g.Codepoint));
         ImFontGlyph missing = *font->FallbackGlyph;
         missing.Visible = 1;
-        missing.U0 = missing.V0 = 2, missing.U1 = missing.V1 = 3;  // no place in the atlas
+        missing.U0 = missing.V0 = 2;
+        missing.U1 = missing.V1 = 3;  // no place in the atlas
         missing_.push_back(missing);
         font->FallbackGlyph = &missing_.back();
     }

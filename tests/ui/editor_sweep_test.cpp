@@ -24,7 +24,8 @@ const SweepWish kWish{{"filter.kernel=hard,pcf3", "map.resolution=64,256"}, 64, 
 EditorOptions boxes(const fs::path& state = {}) {
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 1280, options.height = 720;
+    options.width = 1280;
+    options.height = 720;
     options.headless = true;
     options.state_folder = state;
     options.tab = "frontier";
@@ -66,7 +67,8 @@ TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
 
 TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
     Swept s(boxes());
-    s.state().sweep.width = 64, s.state().sweep.height = 48;
+    s.state().sweep.width = 64;
+    s.state().sweep.height = 48;
     s.state().sweep.follow = true;
     s.state().settings.map.resolution = 64;
     s.editor.settle();
@@ -85,7 +87,8 @@ TEST(EditorSweep, ThePresentSettingsAreADotThatMoves) {
 TEST(EditorSweep, OtherSettingsOfThePictureAreComparedWithThoseBefore) {
     Swept s(boxes());
     EditorState& state = s.state();
-    state.sweep.width = 64, state.sweep.height = 48;
+    state.sweep.width = 64;
+    state.sweep.height = 48;
     state.sweep.cost = "cost.map_texels";
     state.sweep.follow = true;
     const auto at = [&](int resolution) {
@@ -154,11 +157,17 @@ TEST(EditorSweep, CancelledBeforeItFoundAnythingItLeavesNothing) {
     fs::remove_all(state);
     fs::create_directories(state / "sweep-1");  // somebody else's
     Swept s(boxes(state));
-    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.ask([](EditorActions& a) {
+        a.start_sweep = kWish;
+        a.cancel_sweep = true;
+    });
     s.editor.settle();
     EXPECT_TRUE(fs::exists(state / "sweep-1"));
     fs::remove(state / "sweep-1");
-    s.ask([](EditorActions& a) { a.start_sweep = kWish, a.cancel_sweep = true; });
+    s.ask([](EditorActions& a) {
+        a.start_sweep = kWish;
+        a.cancel_sweep = true;
+    });
     s.editor.settle();
     EXPECT_FALSE(fs::exists(state / "sweep-1"));
 }

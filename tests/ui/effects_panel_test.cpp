@@ -42,7 +42,8 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     SavedTimes saved;
     saved.savings.push_back(
         {Optimisation::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
-    ui.effects.saved = &saved, ui.effects.saved_current = true;
+    ui.effects.saved = &saved;
+    ui.effects.saved_current = true;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
     EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
@@ -216,7 +217,8 @@ EditorOptions editor_of(const char* scene, std::vector<std::string> sets = {}) {
     EditorOptions o;
     o.session.scene = scene;
     o.session.sets = std::move(sets);
-    o.width = 1280, o.height = 720;
+    o.width = 1280;
+    o.height = 720;
     o.headless = true;
     return o;
 }
@@ -320,7 +322,8 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     actions = editor.frame();
     actions.measure_saved = true;
     editor.model().fulfil(actions);
-    actions.measure_saved = false, actions.cancel_saved = true;
+    actions.measure_saved = false;
+    actions.cancel_saved = true;
     editor.model().fulfil(actions);
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current) << "a cancelled measurement tells nothing";

@@ -18,8 +18,14 @@ LiveError made_up_error() {
     LiveError e;
     ErrorMetrics& m = e.metrics;
     m.counted = 123456;
-    m.false_shadow = 0.25, m.acne = 0.2, m.boundary_false_shadow = 0.05;
-    m.false_light = 0.000123, m.mae = 0.1, m.rmse = 0.2, m.signed_mean = -0.09, m.iou = 0.5;
+    m.false_shadow = 0.25;
+    m.acne = 0.2;
+    m.boundary_false_shadow = 0.05;
+    m.false_light = 0.000123;
+    m.mae = 0.1;
+    m.rmse = 0.2;
+    m.signed_mean = -0.09;
+    m.iou = 0.5;
     m.pixels = {123456, 1000, 2000};
     m.artefacts = {90000, 24691, 5, 4, 6000, 3, 2, 11, 12, 13, 14, 15};
     return e;
@@ -53,8 +59,16 @@ TEST(ErrorPanel, FitsAtEverySizeInEveryState) {
         for (int variant = 0; variant < 4; ++variant) {
             ui.reference = made_up_reference();
             ui.error = made_up_error();
-            if (variant == 1) ui.reference->current = false, ui.reference->doing = "Tracing rays", ui.error.reset();
-            if (variant == 2) ui.reference->current = false, ui.reference->problem = "Cancelled", ui.error.reset();
+            if (variant == 1) {
+                ui.reference->current = false;
+                ui.reference->doing = "Tracing rays";
+                ui.error.reset();
+            }
+            if (variant == 2) {
+                ui.reference->current = false;
+                ui.reference->problem = "Cancelled";
+                ui.error.reset();
+            }
             if (variant == 3) ui.state.settings.truth.area = true;
             ui.frames(4);
             ASSERT_EQ(ui.state.tab, BottomTab::Error);

@@ -18,8 +18,10 @@ using Bytes = std::vector<std::uint8_t>;
 std::unique_ptr<HeadlessEditor> editor_of(std::optional<std::chrono::milliseconds> patience) {
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 800, options.height = 600;
-    options.headless = true, options.frame_patience = patience;
+    options.width = 800;
+    options.height = 600;
+    options.headless = true;
+    options.frame_patience = patience;
     auto editor = std::make_unique<HeadlessEditor>(options);
     editor->settle();
     return editor;
@@ -43,8 +45,10 @@ Bytes shown(HeadlessEditor& editor) {
 TEST(FrameDesk, TheFirstPictureTellsHowFarItIs) {
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 800, options.height = 600;
-    options.headless = true, options.frame_patience = std::chrono::milliseconds(0);
+    options.width = 800;
+    options.height = 600;
+    options.headless = true;
+    options.frame_patience = std::chrono::milliseconds(0);
     HeadlessEditor editor(options);
     EditorModel& model = editor.model();
     std::set<std::string> passes;
@@ -98,7 +102,8 @@ TEST(FrameDesk, PicturesAndNumbersAreThoseOfWhoWaits) {
         editor->settle();
         const Probe* probe = editor->model().facts().probe;
         ASSERT_TRUE(probe && probe->hit);
-        visibility[hasty] = probe->lights.front().visibility, taps[hasty] = probe->lights.front().taps.size();
+        visibility[hasty] = probe->lights.front().visibility;
+        taps[hasty] = probe->lights.front().taps.size();
     }
     EXPECT_TRUE(pictures[0] == pictures[1]);
     EXPECT_EQ(visibility[0], visibility[1]);

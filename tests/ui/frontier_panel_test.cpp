@@ -28,7 +28,9 @@ SweepFacts made_up_sweep() {
                         .settings = {{"filter.kernel", kernel}, {"map.resolution", "1024"}},
                         .numbers = numbers(ms, mae)});
     };
-    add("hard", 2, 0.08), add("pcf5", 8, 0.01), add("pcf3", 9, 0.05);
+    add("hard", 2, 0.08);
+    add("pcf5", 8, 0.01);
+    add("pcf3", 9, 0.05);
     for (const SweepRow& row : rows) facts.cases.push_back(measured_case(row));
     facts.total = rows.size();
     facts.software = true;
@@ -47,13 +49,15 @@ std::vector<glm::vec2> dots_of_colour(ImU32 colour) {
         int run = 0;
         for (const ImDrawVert& v : data->CmdLists[i]->VtxBuffer) {
             if (v.col == colour) {
-                sum += glm::vec2(v.pos.x, v.pos.y), ++run;
+                sum += glm::vec2(v.pos.x, v.pos.y);
+                ++run;
                 continue;
             }
             // The fringe of a circle is transparent: its vertices alternate with the filled ones.
             if ((v.col & ~IM_COL32_A_MASK) == (colour & ~IM_COL32_A_MASK) && v.col >> IM_COL32_A_SHIFT == 0) continue;
             if (run >= 8) dots.push_back(sum / float(run));
-            sum = {}, run = 0;
+            sum = {};
+            run = 0;
         }
         if (run >= 8) dots.push_back(sum / float(run));
     }
@@ -102,7 +106,9 @@ TEST(FrontierPanel, SaysWhichOfTwoIsWorthItsMoney) {
     SweepFacts& facts = *p.ui.sweep;
     EXPECT_FALSE(p.ui.drawn().shows("Before"));
     const auto compared = [&](const Dot& before, const Dot& now) {
-        facts.before = facts.present, facts.view.before = before, facts.view.present = now;
+        facts.before = facts.present;
+        facts.view.before = before;
+        facts.view.present = now;
         facts.change = "Kernel: PCF -> Poisson disk";
         p.ui.frames(2);
         return [&](const char* text) { return p.ui.drawn().shows(text); };
@@ -138,11 +144,16 @@ TEST(FrontierPanel, BytesAreWrittenAsPeopleReadThem) {
     facts.cost = "cost.bytes_touched";
     const double costs[] = {17.3e6, 67.7e6, 8e6};
     ASSERT_EQ(facts.view.marks.size(), std::size(costs));
-    for (std::size_t i = 0; i < std::size(costs); ++i)
-        facts.view.marks[i].dot.cost = costs[i], facts.view.marks[i].dot.cost_noise = 0;
-    facts.view.present->cost = 25.1e6, facts.view.present->cost_noise = 0;
-    facts.view.advice.better = 1, facts.view.advice.extra_cost = 42.6e6;
-    facts.view.advice.cheaper = 0, facts.view.advice.saved_cost = 7.78e6;
+    for (std::size_t i = 0; i < std::size(costs); ++i) {
+        facts.view.marks[i].dot.cost = costs[i];
+        facts.view.marks[i].dot.cost_noise = 0;
+    }
+    facts.view.present->cost = 25.1e6;
+    facts.view.present->cost_noise = 0;
+    facts.view.advice.better = 1;
+    facts.view.advice.extra_cost = 42.6e6;
+    facts.view.advice.cheaper = 0;
+    facts.view.advice.saved_cost = 7.78e6;
     p.ui.frames(3);
     const DrawnText& drawn = p.ui.drawn();
     EXPECT_TRUE(drawn.shows("Now 0.04 at 24 MiB"));
@@ -184,7 +195,8 @@ TEST(FrontierPanel, AnErrorIsToldWhileItsTimeIsMeasured) {
 TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
     Panel p;
     p.ui.state.sweep.axes = {{"bias.slope", "0:2:0.5"}};
-    p.ui.state.sweep.width = 96, p.ui.state.sweep.height = 64;
+    p.ui.state.sweep.width = 96;
+    p.ui.state.sweep.height = 64;
     const auto press_sweep = [&] {
         p.ui.frames(2);
         // The button stands below the line with "Vary another".
@@ -212,7 +224,8 @@ TEST(FrontierPanel, AsksForASweepOfWhatIsTyped) {
 TEST(FrontierPanel, WhileItRunsItCanBeCancelled) {
     Panel p;
     p.ui.sweep->running = true;
-    p.ui.sweep->progress = 0.4, p.ui.sweep->seconds_left = 75;
+    p.ui.sweep->progress = 0.4;
+    p.ui.sweep->seconds_left = 75;
     p.ui.state.sweep.axes = {{"bias.slope", "0,1"}};
     bool cancelled = false;
     for (float y = 545; y < 640 && !cancelled; y += 6) {
@@ -244,9 +257,18 @@ TEST(FrontierPanel, FitsAtEverySizeWithEveryState) {
         Panel p(width, height, scale);
         for (int variant = 0; variant < 5; ++variant) {
             SweepFacts facts = made_up_sweep();
-            if (variant == 1) facts.running = true, facts.seconds_left = 3000;
-            if (variant == 2) facts.view.present.reset(), facts.present_problem = "there is no such light";
-            if (variant == 3) facts.other_settings = {"Slope: 0 to 1 texels"}, facts.problem = "the disk is full";
+            if (variant == 1) {
+                facts.running = true;
+                facts.seconds_left = 3000;
+            }
+            if (variant == 2) {
+                facts.view.present.reset();
+                facts.present_problem = "there is no such light";
+            }
+            if (variant == 3) {
+                facts.other_settings = {"Slope: 0 to 1 texels"};
+                facts.problem = "the disk is full";
+            }
             if (variant == 4) facts = SweepFacts{.columns = measured_columns()};
             p.ui.sweep = facts;
             p.ui.frames(3);

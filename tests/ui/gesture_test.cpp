@@ -135,7 +135,8 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
     for (const bool orthographic : {false, true})
         for (const double aspect : {0.5, 1.6}) {
             Settings s = manual(orthographic);
-            s.camera.near = 1, s.camera.far = 2;  // set for another view
+            s.camera.near = 1;
+            s.camera.far = 2;  // set for another view
             look_at_bounds(s.camera, scene.bounds, aspect);
             const int w = int(aspect * kPictureHeight);
             const Camera c = make_camera(scene, s, aspect);

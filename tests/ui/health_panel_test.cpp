@@ -42,7 +42,8 @@ TEST(NumbersPanel, AsksOnlyWhileItIsShownAndSaysWhatIsSound) {
     EXPECT_TRUE(ui.frames(4).want_health);
     EXPECT_NE(letters_of(ui).find("Searching"), std::string::npos);
     NumericHealth sound;
-    sound.images = 7, sound.numbers = 4321;
+    sound.images = 7;
+    sound.numbers = 4321;
     ui.health = &sound;
     ui.frames(2);
     EXPECT_NE(letters_of(ui).find("Allnumbersaresound."), std::string::npos);

@@ -33,12 +33,16 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     Settings s = with_bias(1);
     h.set_place({"boxes", {}});
     h.reset(s);
-    for (int i = 0; i < 5; ++i) s.camera.azimuth += 10, h.observe(s, false);
+    for (int i = 0; i < 5; ++i) {
+        s.camera.azimuth += 10;
+        h.observe(s, false);
+    }
     s.bias.constant = 2;
     h.observe(s, false);
     s.camera.distance = 7;
     h.observe(s, false);
-    s.filter.size = 5, s.map.resolution = 512;
+    s.filter.size = 5;
+    s.map.resolution = 512;
     h.observe(s, false);
     const std::vector<std::string> names = h.names();
     ASSERT_EQ(names.size(), 5u);
@@ -47,7 +51,8 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     EXPECT_EQ(names[3], "camera");
     EXPECT_NE(names[4].find(", 1 more"), std::string::npos) << names[4];
     Settings more = s;
-    more.light_count = 3, more.lights[2].elevation = 20;
+    more.light_count = 3;
+    more.lights[2].elevation = 20;
     h.observe(more, false);
     set_setting(more, "light.2.elevation", "30");
     h.observe(more, false);
@@ -125,7 +130,10 @@ TEST(History, IsBoundedAndKeepsTheNewest) {
     h.reset(with_bias(0));
     for (int i = 1; i <= 2000; ++i) h.observe(with_bias(i), false);
     int steps = 0;
-    while (h.can_undo()) h.undo(), ++steps;
+    while (h.can_undo()) {
+        h.undo();
+        ++steps;
+    }
     EXPECT_GT(steps, 100);
     EXPECT_LT(steps, 1000);
     while (h.can_redo()) h.redo();

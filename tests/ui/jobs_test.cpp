@@ -49,8 +49,10 @@ protected:
         done();
         EXPECT_EQ(presses_, presses);
         if (HasFailure()) screen(std::string("job_") + name);
-        keys("Escape"), breathe();
-        keys("Escape"), breathe();
+        keys("Escape");
+        breathe();
+        keys("Escape");
+        breathe();
         fs::copy_file(folder_ / "beginning.json", folder_ / "preset.json", fs::copy_options::overwrite_existing);
         open_preset("preset.json");
         twin().settings = beginning_;
@@ -63,9 +65,11 @@ protected:
     }
     /// Not counted: what a job begins with.
     void open_preset(const std::string& name) {
-        keys("ctrl+o"), breathe();
+        keys("ctrl+o");
+        breathe();
         type(name);
-        keys("Return"), breathe();
+        keys("Return");
+        breathe();
     }
 
     void key(const std::string& combination) {
@@ -87,9 +91,11 @@ protected:
         breathe();
         auto& hand = editor_->mouse;
         hand.at = glm::vec2(at);
-        editor_->frame(), editor_->frame();
+        editor_->frame();
+        editor_->frame();
         (button == 1 ? hand.left : hand.right) = true;
-        editor_->frame(), editor_->frame();
+        editor_->frame();
+        editor_->frame();
         hand.left = hand.right = false;
         twin_draws();
     }
@@ -98,10 +104,14 @@ protected:
         drag(from.x, from.y, by.x, by.y);
         auto& hand = editor_->mouse;
         hand.at = glm::vec2(from);
-        editor_->frame(), editor_->frame();
+        editor_->frame();
+        editor_->frame();
         hand.left = true;
         editor_->frame();
-        for (int i = 1; i <= 3; ++i) hand.at = glm::vec2(from + by * i / 3), editor_->frame();
+        for (int i = 1; i <= 3; ++i) {
+            hand.at = glm::vec2(from + by * i / 3);
+            editor_->frame();
+        }
         hand.left = false;
         twin_draws();
     }
@@ -129,7 +139,8 @@ protected:
         for (int i = 0; i < 40 && !text.empty() && !text_->find(text, which); ++i) {
             xdotool(up ? "click 4" : "click 5");
             editor_->mouse.wheel = up ? 1 : -1;
-            editor_->frame(), editor_->frame();
+            editor_->frame();
+            editor_->frame();
         }
         breathe();
     }
@@ -183,7 +194,8 @@ protected:
                 bool other = false;
                 for (std::size_t c = 0; c < 3; ++c)
                     other |= std::abs(int(seen.data[i + c]) - int(meant.data[i + c])) > 40;
-                ++all, others += other;
+                ++all;
+                others += other;
             }
         return others < all / 50;
     }

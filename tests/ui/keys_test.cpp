@@ -59,12 +59,15 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     const Settings before = settings();
     key('C');
     EXPECT_EQ(settings(), before);
-    ui.verdict_follows = false, ui.tracing_probe = true, ui.diagnoses.clear();
+    ui.verdict_follows = false;
+    ui.tracing_probe = true;
+    ui.diagnoses.clear();
     ui.frames(3);
     EXPECT_EQ(settings(), before);
     PixelDiagnosis d;
     d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, ""};
-    ui.tracing_probe = false, ui.diagnoses = {d};
+    ui.tracing_probe = false;
+    ui.diagnoses = {d};
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
@@ -76,7 +79,8 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
     key('C');
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 1);
-    ui.state.artefact_tour.waits_for = 0, ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.artefact_tour.waits_for = 0;
+    ui.state.probe_pixel = glm::ivec2(3, 4);
     ui.frames(2);
     EXPECT_EQ(settings().bias.slope, 4.5);
     settings().bias.slope = 1;
@@ -93,7 +97,8 @@ TEST_F(Keys, CPressedBeforeThereIsAVerdictIsKeptForIt) {
 TEST_F(Keys, PageDownOpensAPresetAndMovesNothingElse) {
     ImGuiIO& io = ImGui::GetIO();
     io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-    io.KeyMap[ImGuiKey_PageUp] = 401, io.KeyMap[ImGuiKey_PageDown] = 402;
+    io.KeyMap[ImGuiKey_PageUp] = 401;
+    io.KeyMap[ImGuiKey_PageDown] = 402;
     for (const char* key : {"one", "two"}) ui.presets.emplace_back().key = key;
     ui.frames(2);
     ImGui::SetWindowFocus("editor");
@@ -156,7 +161,8 @@ TEST_F(Keys, BracketsHalveAndDoubleTheResolutionWithinItsRange) {
     settings().map.resolution = 2048;
     key('[');
     EXPECT_EQ(settings().map.resolution, 1024);
-    key(']'), key(']');
+    key(']');
+    key(']');
     EXPECT_EQ(settings().map.resolution, 4096);
     for (int i = 0; i < 20; ++i) key(']');
     EXPECT_EQ(settings().map.resolution, int(find_setting("map.resolution")->param->max));

@@ -35,8 +35,11 @@ TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
     e.flips = 4711;
     const std::vector<PipelineError> errors{e};
     std::vector<ShimmerShown> shimmer{{"Stabilised, unsnapped", {}}};
-    shimmer[0].shimmer.flips_a_step = 96.125, shimmer[0].shimmer.restless = 357, shimmer[0].shimmer.places = 40514;
-    ui.lab.pipelines = errors, ui.lab.shimmer = shimmer;
+    shimmer[0].shimmer.flips_a_step = 96.125;
+    shimmer[0].shimmer.restless = 357;
+    shimmer[0].shimmer.places = 40514;
+    ui.lab.pipelines = errors;
+    ui.lab.shimmer = shimmer;
     ui.frames(2);
     const std::string text = shown_by(ui);
     for (const char* wanted :
@@ -66,15 +69,19 @@ TEST_F(LabPanelTest, ItsButtonsWish) {
 TEST(EditorLab, MeasuresInTheBackgroundAndChangesNothing) {
     EditorOptions o;
     o.session.scene = "boxes";
-    o.width = 1280, o.height = 720, o.headless = true;
+    o.width = 1280;
+    o.height = 720;
+    o.headless = true;
     HeadlessEditor editor(o);
     EditorModel& model = editor.model();
     model.state.open_tab = BottomTab::Lab;
     model.state.layout.bottom_height = 27;
     editor.settle();
     EditorActions wish;
-    wish.scene_width = model.facts().result->colour.width, wish.scene_height = model.facts().result->colour.height;
-    wish.compare_pipelines = true, wish.measure_shimmer = ShimmerOptions{.steps = 2};
+    wish.scene_width = model.facts().result->colour.width;
+    wish.scene_height = model.facts().result->colour.height;
+    wish.compare_pipelines = true;
+    wish.measure_shimmer = ShimmerOptions{.steps = 2};
     const Settings settings = model.state.settings;
     model.fulfil(wish);
     EXPECT_TRUE(model.facts().comparing_pipelines);

@@ -288,7 +288,8 @@ TEST(Layout, EveryOverlayHasAKeyOfItsOwn) {
         if (number == 0) continue;
         Shown ui(1280, 720);
         ImGuiIO& io = ImGui::GetIO();
-        io.KeyShift = key.starts_with("Shift"), io.KeyAlt = key.starts_with("Alt");
+        io.KeyShift = key.starts_with("Shift");
+        io.KeyAlt = key.starts_with("Alt");
         io.KeyCtrl = key.starts_with("Ctrl");
         ui.key(key.back());
         EXPECT_EQ(ui.state.settings.view.overlay, number) << key;
@@ -466,8 +467,10 @@ TEST(Layout, WhatIsTurnedSeldomIsOnePressAway) {
     EXPECT_FALSE(shows("Polygon offset units"));
     ui.state.search = "addressing";
     EXPECT_TRUE(shows("Addressing"));
-    ui.state.search.clear(), ui.state.settings.bias.raster_slope = 0;
-    ui.state.only_changed = true, ui.state.settings.map.wrap = 1;
+    ui.state.search.clear();
+    ui.state.settings.bias.raster_slope = 0;
+    ui.state.only_changed = true;
+    ui.state.settings.map.wrap = 1;
     EXPECT_TRUE(shows("Addressing"));
 }
 

@@ -217,7 +217,8 @@ TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
     for (const LightType type : {LightType::Spot, LightType::Point}) {
         Case c(type);
         EXPECT_EQ(std::ranges::count(handles_of(c.pose()), LightHandle::Range), 0) << "unlimited";
-        c.light.range = 8, c.light.cone = 50;
+        c.light.range = 8;
+        c.light.cone = 50;
         const glm::dvec3 way = range_way(c.pose());
         EXPECT_NEAR(glm::length(way), 1, 1e-12);
         const double along = type == LightType::Spot ? std::cos(25 * kDegree) : 0;  // on the rim, or across

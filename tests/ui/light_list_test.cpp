@@ -77,7 +77,10 @@ TEST(LightList, MovesAsFarAsThereAreLights) {
 TEST(LightList, AddedOnesStandApartFromAllOthers) {
     Settings s;
     s.light_count = 1;
-    for (int i = 0; i < 5; ++i) s.view.light = 0, add_light(s);
+    for (int i = 0; i < 5; ++i) {
+        s.view.light = 0;
+        add_light(s);
+    }
     for (int a = 0; a < s.light_count; ++a)
         for (int b = 0; b < a; ++b)
             EXPECT_GE(

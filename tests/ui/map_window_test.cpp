@@ -97,7 +97,8 @@ TEST(MapWindow, PlotsAndLinksAreReadOnlyWhereTheyAreShown) {
 
 TEST(MapWindow, ExactTexelsAreAskedForByABoxWhileTheirMapIsShown) {
     MapViewer m(1400);
-    m.ui.state.layout.settings_width = 14, m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
+    m.ui.state.layout.settings_width = 14;
+    m.ui.state.layout.map_share = 0.85f;  // its box has room in the row
     EXPECT_FALSE(m.ui.frames(2).want_exact_texels);
     const auto box = m.ui.find("editor/map", "", "Texels read");
     ASSERT_TRUE(box);
@@ -152,7 +153,8 @@ TEST(MapWindow, TheLightIsChosenByNameAmongThoseThatThereAre) {
 TEST(MapReadout, SaysMetresStoredAndLinear) {
     DepthCurve curve;
     curve.perspective = true;
-    curve.near = 1, curve.far = 101;
+    curve.near = 1;
+    curve.far = 101;
     const float far_depth = float(curve.convention.far_depth());
     FloatImage values{4, 4, 1, std::vector<float>(16, far_depth)};
     values.data[2] = float(curve.depth(3.5));  // the row at the top is texel row 3

@@ -52,7 +52,8 @@ protected:
     void click(const std::string& path, bool ctrl = false, bool shift = false) {
         const auto at = row(path);
         ASSERT_TRUE(at) << path;
-        ImGui::GetIO().KeyCtrl = ctrl, ImGui::GetIO().KeyShift = shift;
+        ImGui::GetIO().KeyCtrl = ctrl;
+        ImGui::GetIO().KeyShift = shift;
         ui.click(*at);
         ImGui::GetIO().KeyCtrl = ImGui::GetIO().KeyShift = false;
     }
@@ -312,7 +313,9 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
     EXPECT_TRUE(ui.state.settings.objects.empty());
     const auto key = [&](bool shift, bool alt) {
         ImGuiIO& io = ImGui::GetIO();
-        io.KeyShift = shift, io.KeyAlt = alt, io.KeysDown['H'] = true;
+        io.KeyShift = shift;
+        io.KeyAlt = alt;
+        io.KeysDown['H'] = true;
         ui.frames(2);
         io.KeyShift = io.KeyAlt = io.KeysDown['H'] = false;
         ui.frames(2);

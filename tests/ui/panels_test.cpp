@@ -256,8 +256,10 @@ TEST(Panels, ABiasOfTexelsIsUsefulOverTheWholeWayOfItsSlider) {
     const auto at = [&](float share) {
         const float wide = 2 * (kWidth - kFirstValue.x);  // kFirstValue is the slider's middle, it ends at the window's
         ui.move(kFirstValue), ui.press(true), ui.frames(2);
-        ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0)), ui.frames(2);
-        ui.press(false), ui.frames(2);
+        ui.move(kFirstValue + glm::vec2((share - 0.5f) * wide * 0.8f, 0));
+        ui.frames(2);
+        ui.press(false);
+        ui.frames(2);
         return ui.state.settings.bias.constant;
     };
     const double quarter = at(0.25f), middle = at(0.5f), three = at(0.75f);

@@ -190,7 +190,8 @@ struct Film {
     EditorOptions options;
     Film() {
         options.session.scene = folder.write("sun.glb", moving_sun().glb()).string();
-        options.width = 1280, options.height = 720;
+        options.width = 1280;
+        options.height = 720;
     }
 };
 

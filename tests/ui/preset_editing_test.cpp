@@ -49,7 +49,8 @@ protected:
     void wish(const PresetActions& actions) {
         EditorActions all;
         static_cast<PresetActions&>(all) = actions;
-        all.scene_width = 320, all.scene_height = 180;
+        all.scene_width = 320;
+        all.scene_height = 180;
         model().fulfil(all);
         editor_->settle();
     }
@@ -234,7 +235,8 @@ TEST_F(PresetEditing, APresetNamesItsSceneSoThatItIsFoundFromAnywhere) {
 
 TEST_F(PresetEditing, DifferencesAreTakenOverOneByOneAndUndone) {
     EditorOptions large = preset_options();
-    large.width = 1280, large.height = 720;
+    large.width = 1280;
+    large.height = 720;
     open(large);
     state().compare = {CompareKind::Preset, "acne"};
     state().open_tab = BottomTab::Compare;
@@ -412,7 +414,8 @@ TEST_F(PresetEditing, TheCopiedCommandLineDrawsTheSamePicture) {
         wish({.load_preset = key});
         state().settings.view.frustum = false;
         EditorActions copy;
-        copy.scene_width = 320, copy.scene_height = 180;
+        copy.scene_width = 320;
+        copy.scene_height = 180;
         model().fulfil(copy);
         copy.copy_command_line = true;
         model().fulfil(copy);

@@ -53,7 +53,8 @@ std::optional<EditorActions> click_along(UiHarness& ui, float x0, float x1, floa
 /// Codes of their own: while no menu is open the editor keeps these keys from ImGui.
 constexpr int kPageUp = 401, kPageDown = 402;
 void map_page_keys() {
-    ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp, ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
+    ImGui::GetIO().KeyMap[ImGuiKey_PageUp] = kPageUp;
+    ImGui::GetIO().KeyMap[ImGuiKey_PageDown] = kPageDown;
 }
 void press_key(ImGuiKey key, bool down = true) {
     const int code = key == ImGuiKey_PageUp     ? kPageUp
@@ -71,7 +72,8 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
     const auto [w, h, scale] = GetParam();
     UiHarness ui(w, h, scale);
     const EditorActions bare = ui.frames(4);
-    ui.presets = guided(), ui.hard_cases = hard();
+    ui.presets = guided();
+    ui.hard_cases = hard();
     ui.lost = LostFacts{"/a/rather/long/folder/name/with/a/scene of many words.glb", "less than a minute ago"};
     std::vector<PresetEntry> all = ui.presets;
     all.insert(all.end(), ui.hard_cases.begin(), ui.hard_cases.end());
@@ -205,7 +207,8 @@ TEST(PresetsMenu, ShowsEverySentenceUnderItsTopicAndOpensWhatIsClicked) {
 TEST(HardCasesMenu, OpensWhatIsClickedAndPageKeysWalkThroughItAlone) {
     UiHarness ui(1280, 720);
     map_page_keys();
-    ui.presets = guided(), ui.hard_cases = hard();
+    ui.presets = guided();
+    ui.hard_cases = hard();
     ui.frames(2);
     const auto opened = [](const EditorActions&) { return window_of("##Popup") != nullptr; };
     std::optional<EditorActions> chosen;

@@ -25,7 +25,8 @@ EditorOptions boxes_under(std::vector<std::string> sets) {
     EditorOptions o;
     sets.insert(sets.end(), {"view.frustum=false", "map.resolution=256"});
     o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = 960, o.height = 600;
+    o.width = 960;
+    o.height = 600;
     return o;
 }
 
@@ -106,7 +107,8 @@ TEST(Probing, TheProbeSticksToItsSurface) {
 
 TEST(Probing, APixelBelowThePictureIsItsNearest) {
     EditorOptions options = boxes_under({});
-    options.probe_x = 120, options.probe_y = 5000;
+    options.probe_x = 120;
+    options.probe_y = 5000;
     HeadlessEditor editor(options);
     editor.settle();
     const EditorState& state = editor.model().state;
@@ -221,7 +223,8 @@ TEST(Probing, WhatIsHoveredInThePictureOfArtefactsIsNamed) {
     Probing editor({"bias.constant=0", "bias.normal=0", "filter.kernel=hard", "view.overlay=artefacts"});
     const PictureView view = *editor.state().scene_view;
     editor.mouse.at = glm::vec2(view.origin) + glm::vec2(view.size) * 0.5f;
-    editor.frames(3), editor.settle();
+    editor.frames(3);
+    editor.settle();
     const FloatImage* values = editor.model().facts().overlay_values;
     ASSERT_TRUE(values);
     const test::DrawnText drawn;
@@ -286,7 +289,8 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     ui.state.layout.bottom_height = 17;
     ui.reference = ReferenceFacts{.current = true, .wanted = true};
     LiveError e;
-    e.metrics.counted = 1000, e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
+    e.metrics.counted = 1000;
+    e.metrics.artefacts[std::size_t(Artefact::Leak)] = 7;
     ui.error = e;
     ui.frames(4);
     const ArtefactStyle& style = artefact_styles()[1];

@@ -125,7 +125,10 @@ TEST(CameraOutline, SeenFromAboveItIsTheCamerasFloorPlan) {
     const auto lines = camera_outline_in_map(level_camera(), view);
     glm::dvec2 lo(2), hi(-1);
     for (const auto& [a, b] : lines)
-        for (const glm::dvec2& p : {a, b}) lo = glm::min(lo, p), hi = glm::max(hi, p);
+        for (const glm::dvec2& p : {a, b}) {
+            lo = glm::min(lo, p);
+            hi = glm::max(hi, p);
+        }
     // x from -2 to 2 and z from -5 to -1, ten metres to the map's width.
     glm::dvec2 a(2), b(-1);
     for (const glm::dvec3& p : {glm::dvec3(-2, 0, -1), glm::dvec3(2, 0, -5)}) {
@@ -134,7 +137,8 @@ TEST(CameraOutline, SeenFromAboveItIsTheCamerasFloorPlan) {
         const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
         const glm::dvec4 by_hand = projected * glm::dvec4(v, 1);
         EXPECT_NEAR(glm::length(clip - by_hand), 0, 1e-9);
-        a = glm::min(a, glm::dvec2(v) / 10.0 + 0.5), b = glm::max(b, glm::dvec2(v) / 10.0 + 0.5);
+        a = glm::min(a, glm::dvec2(v) / 10.0 + 0.5);
+        b = glm::max(b, glm::dvec2(v) / 10.0 + 0.5);
     }
     EXPECT_NEAR(glm::distance(lo, a), 0, 1e-9);
     EXPECT_NEAR(glm::distance(hi, b), 0, 1e-9);

@@ -36,17 +36,20 @@ TEST(Screenshot, IsThatPartOfTheWindowUnderANameThatNoFileHas) {
     EditorOptions o;
     o.session = {.scene = "boxes", .preset = {}, .sets = {}};
     o.preset = folder / "preset.json";
-    o.width = 1280, o.height = 720;
+    o.width = 1280;
+    o.height = 720;
     HeadlessEditor editor(o);
     editor.settle();
     EditorState& state = editor.model().state;
     const auto press = [&](bool ctrl, bool shift) {
-        editor.mouse.ctrl = ctrl, editor.mouse.shift = shift;
+        editor.mouse.ctrl = ctrl;
+        editor.mouse.shift = shift;
         ImGui::GetIO().KeysDown[301] = true;
         editor.frame();
         ImGui::GetIO().KeysDown[301] = false;
         editor.mouse.ctrl = editor.mouse.shift = false;
-        editor.frame(), editor.frame();
+        editor.frame();
+        editor.frame();
     };
     press(false, false);
     EXPECT_EQ(file_bytes(folder / "boxes-scene-1.png"), "mine") << "it is never overwritten";
@@ -84,7 +87,8 @@ TEST(Screenshot, TheProbesDrawingIsSavedAsPictureAndAsSvg) {
     EditorOptions o;
     o.session = {.scene = "boxes", .preset = {}, .sets = {}};
     o.preset = folder / "preset.json";
-    o.width = 1600, o.height = 900;
+    o.width = 1600;
+    o.height = 900;
     HeadlessEditor editor(o);
     editor.settle();
     EditorState& state = editor.model().state;

@@ -14,9 +14,13 @@ namespace {
 
 Section step_of_shadow() {
     Section s;
-    s.shadowed = true, s.classified = true;
+    s.shadowed = true;
+    s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 5, .reach_texels = 0.5};
-    s.looked_up_texel = 102, s.texel_m = 0.04, s.lit = false, s.visibility = 0;
+    s.looked_up_texel = 102;
+    s.texel_m = 0.04;
+    s.lit = false;
+    s.visibility = 0;
     s.verdict = "acne: needs 0.6 texels of bias here, has 0";
     for (int i = 0; i < 5; ++i) {
         const double x = (i - 2.5) * 0.04;
@@ -29,7 +33,8 @@ Section step_of_shadow() {
                            .meets = KernelTap::Meets::Own});
     }
     s.least = {0.006, 0.6, 0.024};
-    s.window_from = 0.024, s.has_window = true;
+    s.window_from = 0.024;
+    s.has_window = true;
     return s;
 }
 
@@ -141,7 +146,8 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     EditorOptions options;
     options.session.scene = "boxes";
     options.session.sets = {"bias.normal=0", "bias.constant=0", "map.resolution=512"};
-    options.width = 1280, options.height = 720;
+    options.width = 1280;
+    options.height = 720;
     options.headless = true;
     HeadlessEditor editor(options);
     EditorState& state = editor.model().state;

@@ -24,7 +24,8 @@ protected:
         EditorOptions options;
         options.session.scene = "boxes";
         options.session.sets = {"map.resolution=256"};
-        options.width = 1280, options.height = 720;
+        options.width = 1280;
+        options.height = 720;
         options.headless = true;
         return options;
     }
@@ -105,7 +106,8 @@ TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
     editor.settle();
     ASSERT_EQ(model.state.tab, BottomTab::Effects) << "which times frames";
     model.state.settings.lights[0].azimuth += 1;
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     const std::vector<PassInfo> timed = model.facts().result->passes;
     const std::size_t frames = model.state.times.frames.size();
     ASSERT_TRUE(std::ranges::any_of(timed, [](const PassInfo& pass) { return pass.gpu_ms > 0; }));

@@ -118,7 +118,9 @@ TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
     // Elsewhere, closer: the flying camera reads fewer texels, the frozen one those that it read.
     CameraSettings& camera = state().settings.camera;
     set_setting(state().settings, "camera.source", "manual");
-    camera.distance = 60, camera.azimuth = 120, camera.elevation = 40;
+    camera.distance = 60;
+    camera.azimuth = 120;
+    camera.elevation = 40;
     editor_->settle();
     EXPECT_EQ(facts().frozen_usage->utilisation(), of_frozen);
     keep("frozen");

@@ -23,7 +23,8 @@ const std::filesystem::path kOut = SI_TEST_OUTPUT_DIR;
 EditorOptions options(const std::vector<std::string>& sets, int width = 1280, int height = 720) {
     EditorOptions o;
     o.session = {.scene = "boxes", .preset = {}, .sets = sets};
-    o.width = width, o.height = height;
+    o.width = width;
+    o.height = height;
     return o;
 }
 
@@ -212,7 +213,8 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
         return glm::vec2(view.origin.x + share * view.size.x, view.origin.y + 0.7 * view.size.y);
     };
     editor.mouse.at = at(0.3);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = true;
     editor.frame();
     for (const double share : {0.35, 0.42, 0.5}) {
@@ -232,11 +234,13 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
 
     // Elsewhere a drag turns the camera as ever.
     editor.mouse.at = at(0.8);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = true;
     editor.frame();
     editor.mouse.at = at(0.9);
-    editor.frame(), editor.frame();
+    editor.frame();
+    editor.frame();
     editor.mouse.left = false;
     editor.frame();
     EXPECT_NEAR(state.against.at, 0.5, 0.01);
@@ -254,7 +258,8 @@ TEST(EditorAgainst, SwipeShowsBothSidesAndIsDragged) {
     EXPECT_NEAR(state.against.at, 0.5, 0.01);
     press('B');
     EXPECT_EQ(state.against.view, AgainstView::SideBySide);
-    press('B'), press('B');
+    press('B');
+    press('B');
     EXPECT_EQ(state.against.view, AgainstView::Off);
     expect_calm(editor);
 }
@@ -309,7 +314,8 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
     EXPECT_FALSE(state.flicker) << "nothing is pinned";
     key('A', false);
     const auto pinned = seen();
-    key('P', true), key('P', false);
+    key('P', true);
+    key('P', false);
     ASSERT_TRUE(state.pinned);
     EXPECT_EQ(seen(), pinned);
     state.settings.map.resolution = 1024;
@@ -349,7 +355,8 @@ TEST(EditorAgainst, ThePinIsFlickeredToAndComparedWith) {
 
     state.settings = state.pinned->settings;
     editor.settle();
-    key('P', true), key('P', false);
+    key('P', true);
+    key('P', false);
     EXPECT_FALSE(state.pinned);
     EXPECT_EQ(state.against.view, AgainstView::Off) << "with what it was compared is gone";
     expect_calm(editor);

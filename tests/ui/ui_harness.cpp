@@ -26,7 +26,8 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.map_resolution = settings.map.resolution;
     r.map_view_size = glm::ivec2(settings.map.resolution);
     if (!r.lights.empty() && !r.lights[0].views.empty()) r.map_view_curve = r.lights[0].views[0].curve;
-    r.map_black = float(settings.view.map_black), r.map_white = float(settings.view.map_white);
+    r.map_black = float(settings.view.map_black);
+    r.map_white = float(settings.view.map_white);
     r.passes = {{"shadow map 0", PassState::Drawn, "its inputs changed", 1.5, 0.2, 12, 34567},
                 {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
                 {"shading", PassState::Cached, "unchanged since frame 12", 0, 0, 0, 0}};
@@ -38,7 +39,8 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
 Probe made_up_probe(int lights) {
     Probe p;
     p.hit = true;
-    p.x = 12, p.y = 34;
+    p.x = 12;
+    p.y = 34;
     p.object = "Root/Box";
     for (int i = 0; i < lights; ++i) {
         Probe::PerLight l;
@@ -47,7 +49,8 @@ Probe made_up_probe(int lights) {
         l.texel = {5, 7};
         l.where = "inside";
         l.n_dot_l = 0.6;
-        l.taps_first = {4, 6}, l.taps_size = {2, 2};
+        l.taps_first = {4, 6};
+        l.taps_size = {2, 2};
         for (const glm::ivec2 t : {glm::ivec2(4, 6), {5, 6}, {4, 7}, {5, 7}})
             l.taps.push_back(
                 {.texel = t, .weight = 0.25, .stored = 0.4, .lit = t.x == 5, .meets = KernelTap::Meets::Own});
@@ -95,7 +98,10 @@ EditorActions UiHarness::frame() {
     effects_ = frame_effects(scene, frame_settings.value_or(state.settings), result_, state.effects.forced);
     probe_ = made_up_probe(state.settings.light_count);
     probe_.object = probed_object;
-    if (state.probe_pixel) probe_.x = state.probe_pixel->x, probe_.y = state.probe_pixel->y;
+    if (state.probe_pixel) {
+        probe_.x = state.probe_pixel->x;
+        probe_.y = state.probe_pixel->y;
+    }
     EditorFrame facts;
     facts.loading = loading;
     facts.drawing = drawing;

@@ -69,7 +69,8 @@ TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
     fs::remove_all(state);
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 640, options.height = 400;
+    options.width = 640;
+    options.height = 400;
     options.welcome = true;
     options.state_folder = state;
     const auto shown = [](const EditorOptions& o) {
@@ -82,9 +83,11 @@ TEST(WelcomeOnce, IsKeptInTheStateAndNeverShownToAProgram) {
     EditorOptions other = options;
     other.headless = true;
     EXPECT_FALSE(shown(other));
-    other = options, other.state_folder.clear();
+    other = options;
+    other.state_folder.clear();
     EXPECT_FALSE(shown(other)) << "--no-state";
-    other = options, other.welcome = false;
+    other = options;
+    other.welcome = false;
     EXPECT_FALSE(shown(other)) << "something was asked for";
     EXPECT_TRUE(shown(options));
     EXPECT_FALSE(shown(options));
@@ -95,7 +98,8 @@ TEST(LightTheme, IsKeptAndReachesTheWindow) {
     fs::remove_all(state);
     EditorOptions options;
     options.session.scene = "boxes";
-    options.width = 1280, options.height = 720;
+    options.width = 1280;
+    options.height = 720;
     options.state_folder = state;
     double mean[2] = {};
     for (double& m : mean) {

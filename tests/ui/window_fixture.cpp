@@ -42,7 +42,8 @@ Process::Process(const std::vector<std::string>& arguments, const fs::path& fold
     if (pid_ != 0) return;
     if (chdir(folder.c_str()) != 0) _exit(126);
     const int out = open(log_path.c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0644);
-    dup2(out, 1), dup2(out, 2);
+    dup2(out, 1);
+    dup2(out, 2);
     if (keep_fd >= 0) fcntl(keep_fd, F_SETFD, 0);
     if (confinement && !confinement->put_in_force()) _exit(125);
     execvp(argv[0], argv.data());

@@ -139,7 +139,10 @@ TEST_F(Window, FlyingGoesOnWhereTheScreenEnds) {
         mouse(400, 300);
         xdotool("mousedown 3");
         breathe();
-        for (int i = 0; i < steps; ++i) xdotool("mousemove_relative -- 200 0"), breathe();
+        for (int i = 0; i < steps; ++i) {
+            xdotool("mousemove_relative -- 200 0");
+            breathe();
+        }
         const std::string held = ask("getmouselocation");
         xdotool("mouseup 3");
         breathe();

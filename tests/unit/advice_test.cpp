@@ -18,10 +18,14 @@ AdviceFacts plain_facts() {
     f.lights[0].views.resize(1);
     f.map_resolution = 2048;
     f.pixels = f.error.counted = 1000;
-    f.nearest_m = 2, f.farthest_m = 14;
-    f.texel_px = 2, f.penumbra_texels = 10, f.read_share = 0.6;
+    f.nearest_m = 2;
+    f.farthest_m = 14;
+    f.texel_px = 2;
+    f.penumbra_texels = 10;
+    f.read_share = 0.6;
     f.shadowed = {0.2};
-    f.lights[0].limits.depth_m = 20, f.lights[0].limits.texel_m = 1e-5;
+    f.lights[0].limits.depth_m = 20;
+    f.lights[0].limits.texel_m = 1e-5;
     return f;
 }
 
@@ -49,13 +53,15 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"cascades",
          [](Settings& s, AdviceFacts& f) {
              s.lights[0].cascades = 4;
-             f.lights[0].views.resize(4), f.lights[0].chooser.choice = ViewChoice::Interval;
+             f.lights[0].views.resize(4);
+             f.lights[0].chooser.choice = ViewChoice::Interval;
          },
          "light.cascades=1", "12 m of depth (2 m to 14 m): 1 of 4 cascades suffices"},
         {"cascade-overlap",
          [](Settings& s, AdviceFacts& f) {
              s.lights[0].cascades = 4;
-             f.lights[0].views.resize(4), f.lights[0].chooser.choice = ViewChoice::Interval;
+             f.lights[0].views.resize(4);
+             f.lights[0].chooser.choice = ViewChoice::Interval;
          },
          "light.cascade_blend=0", "10 %"},
         {"unread-texels", [](Settings&, AdviceFacts& f) { f.read_share = 0.08; }, "map.resolution=1024",
@@ -64,7 +70,11 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"unseen-blur", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "filter.kernel=hard", "no one sees"},
         {"moments", [](Settings& s, AdviceFacts&) { set_setting(s, "filter.kernel", "vsm"); }, "filter.kernel=pcf",
          "directly"},
-        {"bias", [](Settings&, AdviceFacts& f) { f.needs.pixels = 100, f.needs.least[2].normal = 1; },
+        {"bias",
+         [](Settings&, AdviceFacts& f) {
+             f.needs.pixels = 100;
+             f.needs.least[2].normal = 1;
+         },
          "bias.normal=1.01", "3 texels is more than"},
         {"polygon-offset", [](Settings& s, AdviceFacts&) { s.bias.raster_slope = 2; }, "bias.raster_slope=0",
          "slope 2"},
@@ -103,7 +113,9 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
 TEST(AdviceRules, SpeakOnceOfEachChangeAndNeverOfNone) {
     Settings s;
     AdviceFacts f = plain_facts();
-    f.texel_px = 0.1, f.read_share = 0.05, f.shadowed[0] = 0;
+    f.texel_px = 0.1;
+    f.read_share = 0.05;
+    f.shadowed[0] = 0;
     const std::vector<AdviceIdea> ideas = advice_ideas(s, f);
     ASSERT_GT(ideas.size(), 4u);
     for (std::size_t i = 0; i < ideas.size(); ++i) {
@@ -121,7 +133,8 @@ TEST(AdviceRules, LeaveAnEmptySceneAlone) {
     f.shadowed = {std::numeric_limits<double>::quiet_NaN()};
     f.texel_px = f.shadowed[0];
     EXPECT_TRUE(advice_ideas(Settings{}, f).empty());
-    f.lights.clear(), f.shadowed.clear();
+    f.lights.clear();
+    f.shadowed.clear();
     EXPECT_TRUE(advice_ideas(Settings{}, f).empty()) << "without lights";
 }
 
@@ -193,7 +206,8 @@ TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     AdviceIdea same{.rule = "a", .claim = Claim::Same, .sentence = "the same", .settings = {}};
     same.settings.map.resolution = 1;
     AdviceIdea trade = same;
-    trade.claim = Claim::Trade, trade.sentence = "coarser";
+    trade.claim = Claim::Trade;
+    trade.sentence = "coarser";
     const std::vector<TriedAdvice> all = try_advice(Settings{}, {same, trade}, meter);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].idea.sentence, "coarser");
@@ -229,12 +243,19 @@ TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
     f.error.artefacts[std::size_t(Artefact::EdgeAliasing)] = 2;
     FixTable fixes;
     MeasuredFix little{.name = "little", .settings = {}, .untried = {}};
-    little.cured = 50, little.cured_of[std::size_t(Artefact::Acne)] = 50;
+    little.cured = 50;
+    little.cured_of[std::size_t(Artefact::Acne)] = 50;
     MeasuredFix most = little;
-    most.name = "most", most.settings = {{"bias.normal", "3"}};
-    most.cured = 190, most.broken = 1, most.cured_of[std::size_t(Artefact::Acne)] = 190;
+    most.name = "most";
+    most.settings = {{"bias.normal", "3"}};
+    most.cured = 190;
+    most.broken = 1;
+    most.cured_of[std::size_t(Artefact::Acne)] = 190;
     MeasuredFix harm = little;
-    harm.name = "harm", harm.cured = 200, harm.broken = 900, harm.cured_of[std::size_t(Artefact::Acne)] = 200;
+    harm.name = "harm";
+    harm.cured = 200;
+    harm.broken = 900;
+    harm.cured_of[std::size_t(Artefact::Acne)] = 200;
     fixes.rows = {little, most, harm};
     const std::vector<Finding> found = findings_of(f, fixes);
     ASSERT_EQ(found.size(), 4u);

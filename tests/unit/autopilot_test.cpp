@@ -31,7 +31,8 @@ struct World {
     AutopilotMeter meter() {
         AutopilotMeter m;
         m.judge = [this](const Settings& s, int) {
-            ++classified, now += seconds_each;
+            ++classified;
+            now += seconds_each;
             const auto texels =
                 std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
             return JudgedSettings{.error = error(s),
@@ -54,7 +55,10 @@ std::vector<SweepAxis> axes_of(bool many) {
     std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf5", "pcf7"}},
                                    {"map.resolution", {"", "256", "512", "1024", "4096"}},
                                    {"light.0.cascades", {"", "2", "4"}}};
-    if (many) axes.push_back({"map.format", {"", "d16"}}), axes.push_back({"light.0.contact", {"", "0"}});
+    if (many) {
+        axes.push_back({"map.format", {"", "d16"}});
+        axes.push_back({"light.0.contact", {"", "0"}});
+    }
     return axes;
 }
 
@@ -156,7 +160,8 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
 
 TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
     World world;
-    world.seconds_each = 1, world.seconds_pair = 8;
+    world.seconds_each = 1;
+    world.seconds_pair = 8;
     const std::vector<SweepAxis> axes = {
         {"map.resolution", {"", "256"}}, {"map.format", {"", "d16"}}, {"light.0.contact", {"", "0"}}};
     const AutopilotResult r =

@@ -95,7 +95,9 @@ TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
     EXPECT_EQ(left_by("boxes", with_bias(0.1)), 0u) << "nothing was changed";
     EXPECT_EQ(left_by("stage", with_bias(0.1)), 1u);
     Settings turned = with_bias(0.1);
-    turned.camera.azimuth += 30, turned.camera.source = 1, turned.view.overlay = 2;
+    turned.camera.azimuth += 30;
+    turned.camera.source = 1;
+    turned.view.overlay = 2;
     EXPECT_EQ(left_by("boxes", turned), 0u) << "where one looks is no work";
 }
 

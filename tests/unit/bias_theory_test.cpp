@@ -19,7 +19,8 @@ LitPlane random_plane(std::mt19937& random, bool perspective, bool reversed) {
     std::uniform_real_distribution<double> unit(-1, 1);
     Settings s;
     s.lights[0].type = perspective ? int(LightType::Spot) : int(LightType::Directional);
-    s.lights[0].azimuth = 180 * unit(random), s.lights[0].elevation = 90 * unit(random);
+    s.lights[0].azimuth = 180 * unit(random);
+    s.lights[0].elevation = 90 * unit(random);
     s.map.reversed_z = reversed;
     LitPlane lit;
     lit.view = fit_lights(test::box_scene({{glm::dvec3(-2), glm::dvec3(2)}}), s)[0].views[0];

@@ -31,7 +31,8 @@ struct Looker {
 SkewBox random_box(Random& random) {
     const auto point = [&](double r) { return glm::dvec3(random.in(-r, r), random.in(-r, r), random.in(-r, r)); };
     Bounds bounds;
-    bounds.add(point(2)), bounds.add(point(2));
+    bounds.add(point(2));
+    bounds.add(point(2));
     const glm::dvec3 at = glm::dvec3(115, 0, -8) + point(25);
     return {bounds, moved(at.x, at.y, at.z) * turned(random.in(0, 360), random.direction())};
 }
@@ -51,13 +52,15 @@ TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
                     glm::dvec3 at(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
                     if (k < 8) at = {k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1};
                     const glm::dvec3 p = box.centre + box.half * at;
-                    most = std::max(most, looker.inside(p)), nearest = std::min(nearest, -p.z);
+                    most = std::max(most, looker.inside(p));
+                    nearest = std::min(nearest, -p.z);
                 }
                 if (most >= 0) {
                     EXPECT_FALSE(sight.misses(box));
                 }
                 EXPECT_EQ(sight.has_before_it(box), nearest > 1 + 1e-4) << nearest;
-                missed += sight.misses(box), before += sight.has_before_it(box);
+                missed += sight.misses(box);
+                before += sight.has_before_it(box);
             }
         }
     EXPECT_GT(missed, all / 4);
@@ -69,7 +72,8 @@ TEST(BoxSight, OfClampedDepthsNothingIsBeforeOrBehind) {
     const Looker looker(false, {});
     const BoxSight clamps(looker.clip, looker.origin, {}, true, 512), clips(looker.clip, looker.origin, {}, false, 512);
     Bounds unit;
-    unit.add({-1, -1, -1}), unit.add({1, 1, 1});
+    unit.add({-1, -1, -1});
+    unit.add({1, 1, 1});
     const SkewBox behind_eye(unit, moved(115, 0, 5)), far(unit, moved(115, 0, -40)), cut(unit, moved(115, 0, -1));
     EXPECT_TRUE(clips.misses(behind_eye) && clips.misses(far));
     EXPECT_FALSE(clamps.misses(behind_eye) || clamps.misses(far));

@@ -68,7 +68,9 @@ TEST(Clusters, ShowASideOnlyWhereEachTriangleDoes) {
                 const glm::dvec3 there = m.bounds.centre() + random.in(0.3, 3) * m.bounds.radius() * way;
                 const Cluster& c = clusters[std::size_t(random.in(0, double(clusters.size()) - 0.01))];
                 const Shows side = shown_side(c, parallel ? glm::dvec4(way, 0) : glm::dvec4(there, 1));
-                fronts += side == Shows::Front, backs += side == Shows::Back, either += side == Shows::Either;
+                fronts += side == Shows::Front;
+                backs += side == Shows::Back;
+                either += side == Shows::Either;
                 if (side == Shows::Either) continue;
                 for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3) {
                     const glm::dvec3 a = m.positions[m.indices[i]], b = m.positions[m.indices[i + 1]],
@@ -178,9 +180,12 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
             const std::vector<std::vector<Cluster>>& clusters = of_scenes[round / 2 % 2];
             Settings s = settings_of(kind.sets);
             s.camera.source = int(CameraSource::Manual);
-            s.camera.azimuth = random.in(0, 360), s.camera.elevation = random.in(-10, 80);
-            s.camera.distance = random.in(0.3, 9), s.camera.fov = random.in(15, 70);
-            s.camera.target_x = random.in(-3, 3), s.camera.target_z = random.in(-3, 3);
+            s.camera.azimuth = random.in(0, 360);
+            s.camera.elevation = random.in(-10, 80);
+            s.camera.distance = random.in(0.3, 9);
+            s.camera.fov = random.in(15, 70);
+            s.camera.target_x = random.in(-3, 3);
+            s.camera.target_z = random.in(-3, 3);
             s.lights[0].azimuth = random.in(0, 360);
             const Camera camera = make_camera(scene, s, 1.5);
             const FittedLight light = fit_lights(scene, s, &camera)[0];
@@ -195,13 +200,19 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                                   .light_alone = light_alone};
             const NeededMaps called = needed_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());
-            for (const MapCells& r : called.views) ++views, unread += !r.is_whole();
+            for (const MapCells& r : called.views) {
+                ++views;
+                unread += !r.is_whole();
+            }
             for (const Object& object : scene.objects) {
                 const Mesh& m = scene.meshes[std::size_t(object.mesh)];
                 for (std::size_t i = 0; i + 2 < m.indices.size(); i += 3 * (1 + m.indices.size() / 600))
                     for (int k = 0; k < 20; ++k) {
                         double a = random.in(0, 1), b = random.in(0, 1);
-                        if (a + b > 1) a = 1 - a, b = 1 - b;
+                        if (a + b > 1) {
+                            a = 1 - a;
+                            b = 1 - b;
+                        }
                         const glm::dvec3 p0 = m.positions[m.indices[i]], p1 = m.positions[m.indices[i + 1]],
                                          p2 = m.positions[m.indices[i + 2]];
                         const glm::dvec3 p = object.world * glm::dvec4(p0 + a * (p1 - p0) + b * (p2 - p0), 1);
@@ -252,7 +263,8 @@ TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
     s.lights[0].elevation = 0;
     int called[2];
     for (const bool against : {false, true}) {
-        s.camera.azimuth = 40, s.lights[0].azimuth = against ? 220 : 40;
+        s.camera.azimuth = 40;
+        s.lights[0].azimuth = against ? 220 : 40;
         const Camera camera = make_camera(scene, s, 1.5);
         const SeenBodies seen =
             seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });

@@ -26,9 +26,12 @@ void expect_orthonormal(const glm::dmat3& m) {
 TEST(Camera, OrbitStandsWhereTheAnglesSay) {
     Settings s;
     s.camera.source = int(CameraSource::Manual);
-    s.camera.target_x = 1, s.camera.target_y = 2, s.camera.target_z = 3;
+    s.camera.target_x = 1;
+    s.camera.target_y = 2;
+    s.camera.target_z = 3;
     s.camera.distance = 5;
-    s.camera.azimuth = 90, s.camera.elevation = 0;
+    s.camera.azimuth = 90;
+    s.camera.elevation = 0;
     const Camera c = make_camera(test::box_scene({}), s, 1.5);
     EXPECT_NEAR(glm::distance(c.eye, glm::dvec3(6, 2, 3)), 0, 1e-12);
     EXPECT_NEAR(glm::distance(c.axes[0], glm::dvec3(0, 0, -1)), 0, 1e-12);  // right
@@ -47,7 +50,9 @@ TEST(Camera, LookingStraightUpOrDownIsNothingSpecial) {
     s.camera.source = int(CameraSource::Manual);
     for (double elevation : {90.0, -90.0, 89.9999999, 0.0})
         for (double azimuth : {0.0, 35.0, -170.0, 720.0}) {
-            s.camera.elevation = elevation, s.camera.azimuth = azimuth, s.camera.roll = 30;
+            s.camera.elevation = elevation;
+            s.camera.azimuth = azimuth;
+            s.camera.roll = 30;
             const Camera c = make_camera(test::box_scene({}), s, 1);
             expect_orthonormal(c.axes);
             const Camera near_by = [&] {
@@ -194,7 +199,8 @@ TEST(Camera, OriginStaysForSmallMoves) {
     s.camera.distance = 10;
     const Scene scene = test::box_scene({});
     const glm::dvec3 origin = make_camera(scene, s, 1).origin();
-    s.camera.azimuth += 20, s.camera.target_y += 0.5;
+    s.camera.azimuth += 20;
+    s.camera.target_y += 0.5;
     EXPECT_EQ(make_camera(scene, s, 1).origin(), origin);
     constexpr double kGrid = 64;  // 2^ceil(log2(4 * 10))
     EXPECT_LE(glm::distance(origin, make_camera(scene, s, 1).eye), kGrid * std::sqrt(3.0) / 2);
@@ -224,7 +230,10 @@ TEST(Camera, ManualCameraIsTheSameView) {
             SceneCamera sc;
             sc.orthographic = i % 2;
             sc.fov_y_deg = 20 + i / 4.0;
-            if (i % 5 == 0) sc.near = 0.5, sc.far = 77;
+            if (i % 5 == 0) {
+                sc.near = 0.5;
+                sc.far = 77;
+            }
             glm::dvec3 back = i == 1   ? glm::dvec3(0, 1, 0)
                               : i == 2 ? glm::dvec3(0, -1, 0)
                                        : glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
@@ -261,7 +270,11 @@ TEST(Camera, FiniteForWhateverComes) {
                     s.camera.orthographic = orthographic;
                     s.camera.fov = s.camera.distance = s.camera.near = s.camera.far = s.camera.height = bad;
                     if (!std::isfinite(bad)) s.camera.azimuth = s.camera.elevation = s.camera.target_x = bad;
-                    if (bad == 1e300) s.camera = {}, s.camera.near = 10, s.camera.far = 1;
+                    if (bad == 1e300) {
+                        s.camera = {};
+                        s.camera.near = 10;
+                        s.camera.far = 1;
+                    }
                     const Camera c = make_camera(scene, s, bad == 1e300 ? 1 : bad);
                     const glm::dmat4 m = c.clip_from_relative(c.origin());
                     for (int i = 0; i < 4; ++i)

@@ -42,9 +42,14 @@ Settings looking(const glm::dvec3& target, double azimuth, double elevation, dou
     Settings s;
     CameraSettings& c = s.camera;
     c.source = int(CameraSource::Manual);
-    c.target_x = target.x, c.target_y = target.y, c.target_z = target.z;
-    c.azimuth = azimuth, c.elevation = elevation, c.distance = distance;
-    c.orthographic = orthographic, c.height = 6;
+    c.target_x = target.x;
+    c.target_y = target.y;
+    c.target_z = target.z;
+    c.azimuth = azimuth;
+    c.elevation = elevation;
+    c.distance = distance;
+    c.orthographic = orthographic;
+    c.height = 6;
     return s;
 }
 
@@ -134,7 +139,10 @@ struct Cascaded {
     explicit Cascaded(const Case& c, int count = 4) : scene(long_scene(c.at)) {
         settings = looking(c.at, c.camera_azimuth, c.camera_elevation, c.camera_distance, c.orthographic);
         LightSettings& l = settings.lights[0];
-        l.azimuth = c.azimuth, l.elevation = c.elevation, l.cascades = count, l.cascade_choice = int(c.choice);
+        l.azimuth = c.azimuth;
+        l.elevation = c.elevation;
+        l.cascades = count;
+        l.cascade_choice = int(c.choice);
         settings.map.resolution = 512;
         camera = make_camera(scene, settings, 1.5);
         light = fit_lights(scene, settings, &camera)[0];
@@ -253,15 +261,19 @@ TEST(Cascades, AreLeftToTheFit) {
     EXPECT_TRUE(fit_reads_camera(s, 0));
     s.lights[0].fit = int(LightFit::Manual);
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].fit = int(LightFit::Scene), s.lights[0].projection = int(LightProjection::Perspective);
+    s.lights[0].fit = int(LightFit::Scene);
+    s.lights[0].projection = int(LightProjection::Perspective);
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].projection = 0, s.lights[0].type = int(LightType::Spot);
+    s.lights[0].projection = 0;
+    s.lights[0].type = int(LightType::Spot);
     EXPECT_FALSE(fit_reads_camera(s, 0));
-    s.lights[0].type = 0, s.lights[0].cascades = 1;
+    s.lights[0].type = 0;
+    s.lights[0].cascades = 1;
     EXPECT_FALSE(fit_reads_camera(s, 0));
     // A camera that looks away from everything still gets maps.
     Cascaded away({{0, 0, 0}, -40, 45, 30, 8, 30, false, CascadeChoice::Interval});
-    away.settings.camera.target_y = 1e4, away.settings.camera.elevation = -80;
+    away.settings.camera.target_y = 1e4;
+    away.settings.camera.elevation = -80;
     const Camera camera = make_camera(away.scene, away.settings, 1.5);
     const std::vector<FittedLight> lights = fit_lights(away.scene, away.settings, &camera);
     for (const LightView& view : lights[0].views) {

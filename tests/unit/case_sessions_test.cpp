@@ -64,7 +64,9 @@ protected:
         for (const std::string& s : sets) what += " " + s;
         const Outcome set = attempt([&](Outcome& out) {
             const Session session = open_session({.scene = scene, .preset = {}, .sets = sets});
-            out.settings = session.settings, out.content = scene_content_key(session.scene), out.notes = session.notes;
+            out.settings = session.settings;
+            out.content = scene_content_key(session.scene);
+            out.notes = session.notes;
         });
         const Outcome axis = attempt([&](Outcome& out) {
             std::vector<SweepAxis> axes;
@@ -76,7 +78,8 @@ protected:
             sessions.keep(std::move(base.scene), base.settings.scene);
             sessions.check(axes);
             const auto prepared = sessions.prepare(plan.cases.at(0).values);
-            out.settings = prepared.settings, out.content = scene_content_key(prepared.scene),
+            out.settings = prepared.settings;
+            out.content = scene_content_key(prepared.scene);
             out.notes = prepared.notes;
         });
         EXPECT_EQ(axis.error, set.error) << what;

@@ -26,9 +26,14 @@ Settings looking_at(const glm::dvec3& target, double azimuth, double elevation, 
     Settings s;
     CameraSettings& c = s.camera;
     c.source = int(CameraSource::Manual);
-    c.target_x = target.x, c.target_y = target.y, c.target_z = target.z;
-    c.azimuth = azimuth, c.elevation = elevation, c.distance = distance;
-    c.orthographic = orthographic, c.height = 14;
+    c.target_x = target.x;
+    c.target_y = target.y;
+    c.target_z = target.z;
+    c.azimuth = azimuth;
+    c.elevation = elevation;
+    c.distance = distance;
+    c.orthographic = orthographic;
+    c.height = 14;
     return s;
 }
 

@@ -116,10 +116,12 @@ INSTANTIATE_TEST_SUITE_P(All, DepthCurves, testing::ValuesIn(curve_cases()), [](
 TEST(DepthCurve, KnownSteps) {
     DepthCurve c;
     c.perspective = true;
-    c.near = 0.1, c.far = 100;
+    c.near = 0.1;
+    c.far = 100;
     EXPECT_NEAR(1.0 / 65535 / c.slope(100), 1.52, 0.01);
     EXPECT_NEAR(1.0 / ((1 << 24) - 1) / c.slope(100), 5.95e-3, 1e-4);
-    c.near = 0.01, c.far = 1000;
+    c.near = 0.01;
+    c.far = 1000;
     EXPECT_NEAR(1.0 / ((1 << 24) - 1) / c.slope(1000), 5.96, 0.01);
 }
 

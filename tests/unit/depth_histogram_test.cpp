@@ -60,10 +60,12 @@ TEST(DepthHistogram, EqualStepsOfDistanceFillLinearBinsEvenly) {
         const DepthHistogram raw = depth_histogram(image, curve, MapView::Raw, 10);
         // depth(5.95 m) = 0.8403 and depth(15.85 m) = 0.9464: one in the ninth bin, nine in the tenth.
         std::vector<std::uint64_t> expected(10, 0);
-        expected[reversed ? 1 : 8] = 1, expected[reversed ? 0 : 9] = 9;
+        expected[reversed ? 1 : 8] = 1;
+        expected[reversed ? 0 : 9] = 9;
         EXPECT_EQ(raw.counts, expected);
         std::vector<std::uint64_t> from_near(10, 0);
-        from_near[8] = 1, from_near[9] = 9;
+        from_near[8] = 1;
+        from_near[9] = 9;
         EXPECT_EQ(depth_histogram(image, curve, MapView::Bands, 10).counts, from_near);
     }
 }

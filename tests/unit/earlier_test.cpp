@@ -175,7 +175,8 @@ TEST(Aliases, OfSquareKernelsSayWhatTheyWere) {
         SCOPED_TRACE(was.key);
         const std::string text = fmt::format("\"filter.kernel\":\"{}\"", was.key);
         Settings set;
-        set.filter.size = 12, set.filter.point = !was.point;  // which the old key said nothing of
+        set.filter.size = 12;
+        set.filter.point = !was.point;  // which the old key said nothing of
         apply_set(set, fmt::format("filter.kernel={}", was.key));
         for (const Settings& s :
              {set, parse_preset(preset_of(1, text), "a.json").settings,

@@ -221,7 +221,8 @@ Camera camera_at(const glm::dvec3& eye, const glm::dvec3& at, double fov_deg, do
     c.eye = eye;
     c.axes = orthonormal_basis(glm::normalize(eye - at));
     c.fov_y_rad = fov_deg * kDegree;
-    c.curve.near = near, c.curve.far = far;
+    c.curve.near = near;
+    c.curve.far = far;
     c.curve.perspective = true;
     return c;
 }
@@ -277,7 +278,10 @@ void each_surface_point(const Scene& scene, const test::RayReference& rays, int 
         const int which = int(std::upper_bound(area.begin(), area.end(), at) - area.begin()) - 1;
         const test::Triangle& t = rays.triangle(std::min(which, int(rays.triangle_count()) - 1));
         double u = unit(random), v = unit(random);
-        if (u + v > 1) u = 1 - u, v = 1 - v;
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
         use(surface_point(scene, t, t.a + u * (t.b - t.a) + v * (t.c - t.a) + scene.bounds.centre()));
     }
 }
@@ -316,7 +320,8 @@ public:
     Beyond(const Scene& scene, const test::RayReference& rays, const LightView& view, const MapRegion& region)
         : scene_(scene), rays_(rays), view_(view), region_(region) {
         light_.type = view.curve.perspective ? LightType::Spot : LightType::Directional;
-        light_.to_light = view.axes[2], light_.position = view.eye;
+        light_.to_light = view.axes[2];
+        light_.position = view.eye;
     }
     /// @param every of the points within so many are asked whether they lie in shadow
     void look_at(const OnSurface& p, int every) {
@@ -427,7 +432,8 @@ TEST(CastersFit, OfRandomScenesNothingLiesInShadowBeyond) {
         const auto region = s.made.fit(fit_casters, view);
         if (!region) continue;
         const Beyond n = expect_lit_beyond(s.made.scene, view, *region, 400);
-        beyond += n.beyond, shadowed += n.shadowed;
+        beyond += n.beyond;
+        shadowed += n.shadowed;
     }
     EXPECT_GT(beyond, 5000);
     EXPECT_GT(shadowed, 300);
@@ -457,8 +463,14 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         if (kind == 2) eye = view.curve.perspective ? view.eye + 2 * m * view.axes[2] : middle + 15 * m * view.axes[2];
         Camera camera = camera_at(eye, at, kind == 3 ? 6 : 45, 1e-2 * m, 80 * m);
         camera.aspect = 1.6;
-        if (kind == 4) camera.orthographic = true, camera.height = 5 * m;
-        if (kind == 5) camera.curve.near = 5 * m, camera.curve.far = 11 * m;
+        if (kind == 4) {
+            camera.orthographic = true;
+            camera.height = 5 * m;
+        }
+        if (kind == 5) {
+            camera.curve.near = 5 * m;
+            camera.curve.far = 11 * m;
+        }
         const auto region = s.made.fit(fit_view, view, {}, &camera);
         const auto all = s.made.fit(fit_casters, view);
         if (!region) continue;
@@ -469,7 +481,8 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         const test::RayReference rays(scene);
         Beyond n(scene, rays, view, *region);
         each_seen_point(scene, rays, camera, 20, 13, [&](const OnSurface& p) { n.look_at(p, 1); });
-        beyond[std::size_t(kind)] += n.beyond, shadowed[std::size_t(kind)] += n.shadowed;
+        beyond[std::size_t(kind)] += n.beyond;
+        shadowed[std::size_t(kind)] += n.shadowed;
     }
     for (std::size_t kind = 0; kind < 6; ++kind) {
         EXPECT_GT(beyond[kind], 300) << kind;

@@ -23,7 +23,8 @@ TEST(FrameCosts, TheCameraMovesInEveryFrameAndNothingElse) {
     const Scene scene = load_scene("boxes");
     for (const CameraSource source : {CameraSource::Automatic, CameraSource::Manual, CameraSource::Light}) {
         Settings s;
-        s.camera.source = int(source), s.camera.azimuth = 359.9;
+        s.camera.source = int(source);
+        s.camera.azimuth = 359.9;
         const std::vector<Settings> frames = motion(scene, s, CostCase::Camera);
         ASSERT_GT(frames.size(), 1u);
         for (std::size_t i = 0; i < frames.size(); ++i) {
@@ -45,8 +46,10 @@ TEST(FrameCosts, TheLightMovesInEveryFrameWhereverItStands) {
     for (const double elevation : {90.0, 45.0, 0.0, -30.0, -90.0})
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
             Settings s;
-            s.light_count = 2, s.view.light = 1;
-            s.lights[1].type = int(type), s.lights[1].elevation = elevation;
+            s.light_count = 2;
+            s.view.light = 1;
+            s.lights[1].type = int(type);
+            s.lights[1].elevation = elevation;
             const std::vector<Settings> frames = motion(scene, s, CostCase::Light);
             ASSERT_GT(frames.size(), 1u);
             for (std::size_t i = 0; i < frames.size(); ++i) {

@@ -28,7 +28,10 @@ std::vector<std::uint8_t> png() {
     chunk("IHDR", u32(2) + u32(1) + std::string("\x08\x06\0\0\0", 5));
     const std::string row("\0\xff\0\0\xff\0\xff\0\x80", 9);
     std::uint32_t a = 1, b = 0;
-    for (const char c : row) a = (a + static_cast<unsigned char>(c)) % 65521, b = (b + a) % 65521;
+    for (const char c : row) {
+        a = (a + static_cast<unsigned char>(c)) % 65521;
+        b = (b + a) % 65521;
+    }
     chunk("IDAT", std::string("\x78\x01\x01\x09\0\xf6\xff", 7) + row + u32(b << 16 | a));
     chunk("IEND", "");
     return {out.begin(), out.end()};

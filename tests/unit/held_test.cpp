@@ -26,7 +26,8 @@ TEST(HeldMemory, IsToldUntilItIsLetGo) {
         EXPECT_EQ(of("tests' bytes").bytes, 2000u);
         EXPECT_EQ(of("tests' bytes").count, 2u);
         EXPECT_EQ(copy.bytes(), 0u);
-        moved.add(500), moved.add(-200);
+        moved.add(500);
+        moved.add(-200);
         EXPECT_EQ(of("tests' bytes").bytes, 2300u);
         moved = *first;
         EXPECT_EQ(of("tests' bytes").bytes, 2000u);
@@ -63,7 +64,10 @@ TEST(HeldMemory, ThreadsAddUp) {
         std::vector<std::jthread> threads;
         for (int t = 0; t < 4; ++t)
             threads.emplace_back([&] {
-                for (int i = 0; i < 1000; ++i) held.add(3), held.add(-1);
+                for (int i = 0; i < 1000; ++i) {
+                    held.add(3);
+                    held.add(-1);
+                }
             });
     }
     EXPECT_EQ(of("threads' bytes").bytes, 8000u);

@@ -30,11 +30,16 @@ struct InputQueueTest : testing::Test {
 
     void down(int key, int mods = 0) { queue.key({key, mods, true}); }
     void up(int key, int mods = 0) { queue.key({key, mods, false}); }
-    void tap(int key, int mods = 0) { down(key, mods), up(key, mods); }
+    void tap(int key, int mods = 0) {
+        down(key, mods);
+        up(key, mods);
+    }
     void type(const std::string& text) {
         for (const char c : text) {
             const int key = c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c;
-            down(key), queue.character(unsigned(c)), up(key);
+            down(key);
+            queue.character(unsigned(c));
+            up(key);
         }
     }
     void control(int key) {
@@ -70,13 +75,18 @@ TEST_F(InputQueueTest, TextAfterControlAIsFedAfterIt) {
 TEST_F(InputQueueTest, WhatIsTypedIsOneStepInAField) {
     queue.typing(true);
     down(GLFW_KEY_LEFT_SHIFT);
-    down('H', GLFW_MOD_SHIFT), queue.character('H'), up('H', GLFW_MOD_SHIFT);
+    down('H', GLFW_MOD_SHIFT);
+    queue.character('H');
+    up('H', GLFW_MOD_SHIFT);
     up(GLFW_KEY_LEFT_SHIFT, GLFW_MOD_SHIFT);
     type("el");
     queue.move({300, 300});  // which no field minds
     type("lo");
-    down('X'), queue.character('x'), queue.character('x'), queue.character('x');  // it repeats
-    down('Y'), queue.character('y'), up('X'), up('Y');                            // the next before the last is up
+    down('X');
+    queue.character('x');
+    queue.character('x');
+    queue.character('x');                               // it repeats
+    down('Y'), queue.character('y'), up('X'), up('Y');  // the next before the last is up
     const auto all = steps();
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].text(), "Helloxxxy");
@@ -106,7 +116,8 @@ TEST_F(InputQueueTest, AKeyThatActsOnTheFieldIsBetweenTheLettersAroundIt) {
 TEST_F(InputQueueTest, APressedModifierHoldsBackTextUntilItIsUp) {
     queue.typing(true);
     type("a");
-    down(GLFW_KEY_LEFT_CONTROL), up(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
+    down(GLFW_KEY_LEFT_CONTROL);
+    up(GLFW_KEY_LEFT_CONTROL, GLFW_MOD_CONTROL);
     type("b");
     const auto all = steps();
     ASSERT_EQ(all.size(), 3u);

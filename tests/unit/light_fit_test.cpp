@@ -107,7 +107,10 @@ Coverage coverage(const FittedLight& light, const Scene& scene) {
                 const glm::dvec4 q = v.clip_from_relative(world)[3];
                 if (q.w <= 0) continue;
                 const double here = std::max(std::abs(q.x), std::abs(q.y)) / q.w;
-                if (here < aside) aside = here, depth = q.z / q.w;
+                if (here < aside) {
+                    aside = here;
+                    depth = q.z / q.w;
+                }
             }
             c.aside = std::max(c.aside, aside);
             c.lo = std::min(c.lo, depth);
@@ -158,7 +161,9 @@ TEST(LightFit, SceneFitHoldsTheScene) {
 
 TEST(LightFit, TheViewLooksAlongTheLight) {
     Settings s = one_light(LightType::Spot);
-    s.lights[0].azimuth = 90, s.lights[0].elevation = 0, s.lights[0].distance = 7;
+    s.lights[0].azimuth = 90;
+    s.lights[0].elevation = 0;
+    s.lights[0].distance = 7;
     const Scene scene = box_scene({{glm::dvec3(1), glm::dvec3(3)}});
     const FittedLight light = fit_lights(scene, s)[0];
     EXPECT_NEAR(glm::distance(light.position, glm::dvec3(9, 2, 2)), 0, 1e-12);
@@ -238,7 +243,9 @@ TEST(LightFit, ASpotsMapByHandIsAtMostItsCones) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}});
     Settings s = one_light(LightType::Spot);
     LightSettings& l = s.lights[0];
-    l.fit = int(LightFit::Manual), l.cone = 60, l.distance = 8;
+    l.fit = int(LightFit::Manual);
+    l.cone = 60;
+    l.distance = 8;
     const double of_cone = fit_lights(scene, s)[0].views[0].half_width;
     EXPECT_NEAR(of_cone, std::tan(M_PI / 6), 0.01);
     l.extent = 2;
@@ -327,7 +334,10 @@ TEST(LightFit, TheRangeEndsTheMap) {
             Settings s = one_light(type);
             LightSettings& l = s.lights[0];
             l.projection = projection;
-            l.elevation = 90, l.cone = 150, l.distance = 10, l.target_y = -scene.bounds.centre().y;
+            l.elevation = 90;
+            l.cone = 150;
+            l.distance = 10;
+            l.target_y = -scene.bounds.centre().y;
             const FittedLight endless = fit_lights(scene, s)[0];
             l.range = range;
             const FittedLight light = fit_lights(scene, s)[0];
@@ -363,13 +373,18 @@ TEST(LightFit, ByHand) {
     Settings s = one_light(LightType::Directional);
     LightSettings& l = s.lights[0];
     l.fit = int(LightFit::Manual);
-    l.distance = 12, l.extent = 3, l.near = 2, l.far = 30, l.target_x = 1;
+    l.distance = 12;
+    l.extent = 3;
+    l.near = 2;
+    l.far = 30;
+    l.target_x = 1;
     FittedLight light = fit_lights(scene, s)[0];
     EXPECT_EQ(light.views[0].half_width, 3);
     EXPECT_EQ(light.views[0].curve.near, 2);
     EXPECT_EQ(light.views[0].curve.far, 30);
     EXPECT_NEAR(glm::distance(light.views[0].eye, glm::dvec3(1, 0, 0) + 12.0 * light.to_light), 0, 1e-12);
-    l.near = 30, l.far = 2;
+    l.near = 30;
+    l.far = 2;
     light = fit_lights(scene, s)[0];
     EXPECT_TRUE(all_finite(light));
     EXPECT_FALSE(light.notes.empty());
@@ -402,8 +417,12 @@ TEST(LightFit, BrightestPunctualLightIsOneAtTheCentre) {
     const Scene scene = box_scene({{glm::dvec3(-1), glm::dvec3(1)}}, glm::dvec3(50, 0, 0));
     Settings s;
     s.light_count = 3;
-    s.lights[0].type = int(LightType::Spot), s.lights[0].distance = 10, s.lights[0].intensity = 100;
-    s.lights[1].type = int(LightType::Point), s.lights[1].distance = 5, s.lights[1].intensity = 50;
+    s.lights[0].type = int(LightType::Spot);
+    s.lights[0].distance = 10;
+    s.lights[0].intensity = 100;
+    s.lights[1].type = int(LightType::Point);
+    s.lights[1].distance = 5;
+    s.lights[1].intensity = 50;
     s.lights[1].green = 0.5;
     s.lights[2].intensity = 3;
     const auto lights = fit_lights(scene, s);

@@ -165,7 +165,8 @@ TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
     EXPECT_NE(light_map_content(task_of(scene, 129)), content);
     EXPECT_NE(light_map_content(task_of(scene, 128, {0.8, 0.6, 0})), content) << "a turned light";
     LightMapTask other = task;
-    other.samples = 64, other.emitter.size = 1;
+    other.samples = 64;
+    other.emitter.size = 1;
     EXPECT_NE(light_map_content(other), content);
     other = task;
     other.emitter.size = 1;
@@ -177,7 +178,8 @@ TEST(LightMapKey, FollowsAllThatRaysFindAndNothingElse) {
     LightMapTask spot = task;
     spot.emitter = {.type = LightType::Spot, .position_ws = {0, 5, 0}, .cos_cone = 0.5, .range_m = 0};
     const std::uint64_t of_spot = light_map_content(spot);
-    spot.emitter.cos_cone = 0.7, spot.emitter.range_m = 9;
+    spot.emitter.cos_cone = 0.7;
+    spot.emitter.range_m = 9;
     EXPECT_EQ(light_map_content(spot), of_spot) << "cone and range are not what rays find";
     spot.emitter.position_ws.x = 1e-3;
     EXPECT_NE(light_map_content(spot), of_spot);

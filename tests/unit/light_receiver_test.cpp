@@ -15,8 +15,14 @@ struct Lit {
     explicit Lit(LightType type, bool reversed, double aside = 2) {
         settings.map.reversed_z = reversed;
         LightSettings& l = settings.lights[0];
-        l.type = int(type), l.azimuth = 0, l.elevation = 90, l.distance = 10, l.cone = 60;
-        l.fit = int(LightFit::Manual), l.near = 0.05, l.far = 12;
+        l.type = int(type);
+        l.azimuth = 0;
+        l.elevation = 90;
+        l.distance = 10;
+        l.cone = 60;
+        l.fit = int(LightFit::Manual);
+        l.near = 0.05;
+        l.far = 12;
         settings.bias = {};
         settings.bias.constant = settings.bias.slope = settings.bias.normal = 0;
         light = fit_lights(make_scene(make_plane(20, 20)), settings)[0];
@@ -32,7 +38,8 @@ TEST(LightReceiver, AMetreOfBiasMovesAMetreAlongTheAxis) {
                 for (const double metres : {1e-3, 1.0, 9.0}) {
                     Lit lit(type, reversed);
                     lit.settings.bias.unit = int(BiasUnit::Metres);
-                    lit.settings.bias.constant = metres, lit.settings.bias.normal = offset_texels;
+                    lit.settings.bias.constant = metres;
+                    lit.settings.bias.normal = offset_texels;
                     const BiasAccount a = lit.account();
                     const DepthCurve& curve = lit.light.views[a.receiver.view].curve;
                     EXPECT_NEAR(curve.distance(a.receiver.tap.z) - curve.distance(a.receiver.compared), metres, 1e-9)
@@ -73,7 +80,8 @@ TEST(BiasAccount, IsNeverNanEdgeOn) {
             for (const double raster : {0.0, 2.0}) {
                 Lit lit(type, false, 0);
                 lit.point.geometric = lit.point.bias_normal = {1, 0, 0};
-                lit.settings.bias.normal = normal, lit.settings.bias.raster_slope = raster;
+                lit.settings.bias.normal = normal;
+                lit.settings.bias.raster_slope = raster;
                 lit.settings.bias.slope = 1;
                 const BiasAccount a = lit.account();
                 EXPECT_FALSE(faces_light(a.receiver.n_dot_l));

@@ -34,9 +34,13 @@ std::vector<Settings> lights_to_try() {
                         if (type != 1 && cone != 60.0) continue;
                         Settings s;
                         LightSettings& l = s.lights[0];
-                        l.type = type, l.projection = projection, l.cone = cone, l.distance = distance;
+                        l.type = type;
+                        l.projection = projection;
+                        l.cone = cone;
+                        l.distance = distance;
                         l.elevation = elevation;
-                        l.target_x = 0.7, l.target_z = -2;
+                        l.target_x = 0.7;
+                        l.target_z = -2;
                         all.push_back(s);
                         l.fit = int(LightFit::Scene);
                         all.push_back(s);

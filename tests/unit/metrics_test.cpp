@@ -19,7 +19,8 @@ constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 /// A truth from rows of characters: '.' lit, '#' dark, '+' half lit, ' ' background, 'o' turned away.
 Reference reference_of(const std::vector<std::string>& rows) {
     Reference t;
-    t.width = int(rows[0].size()), t.height = int(rows.size());
+    t.width = int(rows[0].size());
+    t.height = int(rows.size());
     for (const std::string& row : rows)
         for (const char c : row) {
             t.state.push_back(c == ' '   ? PixelState::Background
@@ -29,7 +30,8 @@ Reference reference_of(const std::vector<std::string>& rows) {
             t.visibility.data.push_back(c == '#' || c == 'o' ? 0.f : c == '+' ? 0.5f : 1.f);
             t.nearest_m.data.push_back(c == '#' ? 1.f : kNaN);
         }
-    t.visibility.width = t.width, t.visibility.height = t.height;
+    t.visibility.width = t.width;
+    t.visibility.height = t.height;
     return t;
 }
 
@@ -171,7 +173,8 @@ TEST(MetricRows, SayWhatANumberIsOnceAndForAll) {
 TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
     // One pixel of each cause on the side that it can have, 2^k of them: sums tell which were counted.
     Reference reference;
-    reference.state.assign(1 << 16, PixelState::Counted), reference.pixels[0] = reference.state.size();
+    reference.state.assign(1 << 16, PixelState::Counted);
+    reference.pixels[0] = reference.state.size();
     const double n = double(reference.state.size());
     using A = Artefact;
     const A dark[] = {A::Acne,   A::EdgeAliasing, A::OutsideMap, A::OffsetShadow,
@@ -180,8 +183,14 @@ TEST(MetricRows, CountEveryWrongPixelInOnePartOfItsSum) {
                         A::PeterPanningOffset, A::Undersampled, A::Penumbra};
     PixelSums sums;
     double all_dark = 0, all_bright = 0, weight = 1;
-    for (const A a : dark) all_dark += sums.dark[std::size_t(a)] = weight, weight *= 2;
-    for (const A a : bright) all_bright += sums.bright[std::size_t(a)] = weight, weight *= 2;
+    for (const A a : dark) {
+        all_dark += sums.dark[std::size_t(a)] = weight;
+        weight *= 2;
+    }
+    for (const A a : bright) {
+        all_bright += sums.bright[std::size_t(a)] = weight;
+        weight *= 2;
+    }
     const ErrorMetrics m = metrics_of(sums, reference);
     EXPECT_EQ(m.false_shadow * n, all_dark);
     EXPECT_EQ(m.false_light * n, all_bright);

@@ -63,7 +63,8 @@ TEST(PageCache, WhatIsAskedForIsFoundAndNeverAHole) {
             pool[{p.at.x, p.at.y}] = p.key;
         }
         kept += choice.read.size() - choice.drawn.size();
-        evicted += std::size_t(choice.evicted), coarser += std::size_t(choice.coarser);
+        evicted += std::size_t(choice.evicted);
+        coarser += std::size_t(choice.coarser);
         for (int layer = 0; layer < 3; ++layer)
             for (int y = 0; y < kSide; ++y)
                 for (int x = 0; x < kSide; ++x) {

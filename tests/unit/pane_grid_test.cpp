@@ -53,7 +53,8 @@ FloatImage values_of(const std::vector<float>& values) {
 TEST(FittedRange, SpansThePercentilesAndLeavesOutliersOut) {
     std::vector<float> values;
     for (int i = 0; i <= 1000; ++i) values.push_back(float((i * 3) % 1001));
-    values[3] = 1e9f, values[4] = -1e9f;
+    values[3] = 1e9f;
+    values[4] = -1e9f;
     const auto range = fitted_range(values_of(values), false);
     ASSERT_TRUE(range);
     EXPECT_NEAR(range->min, 10, 1);

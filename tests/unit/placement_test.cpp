@@ -58,7 +58,8 @@ TEST(Placement, SettingsGoAlong) {
     for (const double scale : {1e-3, 1.0, 1e3})
         for (const double distance : {0.0, 777.0, 1e7}) {
             Settings s = home.settings;
-            s.scene.scale = scale, s.scene.distance = distance;
+            s.scene.scale = scale;
+            s.scene.distance = distance;
             pose_scene(scene, s.scene);
             carry_settings(s, home.settings.scene, s.scene);
             EXPECT_NEAR(s.bias.constant, 0.02 * scale, 1e-12);

@@ -30,7 +30,8 @@ TEST(RayScenes, TwoUsersGetTheSameObjectAndItIsFreed) {
     EXPECT_EQ(scenes.geometry(boxes, {}), geometry) << "and no copy more";
     EXPECT_EQ(scenes.size(), 1u);
     const Weak weak = first;
-    first.reset(), second.reset();
+    first.reset();
+    second.reset();
     EXPECT_FALSE(weak.expired()) << "the last one is kept for who comes next";
     scenes.forget();
     EXPECT_TRUE(weak.expired());

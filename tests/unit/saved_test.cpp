@@ -57,7 +57,8 @@ TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
     SavedTimes times;
     times.savings.push_back({kOptimisation, {.median = 2}});
     PassTime pass;
-    pass.name = "shadow map 0 (spot)", pass.gpu_ms.median = 7;
+    pass.name = "shadow map 0 (spot)";
+    pass.gpu_ms.median = 7;
     times.frame.passes.push_back(pass);
     Effect effect{.name = "map", .state = EffectState::Cached, .pass = pass.name};
     ASSERT_TRUE(times.of(effect));

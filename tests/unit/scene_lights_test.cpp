@@ -59,8 +59,10 @@ TEST(SceneLights, PlacesAndDirectionsComeOutAsTheyWentIn) {
 
 TEST(SceneLights, ConesColoursAndRatiosOfBrightness) {
     SceneLight spot = light_of(LightType::Spot, {1000, 0, 0}, {0, -1, 0});
-    spot.outer_cone_rad = 0.5, spot.inner_cone_rad = 0.2;
-    spot.colour = {4, 2, 0}, spot.intensity = 10;
+    spot.outer_cone_rad = 0.5;
+    spot.inner_cone_rad = 0.2;
+    spot.colour = {4, 2, 0};
+    spot.intensity = 10;
     SceneLight weak = light_of(LightType::Point, {1000, 0, 0}, {0, -1, 0});
     weak.intensity = 4;
     SceneLight sun = light_of(LightType::Directional, {0, 0, 0}, {0, -1, 0.1});

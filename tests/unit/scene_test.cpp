@@ -263,7 +263,10 @@ TEST(Finalise, RefusesReferencesOutOfRange) {
     };
     refuses([](Scene& s) { s.meshes[0].indices.edit()[4] = 4; });
     for (const std::size_t at : {0u, 150u, 299u})
-        refuses([at](Scene& s) { s.meshes[0] = row_of_triangles(100), s.meshes[0].indices.edit()[at] = 300; });
+        refuses([at](Scene& s) {
+            s.meshes[0] = row_of_triangles(100);
+            s.meshes[0].indices.edit()[at] = 300;
+        });
     refuses([](Scene& s) { s.meshes[0].indices.edit().pop_back(); });
     refuses([](Scene& s) { s.meshes[0].uv.edit().pop_back(); });
     refuses([](Scene& s) { s.meshes[0].material = 0; });
@@ -271,8 +274,14 @@ TEST(Finalise, RefusesReferencesOutOfRange) {
     refuses([](Scene& s) { s.objects[0].mesh = 1; });
     refuses([](Scene& s) { s.objects[0].node = -1; });
     refuses([](Scene& s) { s.nodes[0].parent = 0; });
-    refuses([](Scene& s) { add_material(s, "m", {}), s.materials[0].base_colour_texture = 0; });
-    refuses([](Scene& s) { s.textures.resize(1), s.textures[0].width = s.textures[0].height = 2; });
+    refuses([](Scene& s) {
+        add_material(s, "m", {});
+        s.materials[0].base_colour_texture = 0;
+    });
+    refuses([](Scene& s) {
+        s.textures.resize(1);
+        s.textures[0].width = s.textures[0].height = 2;
+    });
 }
 
 TEST(Finalise, GivesNodesUniquePathsAndWorldTransforms) {
@@ -403,7 +412,10 @@ TEST(Teapot, NeighbouringPatchesMeetWithEqualNormals) {
     }
     std::size_t shared = 0, creased = 0;
     for (const auto& [place, normals] : places)
-        for (std::size_t i = 1; i < normals.size(); ++i) ++shared, creased += glm::dot(normals[i], normals[0]) < 0.98f;
+        for (std::size_t i = 1; i < normals.size(); ++i) {
+            ++shared;
+            creased += glm::dot(normals[i], normals[0]) < 0.98f;
+        }
     // The data are smooth across patches but for single points.
     EXPECT_GT(shared, 500u);
     EXPECT_LE(creased, 4u);

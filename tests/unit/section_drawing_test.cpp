@@ -18,11 +18,17 @@ namespace {
 /// Acne on a plane of 45 degrees, ten texels of 40 mm, as no driver need draw it.
 Section acne() {
     Section s;
-    s.shadowed = true, s.classified = true;
+    s.shadowed = true;
+    s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 10, .reach_texels = 1.5};
-    s.row = 7, s.looked_up_texel = 104, s.texel_m = 0.04;
-    s.lit = false, s.visibility = 0.25, s.theta_rad = M_PI / 4;
-    s.artefact = "acne", s.verdict = "acne: needs 0.6 texels of bias here, has 0.1 texels";
+    s.row = 7;
+    s.looked_up_texel = 104;
+    s.texel_m = 0.04;
+    s.lit = false;
+    s.visibility = 0.25;
+    s.theta_rad = M_PI / 4;
+    s.artefact = "acne";
+    s.verdict = "acne: needs 0.6 texels of bias here, has 0.1 texels";
     s.surface_along = glm::dvec2(1, 1) / std::sqrt(2.0);
     for (int i = 0; i < 10; ++i) {
         const double x = (i - 4.7) * 0.04, y = x + 0.02;
@@ -37,8 +43,10 @@ Section acne() {
     }
     s.compared = {0, 0.004};
     s.terms = {{"constant bias", {0.001, 0.1, 0.004}, {0, 0}, {0, 0.004}}};
-    s.least = {0.006, 0.6, 0.024}, s.has = {0.001, 0.1, 0.004};
-    s.window_from = 0.024, s.has_window = true;
+    s.least = {0.006, 0.6, 0.024};
+    s.has = {0.001, 0.1, 0.004};
+    s.window_from = 0.024;
+    s.has_window = true;
     s.profile = {{{-0.2, -0.2}, {0.2, 0.2}}};
     return s;
 }
@@ -46,16 +54,24 @@ Section acne() {
 /// The bias has lifted what is compared past a box 0.3 m above, which fills the map to the right.
 Section peter_panning() {
     Section s = acne();
-    s.lit = true, s.true_lit = false, s.visibility = 1;
-    s.artefact = "peter-panning", s.verdict = "peter-panning: bias moves it past its occluder";
+    s.lit = true;
+    s.true_lit = false;
+    s.visibility = 1;
+    s.artefact = "peter-panning";
+    s.verdict = "peter-panning: bias moves it past its occluder";
     for (Section::Step& step : s.steps) {
         step.lit = true;
         step.compared_from.y = step.compared_to.y = 0.4;
-        if (step.texel >= 104) step.from.y = step.to.y = 0.3, step.meets = KernelTap::Meets::Nearer;
+        if (step.texel >= 104) {
+            step.from.y = step.to.y = 0.3;
+            step.meets = KernelTap::Meets::Nearer;
+        }
     }
     s.compared = {0, 0.4};
     s.terms = {{"constant bias", {0.1, 10, 0.4}, {0, 0}, {0, 0.4}}};
-    s.occluder = glm::dvec2(0, 0.3), s.occluder_m = 0.3, s.window_to = 0.3;
+    s.occluder = glm::dvec2(0, 0.3);
+    s.occluder_m = 0.3;
+    s.window_to = 0.3;
     return s;
 }
 
@@ -63,7 +79,9 @@ Section peter_panning() {
 Section led_aside() {
     Section s = acne();
     s.artefact = "peter-panning by normal offset";
-    s.moved = {0.1, 0.06}, s.normal_offset_m = std::hypot(0.1, 0.06), s.looked_up_texel = 107;
+    s.moved = {0.1, 0.06};
+    s.normal_offset_m = std::hypot(0.1, 0.06);
+    s.looked_up_texel = 107;
     s.compared = {0.1, 0.064};
     s.terms = {{"constant bias", {0.001, 0.1, 0.004}, s.moved, s.compared}};
     s.steps[4].lit = true;
@@ -73,7 +91,10 @@ Section led_aside() {
 
 Section light_bleeding() {
     Section s = acne();
-    s.lit = true, s.true_lit = false, s.visibility = 0.66, s.artefact = "leak";
+    s.lit = true;
+    s.true_lit = false;
+    s.visibility = 0.66;
+    s.artefact = "leak";
     for (Section::Step& step : s.steps) step.weight = 0;
     s.moments = Section::Moments{.mean = 0.15, .spread = 0.1, .bound = 0.66};
     return s;
@@ -119,8 +140,10 @@ TEST(SectionDrawing, WordsKeepApartAndInside) {
     Section crowded = acne();
     // Everything at one height.
     crowded.window_from = 0.005, crowded.window_to = 0.0052, crowded.has_window = true;
-    crowded.occluder = glm::dvec2(0, 0.0051), crowded.occluder_m = 0.0051;
-    crowded.moved = {0.02, 0.004}, crowded.normal_offset_m = 0.0204;
+    crowded.occluder = glm::dvec2(0, 0.0051);
+    crowded.occluder_m = 0.0051;
+    crowded.moved = {0.02, 0.004};
+    crowded.normal_offset_m = 0.0204;
     for (const Section& s : {acne(), crowded})
         for (const double height : {560.0, 260.0, 140.0}) {
             const bool captions = height > 500;
@@ -158,7 +181,8 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
         {Area, Ink::Moments},
     };
     Section untraced = acne();
-    untraced.profile.clear(), untraced.classified = untraced.has_window = false;
+    untraced.profile.clear();
+    untraced.classified = untraced.has_window = false;
     Section hopeless = acne();
     hopeless.window_to = 0.01;
     Section no_map;
@@ -350,7 +374,9 @@ TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
 
 TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
     Section leaves = led_aside();
-    leaves.normal_offset_m = 0.15, leaves.surface_aside = 2.35, leaves.surface_at = {0, -0.08};
+    leaves.normal_offset_m = 0.15;
+    leaves.surface_aside = 2.35;
+    leaves.surface_at = {0, -0.08};
     for (const Section& s : {led_aside(), leaves}) {
         const SectionDrawing d = draw_section(s, {});
         const auto arrow = std::ranges::find_if(
@@ -377,7 +403,9 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
     EXPECT_EQ(planes(inside).size(), 1u);
     EXPECT_EQ(muted_words(draw_section(s, {})).find("surface itself"), std::string::npos);
 
-    s.surface_aside = -7.32, s.surface_at = {0, -0.08}, s.normal_offset_m = 0.15;
+    s.surface_aside = -7.32;
+    s.surface_at = {0, -0.08};
+    s.normal_offset_m = 0.15;
     const SectionDrawing beside = draw_section(s, {.captions = false});
     ASSERT_EQ(planes(beside).size(), 2u);
     const Mark& own = *planes(beside)[1];
@@ -393,7 +421,9 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
 
 TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
     Section s = acne();
-    s.occluder = glm::dvec2(0, 7.5), s.occluder_m = 7.5, s.true_lit = false;
+    s.occluder = glm::dvec2(0, 7.5);
+    s.occluder_m = 7.5;
+    s.true_lit = false;
     const SectionDrawing d = draw_section(s, {});
     EXPECT_TRUE(d.broken);
     EXPECT_TRUE(std::ranges::any_of(d.marks, [](const Mark& m) { return m.text == "occluder 7.5 m nearer"; }));

@@ -196,7 +196,8 @@ TEST(SettingsText, NamesAreWhatCanBeShownAndIsNotTooLong) {
             EXPECT_TRUE(mentions(e.what(), "light.2.name") && mentions(e.what(), "60 bytes")) << e.what();
         }
         Settings s;
-        s.lights[2].name = name, s.lights[1].name = "kept";
+        s.lights[2].name = name;
+        s.lights[1].name = "kept";
         EXPECT_EQ(sanitise(s).size(), 1u);
         EXPECT_EQ(s.lights[2].name, "");
         EXPECT_EQ(s.lights[1].name, "kept");
@@ -305,7 +306,8 @@ TEST(SettingsRepair, NonFiniteAndOutOfRange) {
 
 TEST(SettingsRepair, ReversedPlanes) {
     Settings s;
-    s.lights[2].near = 50, s.lights[2].far = 2;
+    s.lights[2].near = 50;
+    s.lights[2].far = 2;
     EXPECT_TRUE(sanitise(s).empty()) << "an automatic fit does not read near and far";
     s.lights[2].fit = static_cast<int>(LightFit::Manual);
     s.camera.source = static_cast<int>(CameraSource::Manual);
@@ -316,7 +318,8 @@ TEST(SettingsRepair, ReversedPlanes) {
     EXPECT_EQ(s.lights[2].near, 2);
     EXPECT_EQ(s.lights[2].far, 50);
     EXPECT_LT(s.camera.near, s.camera.far);
-    s.lights[2].near = 50, s.lights[2].far = 0;
+    s.lights[2].near = 50;
+    s.lights[2].far = 0;
     EXPECT_TRUE(sanitise(s).empty()) << "0 is automatic";
 }
 
@@ -393,7 +396,8 @@ TEST(SettingsIdle, EveryReasonEndsSomewhere) {
         for (const auto& [a, first] : changes)
             for (const auto& [b, second] : changes) {
                 once = {};
-                set_value(once, a, first), set_value(once, b, second);
+                set_value(once, a, first);
+                set_value(once, b, second);
                 if (idle_reason(once, ref).empty()) return true;
             }
         return ends_one_by_one(ref, {}, 3);

@@ -21,13 +21,16 @@ struct Floor {
 
     explicit Floor(const std::vector<std::string>& rows, const glm::dvec3& at = {0, 0, 0}) {
         const int w = int(rows[0].size()), h = int(rows.size());
-        reference.width = w, reference.height = h;
+        reference.width = w;
+        reference.height = h;
         reference.visibility = {w, h, 1, {}};
-        receivers.width = w, receivers.height = h;
+        receivers.width = w;
+        receivers.height = h;
         camera.axes = glm::dmat3(glm::dvec3(1, 0, 0), glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0));
         camera.eye = at + glm::dvec3(0.5 * w * kPixel_m, 10, 0.5 * h * kPixel_m);
         camera.orthographic = true;
-        camera.height = h * kPixel_m, camera.aspect = double(w) / h;
+        camera.height = h * kPixel_m;
+        camera.aspect = double(w) / h;
         camera.curve = {.perspective = false, .near = 1, .far = 20};
         raster = {w, h};
         for (int y = 0; y < h; ++y)
@@ -44,7 +47,8 @@ struct Floor {
                         return u < w && v < h && (rows[std::size_t(v)][std::size_t(u)] == '|') == (c == '|') &&
                                rows[std::size_t(v)][std::size_t(u)] != ' ';
                     };
-                    r.joins_right = same(x + 1, y), r.joins_below = same(x, y + 1);
+                    r.joins_right = same(x + 1, y);
+                    r.joins_below = same(x, y + 1);
                 }
                 receivers.pixels.push_back(r);
             }

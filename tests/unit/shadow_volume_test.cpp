@@ -43,7 +43,9 @@ public:
                 faces_.push_back(t);
             }
         };
-        add(found.caps, false), add(found.turned_caps, true), add(found.rest, false);
+        add(found.caps, false);
+        add(found.turned_caps, true);
+        add(found.rest, false);
         sides = found.rest.size() / 3;
     }
     /// How many times the boundary encloses the point.

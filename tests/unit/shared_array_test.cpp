@@ -67,9 +67,11 @@ TEST(SharedArray, IsToldOfOnceHoweverManyShareIt) {
         b.tell("tests' arrays");
         EXPECT_EQ(told(), 400u);
         Ints first = std::vector<int>(10, 1), second = first;
-        first.tell("tests' arrays"), second.tell("tests' arrays");
+        first.tell("tests' arrays");
+        second.tell("tests' arrays");
         EXPECT_EQ(told(), 440u) << "shared before it was told of";
-        first.clear(), second.clear();
+        first.clear();
+        second.clear();
         b.push_back(2);
         b.tell("tests' arrays");
         EXPECT_EQ(told(), 804u);

@@ -22,8 +22,12 @@ struct Divided {
 Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0), bool orthographic = false) {
     Settings s;
     s.camera.source = int(CameraSource::Manual);
-    s.camera.target_x = at.x, s.camera.target_y = at.y, s.camera.target_z = at.z;
-    s.camera.azimuth = 0, s.camera.elevation = 0, s.camera.distance = 10;
+    s.camera.target_x = at.x;
+    s.camera.target_y = at.y;
+    s.camera.target_z = at.z;
+    s.camera.azimuth = 0;
+    s.camera.elevation = 0;
+    s.camera.distance = 10;
     s.camera.orthographic = orthographic;
     const Scene scene = test::box_scene({{at + glm::dvec3(-1, -1, 0), at + glm::dvec3(1, 1, 2)},
                                          {at + glm::dvec3(-1, -1, -190), at + glm::dvec3(1, 1, -188)}});
@@ -43,7 +47,9 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
         for (const int count : {2, 5, 8})
             for (const Split split : {Split::Uniform, Split::Logarithmic, Split::Practical, Split::Manual}) {
                 LightSettings light;
-                light.cascades = count, light.split = int(split), light.split_lambda = 0.3;
+                light.cascades = count;
+                light.split = int(split);
+                light.split_lambda = 0.3;
                 const Divided d = divided(light, at);
                 ASSERT_EQ(d.ends.size(), std::size_t(count));
                 EXPECT_NEAR(d.all.from_m, 8, 1e-6);
@@ -62,7 +68,8 @@ TEST(Splits, AreTheClosedFormsOfTheirRows) {
 
 TEST(Splits, OfAnOrthographicCameraAreEvenAndSaySo) {
     LightSettings light;
-    light.cascades = 4, light.split = int(Split::Logarithmic);
+    light.cascades = 4;
+    light.split = int(Split::Logarithmic);
     const Divided d = divided(light, glm::dvec3(0), true);
     for (int i = 0; i < 4; ++i) EXPECT_NEAR(d.ends[std::size_t(i)], 8 + 48 * (i + 1), 1e-6);
     ASSERT_EQ(d.notes.size(), 1u);

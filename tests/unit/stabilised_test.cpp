@@ -19,10 +19,12 @@ TEST(Stabilised, TheSphereIsTheSmallest) {
     for (const double fov : {15., 60., 110.})
         for (const bool orthographic : {false, true})
             for (const auto& [near, far] : {std::pair{0.0, 9.0}, {1.0, 2.0}, {30.0, 31.0}}) {
-                s.camera.fov = fov, s.camera.orthographic = orthographic;
+                s.camera.fov = fov;
+                s.camera.orthographic = orthographic;
                 double radius = -1;
                 for (const double azimuth : {0., 90., 33.}) {
-                    s.camera.azimuth = azimuth, s.camera.target_x = azimuth * 1e3;
+                    s.camera.azimuth = azimuth;
+                    s.camera.target_x = azimuth * 1e3;
                     const Camera camera = make_camera(scene, s, 16.0 / 9);
                     const Sphere sphere = sphere_around(camera, {near, far});
                     EXPECT_TRUE(radius < 0 || std::abs(sphere.radius - radius) <= 1e-9 * radius);

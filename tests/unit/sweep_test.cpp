@@ -324,7 +324,10 @@ TEST(Sweep, OtherArgumentsAreRefused) {
                   o.spec.shard = {1, 2};
               }).find("--shard 1/1 there, 1/2 here"),
               std::string::npos);
-    EXPECT_NE(message([](FakeSweep& o) { o.spec.scene_content = 5, o.spec.scene = "boxes"; }).find("boxes here"),
+    EXPECT_NE(message([](FakeSweep& o) {
+                  o.spec.scene_content = 5;
+                  o.spec.scene = "boxes";
+              }).find("boxes here"),
               std::string::npos);
     EXPECT_NE(message([](FakeSweep& o) { o.spec.scene_content = 5; }).find("stage has changed"), std::string::npos);
     EXPECT_EQ(message([](FakeSweep&) {}), "no error");
@@ -371,7 +374,9 @@ TEST(Sweep, TimesOfDifferentMachinesAreNotMixed) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter here, there;
     f.run(here, 8 + 8);
-    there.machine = "other", there.run_id = "elsewhere", there.drift = 1000;
+    there.machine = "other";
+    there.run_id = "elsewhere";
+    there.drift = 1000;
     f.run(there, 10'000, {.rounds = 3});
     const OrderedJson r = f.results();
     EXPECT_EQ(r["rounds"], 3);
@@ -439,7 +444,8 @@ TEST(Merge, ShardsTogetherAreTheWholeSweep) {
     const SweepState merged = merge_sweeps(parts);
     EXPECT_TRUE(missing_cases(merged, whole.plan).empty());
     OrderedJson a = results_json(sweep_results(merged, whole.plan)), b = whole.results();
-    a.erase("runs"), b.erase("runs");
+    a.erase("runs");
+    b.erase("runs");
     EXPECT_EQ(a, b);
     parts.erase(parts.begin() + 1);
     EXPECT_EQ(missing_cases(merge_sweeps(parts), whole.plan), (std::vector<std::size_t>{1, 4, 7}));
@@ -497,8 +503,12 @@ TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
 
 TEST(Results, SpecsSurviveTheJournal) {
     FakeSweep f(fresh_test_folder());
-    f.spec.base.bias.slope = 1.5, f.spec.base.light_count = 2, f.spec.base.lights[1].azimuth = 77;
-    f.spec.scene = "a \"quoted\", name</script>\n", f.spec.scene_content = 0xfedcba9876543210, f.spec.shard = {2, 3};
+    f.spec.base.bias.slope = 1.5;
+    f.spec.base.light_count = 2;
+    f.spec.base.lights[1].azimuth = 77;
+    f.spec.scene = "a \"quoted\", name</script>\n";
+    f.spec.scene_content = 0xfedcba9876543210;
+    f.spec.shard = {2, 3};
     const SweepSpec again = spec_from_json(OrderedJson::parse(f.spec_text().dump()));
     EXPECT_EQ(spec_json(again), f.spec_text());
     EXPECT_EQ(again.base, f.spec.base);
@@ -546,7 +556,10 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
     EXPECT_EQ(read.error.noise, c.error.noise);
     // A column says of the typed numbers what results.json holds under its key.
     TimeSamples samples;
-    for (const double ms : {3.0, 4.0, 5.0, 9.0}) samples.total_ms.push_back(ms), samples.maps_ms.push_back(ms / 4);
+    for (const double ms : {3.0, 4.0, 5.0, 9.0}) {
+        samples.total_ms.push_back(ms);
+        samples.maps_ms.push_back(ms / 4);
+    }
     const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summary(samples)};
     const OrderedJson row = {{"error", error_json(c.error.metrics, c.error.noise)},
                              {"cost", cost_json(c.cost)},

@@ -96,7 +96,8 @@ TEST(TexelSlabs, TheRegionIsCentredAndCutToTheMap) {
     ViewSettings v;
     v.slabs_texels = 32;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{112, 112}, {32, 32}}));
-    v.slabs_u = 0, v.slabs_v = 1;
+    v.slabs_u = 0;
+    v.slabs_v = 1;
     EXPECT_EQ(slab_region(v, 256), (TexelRegion{{0, 240}, {16, 16}}));
     v.slabs_texels = 1;
     v.slabs_u = v.slabs_v = 10.5 / 256;

@@ -24,7 +24,11 @@ struct FakeTime {
     double now = 1000;
     std::vector<double> pauses;
     BurstClock clock() {
-        return {[this] { return now; }, [this](double s) { now += s, pauses.push_back(s); }};
+        return {[this] { return now; },
+                [this](double s) {
+                    now += s;
+                    pauses.push_back(s);
+                }};
     }
 };
 
@@ -103,7 +107,10 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     const std::vector<double> moods = {29, 31, 33, 35, 40};
     std::size_t burst = 0;
     BurstClock clock = time.clock();
-    clock.wait_s = [&](double s) { time.now += s, burst = std::min(burst + 1, moods.size() - 1); };
+    clock.wait_s = [&](double s) {
+        time.now += s;
+        burst = std::min(burst + 1, moods.size() - 1);
+    };
     const TimeMeasurement m = sample_times(
         {.most = 15}, [&] { return time.now += moods[burst] / 1000, frame_of(moods[burst], 0); }, clock);
     EXPECT_EQ(m.total_ms.samples, 15);
@@ -114,7 +121,9 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     EXPECT_FALSE(m.settled) << "by the ranks of fifteen frames alone it would be";
     EXPECT_NEAR(0.5 * (m.maps_ms.median_high - m.maps_ms.median_low), 5.238, 1e-3) << "of its parts likewise";
     TimeSamples two;
-    two.add(frame_of(1, 0)), two.burst_ended = true, two.add(frame_of(1, 0));
+    two.add(frame_of(1, 0));
+    two.burst_ended = true;
+    two.add(frame_of(1, 0));
     EXPECT_FALSE(summary(two).settled) << "two bursts tell nothing";
 }
 

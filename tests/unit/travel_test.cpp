@@ -249,18 +249,24 @@ TEST(Travel, TheAutomaticCameraStaysWhereAFilesAnimationBegan) {
     std::vector<Camera> cameras;
     for (const double time : {0.0, 0.3, 0.4, 1.0}) {
         Settings s;
-        s.scene.animation = 0, s.scene.time = time;
+        s.scene.animation = 0;
+        s.scene.time = time;
         pose_scene(scene, s.scene);
         cameras.push_back(make_camera(scene, s, 1.5));
         EXPECT_EQ(cameras.back().eye, cameras[0].eye) << time;
         EXPECT_EQ(cameras.back().axes, cameras[0].axes) << time;
     }
     Settings away;
-    away.scene.animation = 0, away.scene.time = 1, away.scene.distance = 1000, away.scene.scale = 2;
+    away.scene.animation = 0;
+    away.scene.time = 1;
+    away.scene.distance = 1000;
+    away.scene.scale = 2;
     pose_scene(scene, away.scene);
     const Camera c = make_camera(scene, away, 1.5);
     EXPECT_NEAR(c.focus, 2 * cameras[0].focus, 1e-6) << "but goes with where the scene is placed";
-    away.scene.distance = 0, away.scene.scale = 1, away.scene.ground = int(Ground::Off);
+    away.scene.distance = 0;
+    away.scene.scale = 1;
+    away.scene.ground = int(Ground::Off);
     pose_scene(scene, away.scene);
     EXPECT_NE(make_camera(scene, away, 1.5).eye, cameras[0].eye) << "without a ground all of what is there is shown";
 }

@@ -26,7 +26,8 @@ Receivers floor_points(double half, int size) {
             Receiver r;
             r.position_ws = {half * (2 * (x + 0.5) / size - 1), 0, half * (2 * (z + 0.5) / size - 1)};
             r.normal_ws = {0, 1, 0};
-            r.edge_m = float(4 * half), r.object = 0;
+            r.edge_m = float(4 * half);
+            r.object = 0;
             receivers.pixels.push_back(r);
         }
     return receivers;
@@ -44,7 +45,9 @@ Scene floor_and(Mesh mesh, const std::vector<glm::dmat4>& places, Material mater
 
 Texture stripes(int width, int height) {
     Texture t;
-    t.width = width, t.height = height, t.nearest_mag = true;
+    t.width = width;
+    t.height = height;
+    t.nearest_mag = true;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) t.rgba.append({255, 255, 255, std::uint8_t(x % 2 ? 255 : 0)});
     return t;
@@ -58,7 +61,9 @@ double lit_share(const Reference& reference) {
 
 TEST(AlphaTexture, WrapsAndFiltersAsGlDoes) {
     Texture t;
-    t.width = 2, t.height = 1, t.rgba = {0, 0, 0, 0, 0, 0, 0, 255};
+    t.width = 2;
+    t.height = 1;
+    t.rgba = {0, 0, 0, 0, 0, 0, 0, 255};
     t.nearest_mag = true;
     const auto at = [&](double u) { return AlphaTexture(t).at({u, 0.5}); };
     EXPECT_EQ(at(0.25), 0);
@@ -118,7 +123,8 @@ TEST(Casters, MasksHaveTheirHoles) {
     EXPECT_EQ(shares(as_mask).first, 0.5);
     m.base_colour.a = 0.4f;
     EXPECT_EQ(shares(as_mask).first, 1) << "0.4 of 1 is below one half";
-    m.alpha = AlphaMode::Mask, m.alpha_cutoff = 0.3f;
+    m.alpha = AlphaMode::Mask;
+    m.alpha_cutoff = 0.3f;
     EXPECT_EQ(shares().first, 0.5);
     scene.meshes[1].colours.assign(scene.meshes[1].positions.size(), glm::vec4(1, 1, 1, 0.5f));
     EXPECT_EQ(shares().first, 1) << "the vertices' alpha counts";
@@ -263,7 +269,10 @@ TEST(Instances, DoNotShadowThemselves) {
         d.y = std::abs(d.y);
         const Reference reference = trace_visibility(casters, row_of(pixels), query_for(scene, sun(d)), {});
         for (std::size_t k = 0; k < pixels.size(); ++k)
-            if (reference.state[k] == PixelState::Counted) ++counted, dark += reference.hard().data[k] < 0.5f;
+            if (reference.state[k] == PixelState::Counted) {
+                ++counted;
+                dark += reference.hard().data[k] < 0.5f;
+            }
     }
     EXPECT_GT(counted, 5000u);
     EXPECT_EQ(dark, 0u);

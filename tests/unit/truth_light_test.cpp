@@ -47,13 +47,15 @@ Penumbra penumbra(const Emitter& light, double reach, const ReferenceOptions& op
     const Scene scene = half_plane();
     const auto geometry = geometry_of(scene);
     Receivers receivers;
-    receivers.width = 400, receivers.height = 4;
+    receivers.width = 400;
+    receivers.height = 4;
     for (int y = 0; y < receivers.height; ++y)
         for (int x = 0; x < receivers.width; ++x) {
             Receiver r;
             r.position_ws = {reach * (2 * (x + 0.5) / receivers.width - 1), 0, 0.1 * y};
             r.normal_ws = {0, 1, 0};
-            r.edge_m = 8, r.object = 0;
+            r.edge_m = 8;
+            r.object = 0;
             receivers.pixels.push_back(r);
         }
     Penumbra p;
@@ -64,11 +66,13 @@ Penumbra penumbra(const Emitter& light, double reach, const ReferenceOptions& op
         const double error = p.reference.visibility.data[i] - expected;
         if (expected > 0 && expected < 1) {
             ++p.partial;
-            squares += error * error, sum += error;
+            squares += error * error;
+            sum += error;
         }
         p.largest = std::max(p.largest, std::abs(error));
     }
-    p.rms = std::sqrt(squares / double(p.partial)), p.mean = sum / double(p.partial);
+    p.rms = std::sqrt(squares / double(p.partial));
+    p.mean = sum / double(p.partial);
     return p;
 }
 
@@ -93,7 +97,8 @@ TEST(AreaLight, SpotsDiskBehindAnEdge) {
     spot.type = LightType::Spot;
     const double height = 5, radius = 0.8;
     spot.position_ws = {0, height, 0.15};
-    spot.size = radius, spot.cos_cone = 0.2;
+    spot.size = radius;
+    spot.cos_cone = 0.2;
     // The point x sees the light's part at y < x (1 - D / H) through the edge.
     const double reach = 2 * radius / (height / kHeight - 1);
     expect_penumbra(

@@ -119,7 +119,8 @@ bool meets_box(const glm::dvec3& p, const glm::dvec3& d, double most, const glm:
         }
         double a = (lo[axis] - p[axis]) / d[axis], b = (hi[axis] - p[axis]) / d[axis];
         if (a > b) std::swap(a, b);
-        from = std::max(from, a), to = std::min(to, b);
+        from = std::max(from, a);
+        to = std::min(to, b);
     }
     return from <= to;
 }

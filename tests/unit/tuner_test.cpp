@@ -32,12 +32,15 @@ struct MadeUpFrame {
         t.error.counted = 1000;
         int acne = 0;
         double gap = 0;
-        for (int i = 0; i < 100; ++i)
-            acne += worth(b, i) < harder * need(i), gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+        for (int i = 0; i < 100; ++i) {
+            acne += worth(b, i) < harder * need(i);
+            gap = std::max(gap, worth(b, i) * std::sin(theta(i)));
+        }
         t.needs.faint_acne = std::size_t(acne);
         t.error.artefacts[std::size_t(Artefact::PeterPanningOffset)] = std::size_t(b.normal * lost_by_normal);
         t.needs.pixels = 100;
-        t.needs.gap_p95_m = gap, t.needs.gap_median_m = gap / 2;
+        t.needs.gap_p95_m = gap;
+        t.needs.gap_median_m = gap / 2;
         BiasSettings one;
         one.unit = int(BiasUnit::Texels);
         one.constant = worst([&](int i) { return need(i); });
@@ -46,7 +49,8 @@ struct MadeUpFrame {
         one.constant = 0.3;
         one.slope = worst([&](int i) { return need(i) <= 0.3 ? 0 : need(i) / (1 - std::cos(theta(i))); });
         t.needs.least[std::size_t(BiasFamily::Slope)] = one;
-        one.constant = 0.01, one.slope = 0;
+        one.constant = 0.01;
+        one.slope = 0;
         one.normal = worst([&](int i) { return (need(i) - 0.01) * std::cos(theta(i)); });
         t.needs.least[std::size_t(BiasFamily::Normal)] = one;
         return t;
@@ -182,7 +186,8 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
         for (const Settings& timed : world.timed) {
             if (!goals.most_ms || timed.map.resolution == 256) continue;
             Settings coarser;
-            coarser.filter = timed.filter, coarser.map.resolution = timed.map.resolution / 2;
+            coarser.filter = timed.filter;
+            coarser.map.resolution = timed.map.resolution / 2;
             EXPECT_LE(MadeUpWorld::ms(coarser), *goals.most_ms) << "finer maps than one that is too slow are not tried";
         }
     }

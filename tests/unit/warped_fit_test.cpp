@@ -19,15 +19,20 @@ Settings warped(const glm::dvec3& target) {
     s.map.resolution = 512;
     CameraSettings& c = s.camera;
     c.source = int(CameraSource::Manual);
-    c.target_x = target.x, c.target_y = target.y, c.target_z = target.z;
-    c.distance = 9, c.elevation = 12;
+    c.target_x = target.x;
+    c.target_y = target.y;
+    c.target_z = target.z;
+    c.distance = 9;
+    c.elevation = 12;
     return s;
 }
 
 /// A camera 2 m above the ground that looks along -z, and a light whose rays meet its view at that angle, from above.
 Settings level_view(double angle_deg) {
     Settings s = warped({0, 2, 20});
-    s.camera.azimuth = s.camera.elevation = 0, s.camera.distance = 10, s.camera.near = 0.5;
+    s.camera.azimuth = s.camera.elevation = 0;
+    s.camera.distance = 10;
+    s.camera.near = 0.5;
     s.bias.normal = 0;  // else the map holds its offset, too
     s.lights[0].azimuth = 0, s.lights[0].elevation = angle_deg;
     return s;
@@ -63,11 +68,15 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
         for (int i = 0; i < 60; ++i) {
             SCOPED_TRACE(testing::Message() << at.x << " " << i);
             Settings s = warped(at + glm::dvec3(20 * unit(random), 1, 20 * unit(random)));
-            s.camera.azimuth = 180 * unit(random), s.camera.elevation = 5 + 40 * std::abs(unit(random));
+            s.camera.azimuth = 180 * unit(random);
+            s.camera.elevation = 5 + 40 * std::abs(unit(random));
             LightSettings& l = s.lights[0];
-            l.azimuth = i % 5 ? 180 * unit(random) : 90, l.elevation = i % 7 ? 8 + 80 * std::abs(unit(random)) : 90;
-            l.cascades = i % 3 ? 1 : 3, l.near_far = int(kNearFars[i % 5]);
-            l.near = 1, l.far = 2;
+            l.azimuth = i % 5 ? 180 * unit(random) : 90;
+            l.elevation = i % 7 ? 8 + 80 * std::abs(unit(random)) : 90;
+            l.cascades = i % 3 ? 1 : 3;
+            l.near_far = int(kNearFars[i % 5]);
+            l.near = 1;
+            l.far = 2;
             s.map.reversed_z = i % 2;
             const Fitted f = fitted(scene, s);
             ASSERT_TRUE(f.light.is_warped());
@@ -135,8 +144,14 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
             for (const glm::dvec3& p : slice.seen_of(box)) {
                 nearest = std::min(nearest, glm::dot(p - f.camera.eye, forward));
                 const double y = glm::dot(p, along);
-                if (y < lo) lo = y, first = p;
-                if (y > hi) hi = y, last = p;
+                if (y < lo) {
+                    lo = y;
+                    first = p;
+                }
+                if (y > hi) {
+                    hi = y;
+                    last = p;
+                }
             }
         const double sine = std::sin(angle * kDegree), d = hi - lo;
         EXPECT_NEAR(glm::dot(along, forward), sine, 1e-9);
@@ -187,7 +202,8 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
                     const glm::dvec3 aside = std::cos(a) * view.axes[0] + std::sin(a) * view.axes[1];
                     const glm::dvec4 moved = test::uvdw(view, p + step * aside);
                     const double texel = step / (512 * std::hypot(moved.x - back.x, moved.y - back.y));
-                    longest = std::max(longest, texel), shortest = std::min(shortest, texel);
+                    longest = std::max(longest, texel);
+                    shortest = std::min(shortest, texel);
                 }
                 const TexelSize own = view.texel_size_at(p, 512);
                 EXPECT_NEAR(own.longest / longest, 1, 0.01);
@@ -228,7 +244,8 @@ TEST(WarpedFit, FadesAsTheLightTurnsIntoTheView) {
 TEST(WarpedFit, SaysWhereNothingIsWarped) {
     const Scene scene = test::blocks_on_ground({0, 0, 0}, 0.01);
     Settings s = level_view(60);
-    s.camera.orthographic = true, s.camera.height = 10;
+    s.camera.orthographic = true;
+    s.camera.height = 10;
     const FittedLight flat = fitted(scene, s).light;
     EXPECT_EQ(flat.views[0].curve.warp->rise, 0);
     ASSERT_FALSE(flat.notes.empty());

@@ -28,7 +28,9 @@ TEST(Workspace, RemembersLayoutWindowAndRecentFiles) {
                         .light_theme = true,
                         .desktop_dialogs = false};
             d.welcomed = true;
-            d.window_width = 1400, d.window_height = 800, d.maximised = true;
+            d.window_width = 1400;
+            d.window_height = 800;
+            d.maximised = true;
             put_first(d.recent_scenes, "/a/b.glb");
             put_first(d.recent_presets, "/a/\xc3\xa4 \"p\".json");
         });
@@ -121,9 +123,11 @@ TEST(Workspace, ItsFoldersFollowTheBaseDirectorySpecification) {
         const char *old = std::getenv(variable), *old_home = std::getenv("HOME");
         const std::optional<std::string> o = old ? std::optional<std::string>(old) : std::nullopt,
                                          h = old_home ? std::optional<std::string>(old_home) : std::nullopt;
-        put(variable, value), put("HOME", home);
+        put(variable, value);
+        put("HOME", home);
         const fs::path found = folder();
-        put(variable, o ? o->c_str() : nullptr), put("HOME", h ? h->c_str() : nullptr);
+        put(variable, o ? o->c_str() : nullptr);
+        put("HOME", h ? h->c_str() : nullptr);
         return found;
     };
     for (const auto& [variable, folder, by_default] :

@@ -91,7 +91,10 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
         ImGui::PushID(id++);
         coloured_text(fmt::format("{}: {}", severity_word(f.severity), f.text), kColours[std::size_t(f.severity)]);
         if (!f.fix.empty()) {
-            if (!f.settings.empty()) apply_button(settings, f.settings, current), ImGui::SameLine();
+            if (!f.settings.empty()) {
+                apply_button(settings, f.settings, current);
+                ImGui::SameLine();
+            }
             ImGui::TextWrapped("%s", f.fix.c_str());
         }
         ImGui::PopID();

@@ -41,7 +41,9 @@ void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const Artefac
     const glm::ivec2 size = spot.last - spot.first + 1;
     const double closer =
         std::clamp(double(std::max(size.x, size.y)) / (kShareOfHeight * std::max(of.height, 1)), kClosest, 1.0);
-    camera.target_x = spot.position_ws.x, camera.target_y = spot.position_ws.y, camera.target_z = spot.position_ws.z;
+    camera.target_x = spot.position_ws.x;
+    camera.target_y = spot.position_ws.y;
+    camera.target_z = spot.position_ws.z;
     if (of.camera.orthographic) {
         camera.height = of.camera.height * closer;
         return;
@@ -64,7 +66,9 @@ void put_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3
     const glm::dvec2 off = glm::dvec2(at) - glm::round(glm::dvec2(at));
     const glm::dvec3 move = view.metres_per_pixel(point) * (off.x * made.axes[0] - off.y * made.axes[1]);
     CameraSettings& camera = state.settings.camera;
-    camera.target_x += move.x, camera.target_y += move.y, camera.target_z += move.z;
+    camera.target_x += move.x;
+    camera.target_y += move.y;
+    camera.target_z += move.z;
 }
 
 void go_to_spot(EditorState& state, const EditorFrame& frame) {
@@ -90,8 +94,10 @@ Artefact touring_cause(const EditorState& state, const EditorFrame& frame) {
     Artefact most = Artefact::None;
     std::size_t pixels = 0;
     for (const ArtefactStyle& style : artefact_styles())
-        if (const std::size_t n = frame.error->metrics.artefacts[std::size_t(style.artefact)]; n > pixels)
-            most = style.artefact, pixels = n;
+        if (const std::size_t n = frame.error->metrics.artefacts[std::size_t(style.artefact)]; n > pixels) {
+            most = style.artefact;
+            pixels = n;
+        }
     return most;
 }
 

@@ -141,8 +141,12 @@ void header(Room room) {
     else  // what the reasons leave is the names'
         ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch | (reasons ? 0 : ImGuiTableColumnFlags_Disabled));
-    fixed("Time ms", 4), fixed("CPU ms", 4, counts), fixed("Draws", 3.2f, counts), fixed("Triangles", 5, counts);
-    fixed("Saved ms", 5.2f, saved), fixed("Force", 2.8f, saved);
+    fixed("Time ms", 4);
+    fixed("CPU ms", 4, counts);
+    fixed("Draws", 3.2f, counts);
+    fixed("Triangles", 5, counts);
+    fixed("Saved ms", 5.2f, saved);
+    fixed("Force", 2.8f, saved);
     ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
     for (int column = 0; column < kColumns; ++column) {
         if (!ImGui::TableSetColumnIndex(column)) continue;
@@ -217,8 +221,10 @@ void effect_row(EditorState& state, const EditorFrame& frame, const Effect& effe
     if (pass && pass->state == PassState::Drawn) {
         if (pass->gpu_ms > 0 && ImGui::TableSetColumnIndex(int(Column::Ms))) time_bar(state, pass->gpu_ms);
         cost_cells({pass->gpu_ms, pass->cpu_ms, pass->draws, pass->triangles});
-        sum.gpu_ms += pass->gpu_ms, sum.cpu_ms += pass->cpu_ms;
-        sum.draws += pass->draws, sum.triangles += pass->triangles;
+        sum.gpu_ms += pass->gpu_ms;
+        sum.cpu_ms += pass->cpu_ms;
+        sum.draws += pass->draws;
+        sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(int(Column::Saved)))
         saved_cell(frame.saved ? frame.saved->of(effect) : nullptr, saved_together(frame.effects, effect),

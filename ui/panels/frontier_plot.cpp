@@ -61,7 +61,10 @@ void draw_stair(const Area& a, const std::vector<FrontierView::Mark>& marks) {
     if (best.empty()) return;
     std::sort(best.begin(), best.end(), [](ImVec2 p, ImVec2 q) { return p.x != q.x ? p.x < q.x : p.y > q.y; });
     std::vector<ImVec2> path = {{best[0].x, a.lo.y}, best[0]};
-    for (std::size_t i = 1; i < best.size(); ++i) path.push_back({best[i].x, best[i - 1].y}), path.push_back(best[i]);
+    for (std::size_t i = 1; i < best.size(); ++i) {
+        path.push_back({best[i].x, best[i - 1].y});
+        path.push_back(best[i]);
+    }
     path.push_back({a.hi.x, best.back().y});
     ImGui::GetWindowDrawList()->AddPolyline(path.data(), int(path.size()), kStair, 0, ImGui::GetFontSize() * 0.1f);
 }
@@ -142,9 +145,15 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::
     ImGui::InvisibleButton("plot", size);
     const bool hovered = ImGui::IsItemHovered(), clicked = ImGui::IsItemClicked();
     std::vector<double> costs, errors;
-    for (const auto& m : facts.view.marks) costs.push_back(m.dot.cost), errors.push_back(m.dot.error);
+    for (const auto& m : facts.view.marks) {
+        costs.push_back(m.dot.cost);
+        errors.push_back(m.dot.error);
+    }
     for (const auto& dot : {facts.view.present, facts.view.before})
-        if (dot) costs.push_back(dot->cost), errors.push_back(dot->error);
+        if (dot) {
+            costs.push_back(dot->cost);
+            errors.push_back(dot->error);
+        }
     Area a{.x = log_axis(costs, bytes), .y = log_axis(errors)};
     const float line = theme::small()->FontSize;
     float numbers = line;
@@ -169,8 +178,14 @@ FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::
     };
     float least = line * line * 1.6f;
     for (const auto& m : facts.view.marks)
-        if (const float d = apart(m.dot); d < least) least = d, out.hovered = m.of;
-    if (facts.view.present && apart(*facts.view.present) < least) out.hovered.reset(), out.present_hovered = true;
+        if (const float d = apart(m.dot); d < least) {
+            least = d;
+            out.hovered = m.of;
+        }
+    if (facts.view.present && apart(*facts.view.present) < least) {
+        out.hovered.reset();
+        out.present_hovered = true;
+    }
     if (out.hovered) {
         ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
         if (clicked) out.clicked = out.hovered;

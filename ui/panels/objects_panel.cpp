@@ -64,7 +64,8 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
             tree.rows[std::size_t(scene.objects[std::size_t(l.object)].node)].lost = &l;
     for (std::size_t i = count; i-- > 0;) {  // parents stand before their children
         Row& row = tree.rows[i];
-        row.node = int(i), row.path = &scene.nodes[i].path;
+        row.node = int(i);
+        row.path = &scene.nodes[i].path;
         row.placed &= (!state.only_lost || row.lost) && words_match(state.object_search, {*row.path});
         if (!row.placed && !row.above) continue;
         in[i] = 1;
@@ -216,7 +217,8 @@ void choose(EditorState& state, const Scene& scene, const std::vector<const Row*
 }
 
 void end_seeking(EditorState& state) {
-    state.sought_object.clear(), state.list_seeks = 0;
+    state.sought_object.clear();
+    state.list_seeks = 0;
 }
 
 /// The object's name, which selects it.
@@ -309,7 +311,10 @@ std::vector<BesideNames> columns_beside_names(std::span<const Param* const> para
     for (const BesideNames& c : all) name -= c.width + padding;
     for (int next = 1; next <= 3 && name < em * kLeastName; ++next)
         for (BesideNames& c : all)
-            if (c.given_up == next) c.shown = false, name += c.width + padding;
+            if (c.given_up == next) {
+                c.shown = false;
+                name += c.width + padding;
+            }
     return all;
 }
 

@@ -61,7 +61,9 @@ Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDr
                     if (draw) draw->AddText(run.font, size, {at.x + x - space, at.y + y}, run.colour, kMore);
                     return {y + line, lines, true};
                 }
-                x = 0, y += line, ++lines;
+                x = 0;
+                y += line;
+                ++lines;
             }
             if (draw) draw->AddText(run.font, size, {at.x + x, at.y + y}, run.colour, word, end);
             x += w + space;

@@ -84,7 +84,10 @@ double width_of(ImFont* font, std::string_view text) {
 
 const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size) {
     ImFont* const font = theme::small();
-    if (views.of != sections) views.of = sections, views.views.clear();
+    if (views.of != sections) {
+        views.of = sections;
+        views.views.clear();
+    }
     const double width = size.x, height = size.y, em = font->FontSize;
     std::erase_if(views.views, [&](const SectionViews::View& v) {
         return v.light == light && (v.width != width || v.height != height || v.em != em);
@@ -191,7 +194,8 @@ SectionSheet section_sheet(const Section& section) {
     const SectionDrawing drawing = draw_section(
         section, {.width = scale * as_svg.width, .height = scale * as_svg.height, .em = em, .text_width = text_width});
     SectionSheet sheet;
-    sheet.width = int(std::ceil(drawing.width)), sheet.height = int(std::ceil(drawing.height));
+    sheet.width = int(std::ceil(drawing.width));
+    sheet.height = int(std::ceil(drawing.height));
     sheet.list = std::make_unique<ImDrawList>(ImGui::GetDrawListSharedData());
     sheet.list->_ResetForNewFrame();
     sheet.list->PushTextureID(ImGui::GetIO().Fonts->TexID);

@@ -88,7 +88,8 @@ void against_other_widget(EditorState& state, const EditorFrame& frame, float wi
         if (ImGui::Selectable("ray-traced truth", a.reference)) a.reference = picked = true;
         const auto other = [&](const char* text, const CompareWith& with) {
             if (!ImGui::Selectable(text, !a.reference && state.compare == with)) return;
-            a.reference = false, picked = true;
+            a.reference = false;
+            picked = true;
             state.compare = with;
         };
         other("the scene's own settings", {CompareKind::Scene, {}});

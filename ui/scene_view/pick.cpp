@@ -20,7 +20,8 @@ bool meets_box(const LocalRay& ray, const Bounds& box, double end) {
         double b = (box.hi[axis] - ray.origin[axis]) / ray.direction[axis];
         if (std::isnan(a) || std::isnan(b)) continue;  // along a face
         if (a > b) std::swap(a, b);
-        from = std::max(from, a), to = std::min(to, b);
+        from = std::max(from, a);
+        to = std::min(to, b);
     }
     return from <= to * (1 + 1e-9) + 1e-12;
 }
@@ -54,7 +55,10 @@ std::string object_at(const Scene& scene, const Ray& ray) {
         for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
             const auto corner = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
             const auto at = meet_triangle(local, corner(0), corner(1), corner(2));
-            if (at && *at >= ray.begin && *at < nearest) nearest = *at, found = &o;
+            if (at && *at >= ray.begin && *at < nearest) {
+                nearest = *at;
+                found = &o;
+            }
         }
     }
     return found ? scene.nodes[std::size_t(found->node)].path : std::string();

@@ -21,7 +21,10 @@ std::optional<glm::dvec2> PictureView::point(const glm::dvec3& world) const {
 std::optional<std::pair<glm::dvec2, glm::dvec2>> PictureView::segment(const glm::dvec3& from,
                                                                       const glm::dvec3& to) const {
     auto on = project_segment(camera, from, to, int(size.x), int(size.y));
-    if (on) on->first += origin + 0.5, on->second += origin + 0.5;  // pixel centres are at whole numbers there
+    if (on) {
+        on->first += origin + 0.5;
+        on->second += origin + 0.5;
+    }  // pixel centres are at whole numbers there
     return on;
 }
 

@@ -80,7 +80,10 @@ void draw_selection(const PicturePainter& p, const EditorState& state, const Sce
     int drawn = 0;
     for (const std::string& path : state.also_selected)
         if (drawn < kMostSelected)
-            if (const auto corners = box_of(scene, path)) ++drawn, box(p, *corners, theme::kSelected, false);
+            if (const auto corners = box_of(scene, path)) {
+                ++drawn;
+                box(p, *corners, theme::kSelected, false);
+            }
     const auto corners = box_of(scene, state.selected_object);
     if (!corners) return;
     box(p, *corners, theme::kSelected, false);
@@ -96,7 +99,10 @@ void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Setti
     const SceneShape shape = scene_shape(scene, settings);
     int drawn = 0;
     for (std::size_t i = 0; i < shape.boxes.size() && drawn < kMostBoxes; ++i)
-        if (shape.box_casts[i]) box(p, shape.boxes[i], theme::kBounds, true), ++drawn;
+        if (shape.box_casts[i]) {
+            box(p, shape.boxes[i], theme::kBounds, true);
+            ++drawn;
+        }
 }
 
 void draw_frozen_camera(const PicturePainter& p, const Camera& frozen) {
@@ -149,7 +155,8 @@ void draw_captions(const PicturePainter& p, const EditorState& state, const Edit
     for (const LegendWord& k : keys) width += stroke + gap + ImGui::CalcTextSize(k.word).x + between;
     ImVec2 at(float(right) - width, float(y));
     p.list().AddRectFilled(at, {float(right), at.y + font.FontSize + p.px(6)}, theme::kVeil, p.px(3));
-    at.x += p.px(6), at.y += p.px(3);
+    at.x += p.px(6);
+    at.y += p.px(3);
     for (const LegendWord& k : keys) {
         const float middle = at.y + 0.55f * font.FontSize;
         p.list().AddLine({at.x, middle}, {at.x + stroke, middle}, k.colour, p.px(2));

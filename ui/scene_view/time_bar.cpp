@@ -93,7 +93,10 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("The time that is shown (scene.time); Ctrl+click to type it");
     ImGui::SameLine();
-    if (has_speed) speed_combo(state.playback, speed), ImGui::SameLine();
+    if (has_speed) {
+        speed_combo(state.playback, speed);
+        ImGui::SameLine();
+    }
     ImGui::Checkbox("Loop", &state.playback.loop);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Begin again after the last key; else stop there");
     if (!has_steady) return;

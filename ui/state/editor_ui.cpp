@@ -480,7 +480,10 @@ EditorActions draw_editor(EditorState& state, const EditorFrame& frame) {
     draw_replace_dialog(state, actions);
     ImGui::End();
 
-    if (keys_wait) shortcuts(state, frame, actions), actions.redraw = true;
+    if (keys_wait) {
+        shortcuts(state, frame, actions);
+        actions.redraw = true;
+    }
     if (state.tab != BottomTab::Objects || (state.maximised && *state.maximised != Panel::Tabs))
         state.hovered_object.clear();  // no list that says it
     actions.want_error |= shows_artefacts(state.settings) || waits;

@@ -9,7 +9,10 @@ void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view sc
         if (pass.state != PassState::Drawn || pass.gpu_ms <= 0) continue;
         times.pass_ms[pass.name] = pass.gpu_ms;
         frame.ms += pass.gpu_ms;
-        if (pass.category == PassCategory::Maps) frame.maps_ms += pass.gpu_ms, frame.drew_maps = true;
+        if (pass.category == PassCategory::Maps) {
+            frame.maps_ms += pass.gpu_ms;
+            frame.drew_maps = true;
+        }
     }
     times.of_shown = frame.ms > 0;
     const bool stays = !times.frames.empty() && times.frames.back().ms == frame.ms;

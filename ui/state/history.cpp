@@ -56,7 +56,8 @@ void History::commit(const Settings& settings) {
     const bool looks = moved == settings && present_.scene == steps_[at_].place.scene;
     steps_.resize(at_ + 1);
     if (looks && steps_[at_].looks) {
-        steps_[at_].settings = settings, steps_[at_].place = present_;
+        steps_[at_].settings = settings;
+        steps_[at_].place = present_;
         return;
     }
     steps_.push_back({settings, present_, looks});

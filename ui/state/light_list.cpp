@@ -28,7 +28,10 @@ double free_azimuth(const Settings& s, double from) {
     for (int turn = 1; turn < kTurns; ++turn) {
         const double azimuth = std::remainder(from + turn * kTurn_deg, 360.0), room = clearance(s, azimuth);
         if (room >= kApart_deg) return azimuth;
-        if (room > most) best = azimuth, most = room;
+        if (room > most) {
+            best = azimuth;
+            most = room;
+        }
     }
     return best;
 }

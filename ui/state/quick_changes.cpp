@@ -116,8 +116,10 @@ void toggle_quads(Settings& settings, const TexelPlace& place) {
         return;
     }
     if (v.slabs == int(Slabs::None)) v.slabs = int(Slabs::Both);
-    v.light = place.light, v.face = place.face;
-    v.slabs_u = place.u, v.slabs_v = place.v;
+    v.light = place.light;
+    v.face = place.face;
+    v.slabs_u = place.u;
+    v.slabs_v = place.v;
 }
 
 std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame) {

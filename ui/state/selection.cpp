@@ -113,7 +113,8 @@ void select_objects(EditorState& state, std::span<const std::string> paths) {
     state.selected_object = paths.empty() ? std::string() : paths[0];
     state.also_selected.clear();
     if (!paths.empty()) state.also_selected.insert(paths.begin() + 1, paths.end());
-    state.sought_object = state.selected_object, state.list_seeks = 0;
+    state.sought_object = state.selected_object;
+    state.list_seeks = 0;
 }
 
 void toggle_object(EditorState& state, const std::string& path) {

@@ -53,14 +53,18 @@ LogAxis log_axis(std::span<const double> values, bool bytes) {
         if (!std::isfinite(v)) continue;
         if (v <= 0)
             axis.zero = true;
-        else
-            least = std::min(least, v), most = std::max(most, v);
+        else {
+            least = std::min(least, v);
+            most = std::max(most, v);
+        }
     }
     if (most > 0) {
         double lo = std::log10(least), hi = std::log10(most);
         const double more = std::max(kMargin * (hi - lo), 0.5 * (kLeastRange - (hi - lo)));
-        lo -= more, hi += more;
-        axis.low = std::pow(10, lo), axis.high = std::pow(10, hi);
+        lo -= more;
+        hi += more;
+        axis.low = std::pow(10, lo);
+        axis.high = std::pow(10, hi);
     }
     if (axis.zero) axis.ticks.push_back({0, bytes ? "0 B" : "0"});
     if (bytes) {

@@ -91,8 +91,10 @@ bool reset_menu(Settings& settings, const SettingRef& ref) {
     if (!ImGui::BeginPopup("row menu")) return false;
     const Value preset = default_value(ref);
     const std::string label = fmt::format("Reset to {}", shown_value(settings, ref, preset));
-    if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref)))
-        change(settings, ref, preset), changed = true;
+    if (ImGui::MenuItem(label.c_str(), nullptr, false, setting_changed(settings, ref))) {
+        change(settings, ref, preset);
+        changed = true;
+    }
     if (ImGui::MenuItem("Copy as --set")) {
         const std::pair change{setting_key(ref), value_text(*ref.param, get_value(settings, ref))};
         ImGui::SetClipboardText(sets_text({&change, 1}).c_str());
@@ -110,8 +112,10 @@ bool combo(const Param& p, int& value) {
     for (std::size_t i = 0; i < list.size(); ++i) {
         ImGui::PushID(int(i));
         const bool selected = int(i) == value;
-        if (ImGui::Selectable(std::string(list[i].label).c_str(), selected) && !selected)
-            value = int(i), changed = true;
+        if (ImGui::Selectable(std::string(list[i].label).c_str(), selected) && !selected) {
+            value = int(i);
+            changed = true;
+        }
         if (selected) ImGui::SetItemDefaultFocus();
         if (!list[i].help.empty()) wrapped_tooltip(std::string(list[i].help));
         ImGui::PopID();
@@ -127,7 +131,10 @@ bool named_combo(const NamedValues& names, int& value) {
     if (!begin_combo("##value", shown)) return false;
     for (const auto& [number, name] : names) {
         const bool selected = number == value;
-        if (ImGui::Selectable(name.c_str(), selected) && !selected) value = number, changed = true;
+        if (ImGui::Selectable(name.c_str(), selected) && !selected) {
+            value = number;
+            changed = true;
+        }
         if (selected) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();

@@ -74,7 +74,8 @@ void clip(Polygon& polygon, const HalfSpace& plane) {
         const double d = plane.distance(p);
         if ((d < 0) != (d_before < 0)) left.push_back(before + (p - before) * (d_before / (d_before - d)));
         if (d >= 0) left.push_back(p);
-        before = p, d_before = d;
+        before = p;
+        d_before = d;
     }
     polygon = std::move(left);
 }

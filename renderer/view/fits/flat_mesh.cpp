@@ -30,7 +30,10 @@ std::optional<HalfSpace> plane_of(const Mesh& mesh) {
     for (std::size_t i = 0; i < std::min(count, kTried); ++i) {
         const std::size_t t = count <= kTried ? i : i * (count / kTried);
         const glm::dvec3 a = corner(3 * t), n = glm::cross(corner(3 * t + 1) - a, corner(3 * t + 2) - a);
-        if (glm::dot(n, n) > glm::dot(normal, normal)) normal = n, at = a;
+        if (glm::dot(n, n) > glm::dot(normal, normal)) {
+            normal = n;
+            at = a;
+        }
     }
     const double area = glm::length(normal);
     if (!(area > 0) || !std::isfinite(area)) return std::nullopt;

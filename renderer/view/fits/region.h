@@ -37,8 +37,14 @@ struct MapRegion {
     bool holds(const MapRegion& r) const {
         return r.empty() || (lo.x <= r.lo.x && lo.y <= r.lo.y && hi.x >= r.hi.x && hi.y >= r.hi.y);
     }
-    void add(const MapRegion& r) { lo = glm::min(lo, r.lo), hi = glm::max(hi, r.hi); }
-    void add(const glm::dvec2& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
+    void add(const MapRegion& r) {
+        lo = glm::min(lo, r.lo);
+        hi = glm::max(hi, r.hi);
+    }
+    void add(const glm::dvec2& p) {
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
     MapRegion common(const MapRegion& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
 };
 

@@ -215,8 +215,10 @@ private:
             for (glm::dvec3& p : polygon) p = seen_from_light(view, p);
             for (const HalfSpace& line : blocker.outline) clip(polygon, line);
             MapRegion part;
-            for (const glm::dvec3& p : polygon)
-                part.add(glm::dvec2(p) - blocker.rim), part.add(glm::dvec2(p) + blocker.rim);
+            for (const glm::dvec3& p : polygon) {
+                part.add(glm::dvec2(p) - blocker.rim);
+                part.add(glm::dvec2(p) + blocker.rim);
+            }
             add(part.common(both));
         }
     }
