@@ -174,8 +174,8 @@ std::string row_text(const Entry& e, const std::string& picture, const Judgement
     const Spread& t = time.total_ms;
     return fmt::format(
         "| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB | {:.0f} ({:.0f}-{:.0f}) |\n",
-        cell(e.label), picture, cell(e.label), e.shown_key(), cell(e.help),
-        e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
+        markdown_cell(e.label), picture, markdown_cell(e.label), e.shown_key(), markdown_cell(e.help),
+        e.paper.empty() ? "" : fmt::format("<br>*{}*", markdown_cell(e.paper)), m.mae, 100 * (m.false_shadow + m.false_light),
         classified.cost.taps_per_pixel, double(classified.cost.map_bytes) / (1 << 20), t.median, t.median_low,
         t.median_high);
 }
@@ -203,7 +203,7 @@ void run_docs_techniques(const std::string& output) {
                 "| picture, what is wrong | technique | error | wrong | taps | maps | ms a frame |\n"
                 "|---|---|---|---|---|---|---|\n";
         for (const Entry& e : s.entries) {
-            if (interrupt.asked()) interrupt.end();
+            if (interrupt.stop_requested()) interrupt.end();
             line.show(fmt::format("{} of {}  {}", ++done, count, e.label), false);
             const Judgement classified = measurer.judge(scene, e.settings);
             const TimeMeasurement time =

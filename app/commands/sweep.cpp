@@ -27,7 +27,7 @@ constexpr double kBusyLoad = 0.5;  // running processes per core
 void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     ProgressLine line;
     auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
-    while (!interrupt.asked() && sweep.step()) {
+    while (!interrupt.stop_requested() && sweep.step()) {
         line.show(sweep.progress(), sweep.of().timing);
         if (std::chrono::steady_clock::now() < checkpoint) continue;
         write_sweep_files(sweep.of().folder, sweep.state(), sweep.of().plan, SweepFiles::Results);
@@ -95,8 +95,8 @@ void run_sweep(const SweepOptions& options) {
                        renderer);
     run_steps(sweep, interrupt);
     const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
-    if (interrupt.asked()) {
-        tell(fmt::format(
+    if (interrupt.stop_requested()) {
+        print_to_stderr(fmt::format(
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
             results.finished + results.failed, sweep.of().plan.cases.size(), folder.string()));
