@@ -147,13 +147,13 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
 TEST_F(HeldTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
     const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
     MeasuringThread thread(std::chrono::milliseconds(300));
-    thread.measure({.scene = std::make_shared<const Scene>(load_scene("boxes")),
+    thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
                     .scene_name = "boxes",
                     .settings = s,
                     .width = 64,
                     .height = 48});
     thread.wait();
-    EXPECT_TRUE(thread.news().measured) << thread.news().measure_problem;
+    EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
     EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
