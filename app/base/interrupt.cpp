@@ -33,7 +33,7 @@ InterruptGuard::~InterruptGuard() {
     for (const int signal : {SIGINT, SIGTERM}) handle(signal, SIG_DFL);
 }
 
-bool InterruptGuard::asked() const {
+bool InterruptGuard::stop_requested() const {
     return g_signal != 0;
 }
 

@@ -1,9 +1,9 @@
-// Ctrl+C and the end that a batch system announces, for work that can stop between two steps.
+// SIGINT (Ctrl+C) and SIGTERM (from a batch system), for work that can stop between two steps.
 #pragma once
 
 namespace si {
 
-/// While it lives, SIGINT and SIGTERM ask for a stop instead of ending the program; the second one ends it.
+/// Scope in which the first SIGINT or SIGTERM requests a stop instead of ending the program. The second one ends it.
 class InterruptGuard {
 public:
     InterruptGuard();
@@ -11,8 +11,9 @@ public:
     InterruptGuard(const InterruptGuard&) = delete;
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
-    bool asked() const;
-    /// Ends the program by the signal that asked, so that whoever started it knows (exit code 130 or 143 in a shell).
+    /// Returns true once a signal has requested a stop.
+    bool stop_requested() const;
+    /// Ends the program by the signal that arrived, so that a shell sees exit code 130 or 143.
     [[noreturn]] void end();
 };
 

@@ -1,4 +1,4 @@
-// Long work on a thread of its own, so that who asks for it never waits.
+// Long work on a background thread, polled by the thread that started it.
 //
 //     Job<Scene> job;
 //     job.start([](const Workers& workers, const auto& report) { return read(workers.stop, report); });
@@ -21,8 +21,8 @@
 
 namespace si {
 
-/// What the exception says; empty for none.
-inline std::string what_of(const std::exception_ptr& problem) {
+/// Message of an exception; empty for a null pointer.
+inline std::string exception_message(const std::exception_ptr& problem) {
     if (!problem) return {};
     try {
         std::rethrow_exception(problem);
@@ -31,18 +31,19 @@ inline std::string what_of(const std::exception_ptr& problem) {
     }
 }
 
-/// One work is wanted at a time, and one thread is at work: what is no longer wanted is cancelled, and the next starts
-/// when it has ended. Nothing but wait() and the destructor blocks. All calls from one thread.
-/// @tparam T what the work ends with @tparam Progress what is told while it goes on; a number is a share, 0..1
+/// Background job: runs one piece of work at a time on a thread of its own. Starting another one cancels the present
+/// one and begins when that has ended. Only wait() and the destructor block. All calls come from one thread.
+/// @tparam T result of the work @tparam Progress progress reports; a number is a share, 0..1
 template <typename T, typename Progress = double>
 class Job {
 public:
     using Report = std::function<void(const Progress&)>;
-    /// Hears of cancel() by its workers' token, which it answers by throwing; what else it throws is its problem. One
-    /// thread is left to who asks. Work that draws makes an OpenGL context of its own.
+    /// Function that does the work. It checks its workers' stop token and throws Cancelled after cancel(); any other
+    /// exception becomes Outcome::problem. Its workers leave one CPU thread free. Work that draws makes an OpenGL
+    /// context of its own.
     using Work = std::function<T(const Workers&, const Report&)>;
 
-    /// What became of it.
+    /// Result of work that has ended: a value, an exception, or cancelled.
     struct Outcome {
         std::optional<T> value;      ///< none: it failed or was cancelled
         std::exception_ptr problem;  ///< why it failed
@@ -50,13 +51,13 @@ public:
     };
 
     Job() = default;
-    /// Cancels and joins.
+    /// Cancels the work and joins its thread.
     ~Job() { drop(); }
     Job(const Job&) = delete;
     Job& operator=(const Job&) = delete;
 
-    /// In place of what was wanted before, of which nothing more is heard. @throws std::system_error when there is no
-    /// thread to be had
+    /// Starts work; earlier work is cancelled and its outcome dropped. @throws std::system_error when the system has no
+    /// thread left
     void start(Work work, Progress first = {}) {
         bool launch = false;
         {
@@ -79,7 +80,7 @@ public:
             throw;
         }
     }
-    /// Nothing is wanted any more: poll() will say that it was cancelled, also when it had just ended.
+    /// Cancels the work. poll() then reports it as cancelled, even if it had just ended.
     void cancel() {
         const std::lock_guard lock(shared_->mutex);
         if (!shared_->wanted) return;
@@ -90,7 +91,7 @@ public:
         shared_->outcome = Outcome{.value = {}, .problem = {}, .cancelled = true};
         shared_->changed.notify_all();
     }
-    /// As cancel(), and nothing more is heard of it.
+    /// Cancels the work and drops its outcome: poll() reports nothing.
     void drop() {
         const std::lock_guard lock(shared_->mutex);
         shared_->stop.request_stop();
@@ -100,40 +101,40 @@ public:
         shared_->wanted = shared_->moved = false;
     }
 
-    /// Something was started that was neither cancelled nor polled.
+    /// Returns true from start() until the work is cancelled or its outcome polled.
     bool wanted() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->wanted;
     }
-    /// A thread is at work, wanted or not, or its outcome was not polled.
+    /// Returns true while the thread runs (also for cancelled work) or an outcome waits to be polled.
     bool busy() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->working || shared_->outcome;
     }
-    /// poll() has something.
+    /// Returns true if poll() would return an outcome.
     bool ended() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->outcome.has_value();
     }
-    /// The progress differs from that last asked for, or poll() has something.
+    /// Returns true if progress changed since the last call of progress(), or an outcome waits to be polled.
     bool moved() const {
         const std::lock_guard lock(shared_->mutex);
         return shared_->moved || shared_->outcome;
     }
-    /// Of what is wanted.
+    /// Returns the latest progress report of the present work; nothing without work.
     std::optional<Progress> progress() const {
         const std::lock_guard lock(shared_->mutex);
         shared_->moved = false;
         return shared_->wanted ? std::optional(shared_->progress) : std::nullopt;
     }
-    /// What became of it, once.
+    /// Returns the outcome of the work and forgets it; nothing while it runs.
     std::optional<Outcome> poll() {
         const std::lock_guard lock(shared_->mutex);
         if (!shared_->outcome) return {};
         shared_->wanted = shared_->moved = false;
         return std::exchange(shared_->outcome, std::nullopt);
     }
-    /// Until ended(), or nothing is at work.
+    /// Blocks until the work has ended.
     void wait() const {
         std::unique_lock lock(shared_->mutex);
         shared_->changed.wait(lock, [&] { return !shared_->working || shared_->outcome; });
@@ -143,15 +144,15 @@ private:
     struct Shared {
         std::mutex mutex;
         std::condition_variable changed;
-        Work next;              ///< to begin when what is under way has ended
-        std::stop_source stop;  ///< of what was started last
+        Work next;              ///< begins when the present work has ended
+        std::stop_source stop;  ///< stops the work that was started last
         Progress progress{};
         std::optional<Outcome> outcome;
         bool working = false, wanted = false, moved = false;
     };
 
-    /// Whether a change of the progress is worth telling.
-    static bool tells(const Progress& before, const Progress& now) {
+    /// Returns true if two progress reports differ visibly: numbers by one percent.
+    static bool differs_visibly(const Progress& before, const Progress& now) {
         if constexpr (std::is_arithmetic_v<Progress>)
             return int(before * 100) != int(now * 100);
         else
@@ -178,7 +179,7 @@ private:
         const Report report = [&](const Progress& progress) {
             const std::lock_guard lock(shared.mutex);
             if (!(stop == shared.stop)) return;
-            shared.moved |= tells(shared.progress, progress);
+            shared.moved |= differs_visibly(shared.progress, progress);
             shared.progress = progress;
         };
         Workers workers{.threads = std::max(1, Workers{}.count() - 1), .stop = stop.get_token()};

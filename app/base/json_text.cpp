@@ -99,8 +99,8 @@ Json parse_json_text(std::string_view text, const std::string& name) {
     const auto refuse = [&](const std::string& why) { throw Error(fmt::format("{}: {}", name, why)); };
     if (const auto nul = text.find('\0'); nul != std::string_view::npos)  // the library takes it for the end
         refuse(fmt::format("{}: not JSON: a NUL character", line_and_column(text, nul + 1)));
-    if (const int depth = json_shape(text).depth; depth > kDeepestJson)
-        refuse(fmt::format("it nests {} levels deep, at most {} are read", depth, kDeepestJson));
+    if (const int depth = json_shape(text).depth; depth > kMaxJsonDepth)
+        refuse(fmt::format("it nests {} levels deep, at most {} are read", depth, kMaxJsonDepth));
     TreeBuilder builder;
     if (!Json::sax_parse(text, &builder)) {
         const std::string message = plain_message(builder.problem);

@@ -1,4 +1,4 @@
-// JSON that other programs and people wrote, read within bounds.
+// Parsing of JSON from files, with limits on depth and helpful errors.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,15 +7,16 @@
 
 namespace si {
 
-/// Deeper than anything that the program writes; what walks over a JSON tree needs a stack frame for each level.
-inline constexpr int kDeepestJson = 32;
+/// Largest nesting depth of JSON that is read. Walking over a JSON tree recurses once per level; the program's own
+/// files are shallower.
+inline constexpr int kMaxJsonDepth = 32;
 
-/// A whole text, members in its order, in time that grows with its length.
-/// @throws Error "NAME: line L, column C: what is wrong": broken or deeper than kDeepestJson, a number beyond range, a
-/// member that stands there twice, anything after the end
+/// Parses a whole JSON text and keeps the order of members. Takes linear time.
+/// @throws Error "NAME: line L, column C: what is wrong": broken or deeper than kMaxJsonDepth, a number out of range, a
+/// member that occurs twice, text after the end
 nlohmann::ordered_json parse_json_text(std::string_view text, const std::string& name);
 
-/// A value as messages quote it: on one line, cut after some 60 characters.
+/// Formats a JSON value for an error message: on one line, cut after some 60 characters.
 std::string quoted(const nlohmann::ordered_json& value);
 
 }  // namespace si

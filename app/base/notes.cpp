@@ -37,16 +37,16 @@ Workers tracing_workers(int threads) {
     workers.progress = [last = -1](double t) mutable {
         const int percent = int(t * 100);
         if (percent == last) return;
-        tell(fmt::format("\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : ""));
+        print_to_stderr(fmt::format("\rtracing {} %{}", last = percent, percent == 100 ? "\r\033[K" : ""));
     };
     return workers;
 }
 
 void print_notes(const std::vector<std::string>& notes) {
-    for (const std::string& note : notes) tell(fmt::format("note: {}\n", one_line(note)));
+    for (const std::string& note : notes) print_to_stderr(fmt::format("note: {}\n", one_line(note)));
 }
 
-void tell(std::string_view text) noexcept {
+void print_to_stderr(std::string_view text) noexcept {
     if (std::fwrite(text.data(), 1, text.size(), stderr) != text.size()) std::clearerr(stderr);
     std::fflush(stderr);
 }

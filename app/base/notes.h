@@ -1,4 +1,4 @@
-// Remarks for a person, on stderr; printed only after the work is done, so that a failure is the only line.
+// Notes and progress for the user on stderr. Notes are printed after the work, so that an error is the only line.
 #pragma once
 
 #include <filesystem>
@@ -10,29 +10,29 @@
 
 namespace si {
 
-/// Writes on stderr as far as that takes it; nothing that a person is told may end the work.
-void tell(std::string_view text) noexcept;
+/// Writes text to stderr and ignores write errors, so that a message never ends the work.
+void print_to_stderr(std::string_view text) noexcept;
 
+/// Prints notes to stderr, one a line.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Workers that write how far they are on stderr, where a person looks on. @param threads 0: all
+/// Returns workers for ray tracing that print their progress to stderr if it is a terminal. @param threads 0: all cores
 Workers tracing_workers(int threads = 0);
 
-/// `text` on one line: line breaks become "; ", tabs spaces, other control characters visible escapes.
+/// Puts text on one line: line breaks become "; ", tabs spaces, other control characters visible escapes.
 std::string one_line(const std::string& text);
 
-/// Says on stdout that a file was written; control characters in its name are shown, not sent to the terminal.
+/// Prints "wrote FILE" to stdout, with control characters in the name escaped.
 void print_wrote(const std::filesystem::path& file);
 
-/// Opens those of the descriptors 0 to 2 that are closed on the null device, so that no file that is opened later takes
-/// their number and is written what is meant for a person. Writing to a stdout that was closed still fails.
+/// Opens the null device for each closed standard descriptor (0 to 2). Otherwise a file opened later would take that
+/// number and receive the program's messages. Writing to a stdout that was closed still fails.
 void open_standard_descriptors();
 
-/// Has a file that grows beyond its limit (`ulimit -f`) fail to be written, which is told, in place of ending the
-/// program.
+/// Ignores SIGXFSZ: writing a file beyond the size limit (`ulimit -f`) becomes an error instead of ending the program.
 void survive_file_limits();
 
-/// @throws Error when stdout could not take everything that was printed (a full disk).
+/// Flushes stdout. @throws Error when some output could not be written (a full disk).
 void finish_stdout();
 
 }  // namespace si

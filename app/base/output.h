@@ -1,4 +1,4 @@
-// Files that the program writes: complete or not at all (atomic_file.h).
+// Output files. Each is written completely or not at all (atomic_file.h).
 #pragma once
 
 #include <filesystem>
@@ -9,31 +9,31 @@
 
 namespace si {
 
-/// @throws Error when `path` cannot become a file: a directory, a missing folder, no permission. Called before work
-/// that takes long, so that it is not in vain.
+/// Checks before long work that a file can be written at `path`. @throws Error for a directory, a missing folder, no
+/// permission
 void require_writable(const std::filesystem::path& path);
 
-/// @throws UsageError when both are one file, behind links too; `one` and `other` are what they were given as. Empty
-/// paths are none.
+/// Checks that two output paths name different files, links resolved. Empty paths are ignored. @param one, other the
+/// options that gave them, for the message @throws UsageError
 void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
                       std::string_view other);
 
-/// Replaces `path` atomically; devices and pipes are written as they are. @throws Error
+/// Writes bytes to a file, replacing it atomically; devices and pipes are written directly. @throws Error
 void write_file(const std::filesystem::path& path, std::string_view bytes);
 
-/// An 8-bit RGB PNG's bytes; alpha is dropped. @throws Error
+/// Encodes an image as 8-bit RGB PNG; alpha is dropped. @throws Error
 std::string png_bytes(const ByteImage& image);
 
-/// An 8-bit RGB PNG; alpha is dropped. @throws Error
+/// Writes an image as 8-bit RGB PNG file; alpha is dropped. @throws Error
 void write_png(const std::filesystem::path& path, const ByteImage& image);
 
-/// An 8-bit PNG of one channel: 0 black to 1 white. @throws Error
+/// Writes an image's first channel as 8-bit grey PNG file: 0 black to 1 white. @throws Error
 void write_grey_png(const std::filesystem::path& path, const FloatImage& image);
 
-/// A portable float map of the image's first channel: little-endian, bottom row first. @throws Error
+/// Writes an image's first channel as portable float map (PFM): little-endian, bottom row first. @throws Error
 void write_pfm(const std::filesystem::path& path, const FloatImage& image);
 
-/// A whole text file of at most 16 MiB. @throws Error
+/// Reads a text file of at most 16 MiB. @throws Error
 std::string read_text_file(const std::filesystem::path& path);
 
 }  // namespace si

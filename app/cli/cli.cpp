@@ -374,7 +374,7 @@ void run_default(Options& o) {
 
 int fail(int code, const std::string& message) {
     std::fflush(stdout);
-    tell(fmt::format("shadow-inspector: {}\n", one_line(message)));
+    print_to_stderr(fmt::format("shadow-inspector: {}\n", one_line(message)));
     return code;
 }
 

@@ -1,9 +1,10 @@
-// The command line: which command, with which options.
+// Entry point of the command line.
 #pragma once
 
 namespace si {
 
-/// Runs the program. Returns its exit code: 0 done, 1 failed (one line on stderr), 2 the command line is wrong.
+/// Parses the command line and runs the command. Returns the exit code: 0 done, 1 failed (one line on stderr), 2 wrong
+/// usage.
 int run_cli(int argc, const char* const* argv);
 
 }  // namespace si

@@ -44,12 +44,12 @@ constexpr const char* kAreaSet = "truth.area=true";
 
 }  // namespace
 
-CLI::Validator number_between(double least, double most) {
+CLI::Validator number_between(double min, double max) {
     return {[=](std::string& text) -> std::string {
-                if (const auto value = finite_number(text); value && *value >= least && *value <= most) return {};
-                return fmt::format("\"{}\" is not a number from {:g} to {:g}", text, least, most);
+                if (const auto value = finite_number(text); value && *value >= min && *value <= max) return {};
+                return fmt::format("\"{}\" is not a number from {:g} to {:g}", text, min, max);
             },
-            fmt::format("NUMBER in [{:g} - {:g}]", least, most)};
+            fmt::format("NUMBER in [{:g} - {:g}]", min, max)};
 }
 
 void add_numeric_option(CLI::App& command, bool& check) {

@@ -1,4 +1,4 @@
-// The commands that measure, for app/cli/cli.cpp.
+// Command-line options of the measuring commands (sweep, merge, tune, plan, advise, precision, shimmer).
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// What the options of the measuring commands are written to.
+/// Variables that the options of the measuring commands are parsed into.
 struct MeasureCliOptions {
     SweepOptions sweep;
     MergeOptions merge;
@@ -21,19 +21,19 @@ struct MeasureCliOptions {
     bool no_time = false, area = false;
 };
 
-/// Adds SCENE, --preset and --set to a command.
+/// Function that adds SCENE, --preset and --set to a command.
 using AddSessionOptions = std::function<void(CLI::App& command, SessionOptions& session)>;
 
-/// Of an option that takes a finite number within bounds; CLI::Range lets what is no number pass.
-CLI::Validator number_between(double least, double most);
+/// Makes a validator for an option that takes a finite number within [min, max]. CLI::Range accepts NaN and garbage.
+CLI::Validator number_between(double min, double max);
 
-/// Adds --check-numeric to a command.
+/// Adds the option --check-numeric to a command.
 void add_numeric_option(CLI::App& command, bool& check);
 
-/// Adds --cost to a command.
+/// Adds the option --cost to a command.
 void add_cost_option(CLI::App& command, CostCase& cost);
 
-/// Adds the commands; `run` becomes what the one that is called does.
+/// Adds the measuring commands to the parser. Parsing sets `run` to the function of the command that was named.
 void add_measure_commands(CLI::App& app, MeasureCliOptions& options, std::function<void()>& run,
                           const AddSessionOptions& add_session);
 

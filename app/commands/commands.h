@@ -1,4 +1,4 @@
-// The commands, as the command line calls them. Each throws Error or UsageError with one line.
+// Options and functions of all commands. Each command throws Error or UsageError with a one-line message.
 #pragma once
 
 #include <optional>
@@ -15,29 +15,34 @@
 
 namespace si {
 
+/// Width and height of a picture in pixels.
 struct PictureSize {
     int width = 1280, height = 720;
 };
 
-/// "1280x720". @throws UsageError
+/// Parses the value of --size, "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
 
-/// "X,Y" within a picture of `size`. @param option its name, for the message. @throws UsageError
+/// Parses a pixel "X,Y" (from the top left) within a picture of `size`. @param option name of the option, for the
+/// message @throws UsageError
 std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size, const char* option = "--pixel");
 
+/// Options of the command `render`.
 struct RenderOptions {
     SessionOptions session;
     std::string output, view = "shaded", report;
     bool view_given = false;
     PictureSize size;
-    std::string against;         ///< "truth" or a preset: the picture is held against that one; empty: it stands alone
-    double swipe = -1;           ///< where the line between the two stands, 0..1; negative: beside each other
-    bool difference = false;     ///< |A - B| instead
-    bool check_numeric = false;  ///< and fail where a number is none, or lies where none can
-    std::string fit_camera;      ///< a preset: maps that follow a camera are made for its own; empty: for the picture's
+    std::string against;         ///< "truth" or a preset to compare the picture with; empty: no comparison
+    double swipe = -1;           ///< place of the line between both pictures, 0..1; negative: side by side
+    bool difference = false;     ///< write |A - B| instead
+    bool check_numeric = false;  ///< fail on NaN, infinite and out-of-range numbers
+    std::string fit_camera;      ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
 };
+/// Runs `render`: draws one view of a scene into a picture or float file.
 void run_render(const RenderOptions& options);
 
+/// Options of the command `truth`.
 struct ReferenceCommandOptions {
     SessionOptions session;
     std::string output, report;
@@ -46,53 +51,58 @@ struct ReferenceCommandOptions {
     int threads = 0;  ///< 0: all
     bool check_numeric = false;
 };
-/// The ray-traced visibility of view.light as a picture.
+/// Runs `truth`: writes the ray-traced visibility of the light `view.light` as a picture or float file.
 void run_reference(const ReferenceCommandOptions& options);
 
+/// Options of the command `measure`.
 struct MeasureOptions {
     SessionOptions session;
     PictureSize size;
     bool time = true, json = false;
     bool check_numeric = false;
-    bool fixes = false;  ///< and what would put wrong pixels right
+    bool fixes = false;  ///< also try fixes and measure each
     CostCase cost = kDefaultCost;
 };
-/// How far the shadows of view.light are from the truth, and what they cost, in numbers.
+/// Runs `measure`: prints the error of the shadows of `view.light` against the reference, and their time and memory.
 void run_measure(const MeasureOptions& options);
 
+/// Options of the command `plan`.
 struct PlanOptions {
     SessionOptions session;
     PictureSize size;
-    bool measure = false;  ///< what each saving is worth, in ms
-    int rounds = 15;       ///< of frames in turns
+    bool measure = false;  ///< time what each optimisation saves, in ms
+    int rounds = 15;       ///< rounds of alternating frames per measurement
     bool check_numeric = false;
-    bool waste = false;  ///< what changes nothing when it is left out
+    bool waste = false;  ///< list work that changes no pixel when it is left out
     bool json = false;
 };
-/// What a frame of the scene simulates, and what not and why.
+/// Runs `plan`: prints which passes and effects a frame draws, which it skips, and why.
 void run_plan(const PlanOptions& options);
 
+/// Options of the command `precision`.
 struct PrecisionOptions {
     SessionOptions session;
     PictureSize size{640, 360};
-    std::string over;  ///< one of precision_series(); empty: as the settings are
+    std::string over;  ///< one of precision_series(); empty: one measurement with the given settings
     bool json = false;
 };
-/// What single precision costs by each way of computing places in the map.
+/// Runs `precision`: prints the error of single against double precision for each way to compute map coordinates.
 void run_precision(const PrecisionOptions& options);
-/// What it can be told over.
+/// Keys of the series that `precision --over` accepts (distance, scale, ...).
 std::vector<std::string_view> precision_series();
 
+/// Options of the command `shimmer`.
 struct ShimmerCommandOptions {
     SessionOptions session;
     PictureSize size{640, 360};
     ShimmerOptions shimmer;
-    std::string output;  ///< how often each pixel flips a step, .png or .pfm; empty: no picture
+    std::string output;  ///< picture of flips per pixel and step, .png or .pfm; empty: none
     bool json = false;
 };
-/// How much edges of shadows crawl while camera or light move by parts of a texel.
+/// Runs `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
 void run_shimmer(const ShimmerCommandOptions& options);
 
+/// Options of the command `tune`.
 struct TuneOptions {
     SessionOptions session;
     std::string output, error;  ///< error: one of tuned_errors(); empty: the first
@@ -102,94 +112,113 @@ struct TuneOptions {
     bool json = false;
     bool check_numeric = false;
 };
-/// Writes a preset with the least bias that leaves no acne; with limits, with the kernel and resolution that suit them.
+/// Runs `tune`: writes a preset with the least bias that leaves no acne. With limits it also picks kernel and
+/// resolution.
 void run_tune(const TuneOptions& options);
-/// Keys of the metrics() that a limit can bound.
+/// Keys of the metrics that `tune --error` accepts.
 std::vector<std::string_view> tuned_errors();
 
-/// @throws UsageError naming those that there are @param key empty: the first
+/// Finds a metric that `tune --error` accepts. @param key empty: the first one @throws UsageError listing the known
+/// keys
 const Metric& tuned_error(const std::string& key);
 
+/// Options of the command `advise`.
 struct AdviseOptions {
     SessionOptions session;
-    std::string output, error;  ///< as of TuneOptions; output: the preset that the autopilot writes
+    std::string output, error;  ///< output: the preset that the autopilot writes; error: one of tuned_errors()
     std::optional<double> most_error, most_ms;
-    std::vector<std::string>
-        vary;  ///< what the autopilot chooses among, as in a sweep; empty: what the scene leaves open
+    std::vector<std::string> vary;  ///< settings that the autopilot varies, as in a sweep; empty: chosen from the scene
     double most_seconds = 100;
     PictureSize size;
     CostCase cost = kDefaultCost;
     bool json = false;
     bool check_numeric = false;
 };
-/// What the scene says may be changed, measured; with a bound the autopilot.
+/// Runs `advise`: prints settings that the scene allows to change, each measured. With a limit it runs the autopilot.
 void run_advise(const AdviseOptions& options);
 
+/// Options of the command `probe`.
 struct ProbeOptions {
     SessionOptions session;
     std::string pixel;  ///< "X,Y" from the top left
     PictureSize size;
-    std::filesystem::path section;  ///< where the cross-section of view.light's test goes, .svg; empty: nowhere
+    std::filesystem::path section;  ///< file for the cross-section of the shadow test of view.light, .svg; empty: none
     bool json = false, reference = true, check_numeric = false;
 };
+/// Runs `probe`: prints the shadow test of one pixel step by step, its verdict and its fixes.
 void run_probe(const ProbeOptions& options);
 
+/// Options of the command `list`.
 struct ListOptions {
-    std::string kind;    ///< settings, filters, fits, views, overlays, scenes, presets
-    std::string prefix;  ///< of the keys to list
+    std::string kind;    ///< one of list_kinds()
+    std::string prefix;  ///< lists only keys that begin with it
     bool json = false;
 };
+/// Runs `list`: prints the rows of one table (settings, filters, presets, ...).
 void run_list(const ListOptions& options);
+/// Tables that `list` knows: settings, filters, fits, views, overlays, scenes, presets, ...
 const std::vector<std::string>& list_kinds();
 
+/// Runs `info`: prints the OpenGL driver, its limits and the program's version.
 void run_info(bool json);
-/// What is in a scene, and what of its file was dropped or approximated and why.
-/// @param file_scene which scene of a glTF file; -1: its default
+/// Runs `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and why.
+/// @param file_scene index of the scene in a glTF file; -1: its default
 void run_scene(const std::string& scene, int file_scene, bool json);
 
+/// Options of the command `contact-sheet`.
 struct ContactSheetOptions {
     std::string folder, output;
     int columns = 8;
-    PictureSize size{256, 192};  ///< of each tile
+    PictureSize size{256, 192};  ///< size of each tile
     bool check_numeric = false;
 };
-/// Draws every .gltf and .glb file below a folder into one picture, and writes an index beside it (.txt).
+/// Runs `contact-sheet`: draws every .gltf and .glb file below a folder into one picture, and writes an index (.txt)
+/// next to it.
 void run_contact_sheet(const ContactSheetOptions& options);
 
+/// Runs `preset check`: reads a preset file and reports the first fault.
 void run_preset_check(const std::string& file);
+/// Runs `preset show`: prints a preset's settings that differ from the defaults.
 void run_preset_show(const std::string& file);
-/// Says in words what differs. Each of the two is a preset file, a built-in preset, or "default".
+/// Runs `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in preset, or
+/// "default".
 void run_preset_diff(const std::string& before, const std::string& after, bool json);
-/// What a preset says to people.
+/// Title, topic and description of a preset.
 struct PresetTexts {
     std::string title, topic, about;
 };
-/// Writes the composed settings as a preset.
+/// Runs `preset save`: writes the session's settings as a preset.
 void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
+/// Runs `export`: writes the session's scene as a glTF file.
 void run_export(const SessionOptions& session, const std::string& output);
 
+/// Options of the command `docs`.
 struct DocsOptions {
-    std::string what = "settings";  ///< settings, presets, metrics, hard-cases or techniques
-    std::string output;             ///< the file; empty: standard output
-    std::string only;    ///< "filter.kernel=pcf": that row of docs/techniques.md alone; empty: the whole page
-    bool check = false;  ///< compares instead of writing
+    std::string what = "settings";  ///< page: settings, presets, metrics, hard-cases or techniques
+    std::string output;             ///< file; empty: standard output
+    std::string only;               ///< "filter.kernel=pcf": only that row of docs/techniques.md; empty: the whole page
+    bool check = false;             ///< compares with the file instead of writing it
 };
-/// Writes a page of docs/ from the program's tables, or compares it. @throws Error where it is out of date
-/// @throws UsageError for unknown pages and rows
+/// Runs `docs`: generates a page of docs/ from the program's tables. @throws Error where the file differs under
+/// `check` @throws UsageError for unknown pages and rows
 void run_docs(const DocsOptions& options);
-/// Draws and measures every technique, or one: a page, and its pictures in a folder of the page's name. The whole page
-/// takes a minute. The same program on the same driver writes the same bytes.
+/// Draws and measures all techniques, or one, for docs/techniques.md and its folder of pictures. The whole page takes a
+/// minute. The same program on the same driver writes the same bytes.
 void run_docs_techniques(const DocsOptions& options);
-/// A text as a cell of a table in Markdown.
-std::string cell(std::string_view text);
-/// The text of docs/settings.md and of docs/presets.md.
+/// Escapes a text for a cell of a Markdown table.
+std::string markdown_cell(std::string_view text);
+/// Generates the Markdown text of docs/settings.md.
 std::string settings_page();
+/// Generates the Markdown text of docs/presets.md.
 std::string presets_page();
+/// Generates the Markdown text of docs/metrics.md.
 std::string metrics_page();
+/// Generates the Markdown text of docs/hard-cases.md.
 std::string hard_cases_page();
-/// The table of settings as --help shows it.
+/// Formats the table of settings that --help prints.
 std::string settings_help();
 
+/// Options of the command `sweep`.
 struct SweepOptions {
     SessionOptions session;
     std::vector<std::string> vary;  ///< "KEY=V1,V2,..." or "KEY=from:to:step"
@@ -197,26 +226,29 @@ struct SweepOptions {
     PictureSize size{640, 360};
     SweepTiming timing;
     bool fresh = false, retry = false;
-    bool check_numeric = false;  ///< of the cases that are measured now
+    bool check_numeric = false;  ///< fail on unsound numbers in the cases measured in this run
 };
-/// Error, cost and time of every combination, and a report of them.
+/// Runs `sweep`: measures error, cost and time of every combination of settings, and writes a report.
 void run_sweep(const SweepOptions& options);
 
+/// Options of the command `merge`.
 struct MergeOptions {
     std::vector<std::string> parts;  ///< folders of shards
     std::string folder;
     bool fresh = false;
 };
-/// Puts shards of a sweep together.
+/// Runs `merge`: joins the shards of a sweep into one folder with one report.
 void run_merge(const MergeOptions& options);
 
+/// Options of the command `overview`.
 struct OverviewOptions {
     SessionOptions session;
     std::string folder = "out";
     PictureSize size;
     bool check_numeric = false;
 };
-/// The editor, the scene, its shadow map and visibility as pictures, and a table of passes and times.
+/// Runs `overview`: writes pictures of the editor, the scene, its shadow map and visibility, and prints a table of
+/// passes and times.
 void run_overview(const OverviewOptions& options);
 
 }  // namespace si

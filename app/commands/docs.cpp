@@ -47,7 +47,7 @@ std::string setting_section(const Param& p) {
     if (!p.choices) return text;
     text += "\n| choice | name | meaning |\n|---|---|---|\n";
     for (const Choice& c : p.choices()) {
-        text += fmt::format("| `{}` | {} | {} |\n", c.key, cell(c.label), cell(c.help));
+        text += fmt::format("| `{}` | {} | {} |\n", c.key, markdown_cell(c.label), markdown_cell(c.help));
     }
     return text;
 }
@@ -69,7 +69,7 @@ constexpr std::string_view kMetricsIntro =
 
 }  // namespace
 
-std::string cell(std::string_view text) {
+std::string markdown_cell(std::string_view text) {
     std::string out;
     for (const char c : text) {
         if (c == '|') out += '\\';
@@ -81,8 +81,9 @@ std::string cell(std::string_view text) {
 std::string metrics_page() {
     std::string text(kMetricsIntro);
     for (const Metric& m : metrics())
-        text += fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", m.key, m.label, m.unit, cell(m.formula),
-                            cell(m.help), m.part_of.empty() ? "" : fmt::format("`{}`", m.part_of), m.paper);
+        text +=
+            fmt::format("| `{}` | {} | {} | {} | {} | {} | {} |\n", m.key, m.label, m.unit, markdown_cell(m.formula),
+                        markdown_cell(m.help), m.part_of.empty() ? "" : fmt::format("`{}`", m.part_of), m.paper);
     return text;
 }
 

@@ -102,7 +102,8 @@ std::string hard_cases_page() {
         text += fmt::format(
             "| measured | at most | reason | without the fix |\n|---|---|---|---|\n"
             "| {} | {:.4g} ({}) | {} | {}: at least {:.4g} |\n\n",
-            cell(c.measure), c.limit, c.unit, cell(c.limit_reason), cell(c.fault_measure), c.min_fault);
+            markdown_cell(c.measure), c.limit, c.unit, markdown_cell(c.limit_reason), markdown_cell(c.fault_measure),
+            c.min_fault);
         for (const bool fixed : {false, true}) {
             const HardCaseView view{&c, fixed};
             if (!fixed && c.broken.empty()) continue;

@@ -180,11 +180,11 @@ std::string picture_name(const PageSection& s, const Entry& e) {
     return name + ".png";
 }
 
-std::string row_text(const Entry& e, const std::string& picture, const Judgement& classified) {
+std::string row_text(const Entry& e, const std::string& picture, const Classification& classified) {
     const ErrorMetrics& m = classified.error;
-    return fmt::format("| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB |\n", cell(e.label),
-                       picture, cell(e.label), e.shown_key(), cell(e.help),
-                       e.paper.empty() ? "" : fmt::format("<br>*{}*", cell(e.paper)), m.mae,
+    return fmt::format("| ![{}]({}) | **{}** `{}`<br>{}{} | {:.4f} | {:.2f} % | {:g} | {:.1f} MiB |\n",
+                       markdown_cell(e.label), picture, markdown_cell(e.label), e.shown_key(), markdown_cell(e.help),
+                       e.paper.empty() ? "" : fmt::format("<br>*{}*", markdown_cell(e.paper)), m.mae,
                        100 * (m.false_shadow + m.false_light), classified.cost.taps_per_pixel,
                        double(classified.cost.map_bytes) / (1 << 20));
 }
@@ -205,9 +205,9 @@ public:
 
     /// Returns the row's line of its table.
     std::string draw_row(const PageSection& section, const Entry& e) {
-        if (interrupt_.asked()) interrupt_.end();
+        if (interrupt_.stop_requested()) interrupt_.end();
         line_.show(fmt::format("{} of {}  {}", ++done_, count_, e.label), false);
-        const Judgement classified = measurer_.judge(scene_, e.settings);
+        const Classification classified = measurer_.judge(scene_, e.settings);
         const std::string file = picture_name(section, e);
         pictures_[file] =
             png_bytes(side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));

@@ -1,4 +1,4 @@
-// Long work of a command: how far it is on stderr, and an end by Ctrl+C.
+// Long work of a command with a progress line on stderr that Ctrl+C can stop.
 #pragma once
 
 #include <fmt/format.h>
@@ -13,8 +13,8 @@
 
 namespace si {
 
-/// Returns what `work(workers, report)` does, where report(share, what) shows how far it is and hears of Ctrl+C.
-/// @param lost what an interruption leaves undone, a clause: "nothing was written"
+/// Runs `work(workers, report)` and returns its result. report(share, text) updates the progress line and lets Ctrl+C
+/// stop the work. @param lost clause for the message after Ctrl+C: "nothing was written"
 template <class Work>
 auto interruptible(const char* lost, const Work& work) {
     InterruptGuard interrupt;
@@ -23,11 +23,11 @@ auto interruptible(const char* lost, const Work& work) {
         ProgressLine line;
         const Workers workers{.stop = stop.get_token()};
         return work(workers, [&](double share, const std::string& what) {
-            if (interrupt.asked()) stop.request_stop();
+            if (interrupt.stop_requested()) stop.request_stop();
             line.show(fmt::format("{:3.0f} %  {}", 100 * share, what), false);
         });
     } catch (const Cancelled&) {
-        tell(fmt::format("shadow-inspector: interrupted; {}\n", lost));
+        print_to_stderr(fmt::format("shadow-inspector: interrupted; {}\n", lost));
         interrupt.end();
     }
 }

@@ -80,7 +80,7 @@ void run_measure(const MeasureOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     Measurer measurer(renderer, options.size.width, options.size.height);
-    const Judgement classified = measurer.judge(session.scene, session.settings);
+    const Classification classified = measurer.judge(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
     if (options.time) time = measurer.time(session.scene, session.settings, options.cost);
     std::optional<FixTable> fixes;

@@ -27,10 +27,10 @@ constexpr double kBusyLoad = 0.5;  // running processes per core
 void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     ProgressLine line;
     auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
-    while (!interrupt.asked() && sweep.step()) {
-        line.show(sweep.progress(), sweep.of().timing);
+    while (!interrupt.stop_requested() && sweep.step()) {
+        line.show(sweep.progress(), sweep.inputs().timing);
         if (std::chrono::steady_clock::now() < checkpoint) continue;
-        write_sweep_files(sweep.of().folder, sweep.state(), sweep.of().plan, SweepFiles::Results);
+        write_sweep_files(sweep.inputs().folder, sweep.state(), sweep.inputs().plan, SweepFiles::Results);
         checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
     }
 }
@@ -78,7 +78,7 @@ void run_sweep(const SweepOptions& options) {
     spec.shard = shard;
     SweepPlan plan = plan_sweep(spec.base, spec.axes);
     CaseSessions sessions(std::move(opened));
-    sessions.keep(std::move(session.scene), session.settings.scene);
+    sessions.add_scene(std::move(session.scene), session.settings.scene);
     sessions.check(spec.axes);
     if (options.fresh) forget_sweep(folder);
     std::vector<std::string> notes = session.notes;
@@ -94,12 +94,12 @@ void run_sweep(const SweepOptions& options) {
     RunningSweep sweep({std::move(sessions), std::move(spec), std::move(plan), timing, options.retry, folder},
                        renderer);
     run_steps(sweep, interrupt);
-    const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.of().plan);
-    if (interrupt.asked()) {
-        tell(fmt::format(
+    const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.inputs().plan);
+    if (interrupt.stop_requested()) {
+        print_to_stderr(fmt::format(
             "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
             "from there\n",
-            results.finished + results.failed, sweep.of().plan.cases.size(), folder.string()));
+            results.finished + results.failed, sweep.inputs().plan.cases.size(), folder.string()));
         interrupt.end();
     }
     print_result(results, folder);
@@ -130,7 +130,7 @@ void run_merge(const MergeOptions& options) {
     for (const std::string& part : options.parts) copy_pictures(part, folder);
     // What the folder holds already stays: merging is a continuation, too.
     Journal journal(folder, merged.spec, merged.plan);
-    journal.add(lines_beyond(journal.state(), merged));
+    journal.add(missing_lines(journal.state(), merged));
     const SweepResults results = write_sweep_files(folder, journal.state(), plan);
     print_result(results, folder);
     print_notes(merged.notes);

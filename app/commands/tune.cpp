@@ -140,14 +140,14 @@ void run_tune(const TuneOptions& options) {
     try {
         ProgressLine line;
         const Workers workers{.stop = stop.get_token(), .progress = [&](double) {
-                                  if (interrupt.asked()) stop.request_stop();
+                                  if (interrupt.stop_requested()) stop.request_stop();
                               }};
         tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
-            if (interrupt.asked()) stop.request_stop();
+            if (interrupt.stop_requested()) stop.request_stop();
             line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);
         });
     } catch (const Cancelled&) {
-        tell(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));
+        print_to_stderr(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));
         interrupt.end();
     }
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();

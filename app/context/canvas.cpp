@@ -22,7 +22,7 @@ void Canvas::bind() const {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
 }
 
-ByteImage Canvas::picture() const {
+ByteImage Canvas::read_picture() const {
     ByteImage image{width_, height_, {}};
     image.data.resize(std::size_t(width_) * std::size_t(height_) * 4);
     gl::prepare_read_back();

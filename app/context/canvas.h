@@ -1,4 +1,4 @@
-// A colour target of its own that Dear ImGui draws into.
+// Offscreen colour target for Dear ImGui.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Needs a current OpenGL context from construction to destruction.
+/// Offscreen RGBA8 framebuffer that Dear ImGui draws into. Needs a current OpenGL context from construction to
+/// destruction.
 class Canvas {
 public:
     Canvas(int width, int height);
@@ -15,9 +16,10 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
+    /// Binds the canvas as the framebuffer to draw into.
     void bind() const;
-    /// What was drawn, opaque, top row first.
-    ByteImage picture() const;
+    /// Reads back the canvas as an opaque image, top row first.
+    ByteImage read_picture() const;
 
 private:
     int width_, height_;

@@ -8,12 +8,12 @@
 
 namespace si {
 
-/// Looks for a device with EGL_EXT_platform_device (hardware first, the software rasteriser last), then for a
-/// surfaceless display. The context is a debug context and is current on the constructing thread. Contexts may follow
-/// one another; each owns its own EGL resources. Neither a display server nor GLFW is involved.
+/// OpenGL 4.5 core debug context without a window, current on the constructing thread. Takes the first EGL device
+/// (EGL_EXT_platform_device; hardware first, the software rasteriser last) that works, else a surfaceless display.
+/// Contexts may follow one another; each owns its EGL resources. Needs neither a display server nor GLFW.
 class HeadlessContext {
 public:
-    /// @throws Error naming every call that failed on the way and what to try.
+    /// @throws Error naming every EGL call that failed and what to try.
     HeadlessContext();
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
@@ -21,9 +21,9 @@ public:
 
     /// Makes the context current on this thread. @throws Error when EGL refuses.
     void make_current();
-    /// How the context was found, e.g. "EGL device 0 (/dev/dri/card0), no surface".
+    /// Describes the EGL device or display in use: "EGL device 0 (/dev/dri/card0), no surface".
     std::string description() const;
-    /// Makes contexts beside this one, which must live longer.
+    /// Returns a function that makes contexts which share objects with this one. This one must outlive them.
     ThreadContextMaker sharing() const;
 
 private:

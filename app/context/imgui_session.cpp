@@ -47,7 +47,7 @@ void ImGuiSession::draw(int width, int height) {
     draw_data(ImGui::GetDrawData(), width, height);
 }
 
-ByteImage ImGuiSession::picture(ImDrawList& list, int width, int height) {
+ByteImage ImGuiSession::render_list(ImDrawList& list, int width, int height) {
     const Canvas canvas(width, height);
     canvas.bind();
     ImDrawList* lists[] = {&list};
@@ -61,7 +61,7 @@ ByteImage ImGuiSession::picture(ImDrawList& list, int width, int height) {
     data.FramebufferScale = {1, 1};
     draw_data(&data, width, height);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return canvas.picture();
+    return canvas.read_picture();
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Dear ImGui over OpenGL, without a window: its context, the editor's font and style, its GL objects.
+// Dear ImGui over OpenGL without a window: ImGui's context, the editor's font and style, ImGui's GL objects.
 #pragma once
 
 #include "renderer/frame/frame.h"
@@ -7,20 +7,21 @@ struct ImDrawList;
 
 namespace si {
 
-/// One at a time. Needs a current OpenGL context from construction to destruction.
+/// Dear ImGui context with the editor's font and style. Only one may exist at a time. Needs a current OpenGL context
+/// from construction to destruction.
 class ImGuiSession {
 public:
-    /// @throws Error when ImGui finds no OpenGL functions.
+    /// @param scale of text and widgets; 1 at about 96 dots per inch @throws Error when ImGui finds no OpenGL functions
     explicit ImGuiSession(float scale);
     ~ImGuiSession();
     ImGuiSession(const ImGuiSession&) = delete;
     ImGuiSession& operator=(const ImGuiSession&) = delete;
 
-    /// Draws what ImGui::Render() left into the bound framebuffer of this size.
+    /// Draws the output of ImGui::Render() into the bound framebuffer of this size in pixels.
     void draw(int width, int height);
-    /// A picture of a list alone, in pixels from the upper left corner, top row first. Leaves the default framebuffer
-    /// bound.
-    ByteImage picture(ImDrawList& list, int width, int height);
+    /// Renders one draw list into an image of its own; coordinates are pixels from the upper left, top row first.
+    /// Leaves the default framebuffer bound.
+    ByteImage render_list(ImDrawList& list, int width, int height);
 };
 
 }  // namespace si

@@ -37,12 +37,12 @@ void InputQueue::button(int button, bool down, int mods, const MouseQueue::When&
 }
 
 void InputQueue::wheel(glm::dvec2 by) {
-    waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.at(), .wheel = by});
+    waiting_.push_back({.kind = Kind::Wheel, .at = mouse_.last_position(), .wheel = by});
 }
 
 void InputQueue::key(const Key& key) {
     if (key.key < 0 || std::size_t(key.key) >= kKeys) return;
-    waiting_.push_back({.kind = Kind::Key, .at = mouse_.at(), .key = key});
+    waiting_.push_back({.kind = Kind::Key, .at = mouse_.last_position(), .key = key});
 }
 
 void InputQueue::character(unsigned code) {
@@ -55,7 +55,7 @@ void InputQueue::character(unsigned code) {
             return;
         }
     }
-    waiting_.push_back({.kind = Kind::Character, .at = mouse_.at(), .character = code});
+    waiting_.push_back({.kind = Kind::Character, .at = mouse_.last_position(), .character = code});
 }
 
 /// Whether it does nothing but write into a field.
@@ -63,7 +63,7 @@ bool InputQueue::is_text(const Event& event) const {
     return event.kind == Kind::Character || (typing_ && event.character);
 }
 
-bool InputQueue::key_joins(const Run& run, const Event& event) const {
+bool InputQueue::key_can_join(const Run& run, const Event& event) const {
     const auto& [key, mods, down] = event.key;
     const int modifier = modifier_of(key);
     if (modifier == GLFW_MOD_SHIFT && typing_ && !run.pressed && !run.wheeled) return true;  // characters have it
@@ -77,16 +77,16 @@ bool InputQueue::key_joins(const Run& run, const Event& event) const {
     return !shown_[std::size_t(key)] || held_[std::size_t(key)];  // else it is seen to be up first
 }
 
-bool InputQueue::joins(const Run& run, const Event& event) const {
+bool InputQueue::can_join(const Run& run, const Event& event) const {
     if (event.kind == Kind::Button) return false;
     if (is_text(event)) return !run.pressed && !run.wheeled && !run.command && !run.left_alt;
     const bool points = !typing_ || event.kind == Kind::Wheel;  // keys are for the field, wherever the mouse is
     if (points && event.at != run.at) return false;
     if (event.kind == Kind::Wheel) return !run.pressed && !run.typed;
-    return key_joins(run, event);
+    return key_can_join(run, event);
 }
 
-void InputQueue::show(Run& run, const Event& event) {
+void InputQueue::add_to_step(Run& run, const Event& event) {
     run.at = event.at;
     if (event.character) strokes_.characters.push_back(*event.character);
     if (is_text(event)) run.typed = true;
@@ -122,8 +122,8 @@ MouseQueue::Step InputQueue::next() {
         return step;
     }
     Run run{.at = waiting_.front().at};
-    while (!waiting_.empty() && joins(run, waiting_.front())) {
-        show(run, waiting_.front());
+    while (!waiting_.empty() && can_join(run, waiting_.front())) {
+        add_to_step(run, waiting_.front());
         waiting_.pop_front();
     }
     shown_ = held_ | run.down;

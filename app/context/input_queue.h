@@ -1,5 +1,5 @@
-// What mouse and keys did, in the order in which they did it, as steps for ImGui: in a frame it tells no order, so that
-// what acts on a widget gets one of its own, however many events a slow frame left behind.
+// Queue of mouse and key events that feeds ImGui in steps. ImGui loses the order of events within one frame, so each
+// event that acts on a widget gets a frame of its own, however many events arrived during a slow frame.
 #pragma once
 
 #include <bitset>
@@ -13,62 +13,74 @@
 
 namespace si {
 
+/// Queue of input events: the window's callbacks fill it, each ImGui frame takes one step.
 class InputQueue {
 public:
-    static constexpr std::size_t kKeys = 512;  ///< as many as ImGui has
+    static constexpr std::size_t kKeys = 512;  ///< size of ImGui's key table
 
+    /// Press or release of a key.
     struct Key {
         int key = 0;   ///< GLFW_KEY_*
         int mods = 0;  ///< GLFW_MOD_*
         bool down = false;
     };
-    /// What a step tells beside the mouse's place and buttons.
+    /// Keys, characters and wheel movement of one step.
     struct Strokes {
-        std::vector<Key> keys;  ///< one that also goes up is to be seen held during the step
+        std::vector<Key> keys;  ///< a key that also goes up in this step counts as held during it
         std::vector<unsigned> characters;
         glm::dvec2 wheel{0};
     };
 
+    /// Adds a press or release of a mouse button.
     void button(int button, bool down, int mods, const MouseQueue::When& when);
+    /// Adds a move of the mouse to a place in the window, in screen coordinates.
     void move(glm::dvec2 to) { mouse_.move(to); }
+    /// Adds that the mouse entered or left the window.
     void enter(bool inside) { mouse_.enter(inside); }
+    /// Adds a turn of the mouse wheel.
     void wheel(glm::dvec2 by);
+    /// Adds a press or release of a key.
     void key(const Key& key);
-    /// It belongs to the key that went down right before, if that is one that types.
+    /// Adds a typed character (Unicode). It belongs to the text key that was pressed right before.
     void character(unsigned code);
-    /// Whether a field takes what is typed: keys that type then do nothing else, and any number of them makes a step.
+    /// Sets whether a text field has the focus. Text keys then only type, and any number of them fits into one step.
     void typing(bool typing) { typing_ = typing; }
 
-    /// Goes on to the next step. @returns the mouse in it
+    /// Begins the next step. @returns the mouse in it
     MouseQueue::Step next();
-    /// The rest of that step; once.
+    /// Returns keys, characters and wheel of the step that next() began; empty when called again.
     Strokes take_strokes();
+    /// Returns true if no event waits.
     bool empty() const { return waiting_.empty(); }
-    /// Held after the step.
+    /// Returns true if the key is held after the present step. @param key GLFW_KEY_*
     bool is_down(int key) const { return key >= 0 && std::size_t(key) < kKeys && held_[std::size_t(key)]; }
 
 private:
     enum class Kind { Button, Key, Character, Wheel };
     struct Event {
-        Kind kind = Kind::Button;           ///< a button's change is the next that the mouse's queue holds
-        std::optional<glm::dvec2> at;       ///< the mouse
-        Key key;                            ///< of a key
-        std::optional<unsigned> character;  ///< of a character, or of a key that types
+        Kind kind = Kind::Button;           ///< Button: the change is the next one in the mouse's queue
+        std::optional<glm::dvec2> at;       ///< place of the mouse
+        Key key;                            ///< for Kind::Key
+        std::optional<unsigned> character;  ///< for Kind::Character, and for a text key
         glm::dvec2 wheel{0};
     };
-    /// What is in a step already.
+    /// Events that the present step holds so far.
     struct Run {
         std::optional<glm::dvec2> at;  ///< the mouse
         bool pressed = false, typed = false, wheeled = false;
         bool command = false;   ///< Ctrl, Alt or Super went down
-        bool left_alt = false;  ///< Alt or Super went up: ImGui enters a menu, unless something is typed
-        int mods = 0;           ///< of what was pressed
+        bool left_alt = false;  ///< Alt or Super went up: ImGui enters a menu, unless text was typed
+        int mods = 0;           ///< modifiers of the key that was pressed
         std::bitset<kKeys> down;
     };
+    /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const;
-    bool joins(const Run& run, const Event& event) const;
-    bool key_joins(const Run& run, const Event& event) const;
-    void show(Run& run, const Event& event);
+    /// Returns true if the event may share a step with the events of `run`.
+    bool can_join(const Run& run, const Event& event) const;
+    /// Returns true if the key event may share a step with the events of `run`.
+    bool key_can_join(const Run& run, const Event& event) const;
+    /// Adds the event to the step.
+    void add_to_step(Run& run, const Event& event);
 
     MouseQueue mouse_;
     std::deque<Event> waiting_;

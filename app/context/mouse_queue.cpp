@@ -18,7 +18,7 @@ void MouseQueue::button(int button, bool down, int mods, const When& when) {
 MouseQueue::Step MouseQueue::next() {
     Step step{.down = down_};
     if (waiting_.empty()) {
-        step.at = at();
+        step.at = last_position();
     } else {
         const Change& change = waiting_.front();
         step.at = change.at;
@@ -39,7 +39,7 @@ MouseQueue::Step MouseQueue::stay(std::optional<glm::dvec2> at) {
     return {.down = down_, .at = at};
 }
 
-std::optional<glm::dvec2> MouseQueue::at() const {
+std::optional<glm::dvec2> MouseQueue::last_position() const {
     const bool held = !waiting_.empty() || std::ranges::any_of(down_, [](bool down) { return down; });
     return inside_ || held ? at_ : std::nullopt;
 }

@@ -1,5 +1,5 @@
-// What the mouse did, in the order in which it did it: a frame shows one press or release, at its place, and what is a
-// double click is told by when presses arrived, however long frames take: where that cannot be known, in their favour.
+// Queue of mouse events. Each frame shows at most one press or release, at the place where it happened. Double clicks
+// are decided by the times of the presses, not by the length of frames; an unknown time counts as soon enough.
 #pragma once
 
 #include <array>
@@ -11,34 +11,39 @@
 
 namespace si {
 
+/// Queue of mouse presses, releases and moves; each ImGui frame takes one step.
 class MouseQueue {
 public:
     static constexpr int kButtons = 5;
     static constexpr double kDoubleClickSeconds = 0.3;  ///< between presses
 
-    /// When an event was made that waited until it was asked for, nobody knows better than between two times.
+    /// Interval in which an event happened. Events that wait until the window polls have no exact time.
     struct When {
         double earliest_s = 0, latest_s = 0;
     };
-    /// @param mods that are held, as the window system has them
+    /// Adds a press or release of a button. @param mods modifiers that are held (GLFW_MOD_*)
     void button(int button, bool down, int mods, const When& when);
+    /// Adds a move of the mouse to a place in the window, in screen coordinates.
     void move(glm::dvec2 to) { at_ = to; }
-    /// The mouse came into the window, or left it: where it is outside nobody says.
+    /// Adds that the mouse entered or left the window. Outside, its place is unknown.
     void enter(bool inside) { inside_ = inside; }
 
+    /// State of the mouse in one frame.
     struct Step {
         std::array<bool, kButtons> down{};
         std::optional<glm::dvec2> at;  ///< none: not known
-        std::optional<int> mods;       ///< held at that press or release; none: those of now
-        bool doubles = false;          ///< the press makes a double click of the one before
+        std::optional<int> mods;       ///< modifiers held at that press or release; none: the present ones
+        bool doubles = false;          ///< the press completes a double click
     };
-    /// What the next frame is to show. Where the place of a press or release is a new one, first the mouse there.
+    /// Returns the mouse for the next frame. A press or release at a new place is preceded by a frame that moves there.
     Step next();
-    /// A frame in which the mouse does nothing, and is where it was at something else that waited.
+    /// Returns a frame without a press or release, with the mouse at the given place.
     Step stay(std::optional<glm::dvec2> at);
-    /// Where it is after all that waits; none: not known.
-    std::optional<glm::dvec2> at() const;
+    /// Returns the place of the mouse after all waiting events; none: not known.
+    std::optional<glm::dvec2> last_position() const;
+    /// Returns the number of presses and releases that wait.
     std::size_t waiting() const { return waiting_.size(); }
+    /// Returns true if no press or release waits.
     bool empty() const { return waiting_.empty(); }
 
 private:
@@ -53,8 +58,8 @@ private:
         never.fill(-std::numeric_limits<double>::infinity());
         return never;
     }();
-    std::array<bool, kButtons> down_{};     ///< as frames were shown it
-    std::optional<glm::dvec2> at_, shown_;  ///< of the last event; of the last frame
+    std::array<bool, kButtons> down_{};     ///< as the last frame showed them
+    std::optional<glm::dvec2> at_, shown_;  ///< place at the last event; place in the last frame
     bool inside_ = true;
 };
 

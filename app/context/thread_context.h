@@ -1,4 +1,4 @@
-// A second OpenGL context beside one that is in use, for a thread of its own.
+// Second OpenGL context for a background thread.
 #pragma once
 
 #include <functional>
@@ -6,13 +6,14 @@
 
 namespace si {
 
-/// Current on the thread that made it until it is destroyed there. Textures and buffers are shared with the context
-/// that it was made beside; framebuffers and programs' compiled variants are not.
+/// OpenGL context of a background thread: current on the thread that made it until it is destroyed there. It shares
+/// textures and buffers with the context it was made from, but not framebuffers and compiled program variants.
 struct ThreadContext {
     virtual ~ThreadContext() = default;
 };
 
-/// Called on the thread that is to have it. @throws Error when the driver refuses. Empty: there is none to be had.
+/// Function that makes a ThreadContext; called on the thread that will use it. Empty if the driver offers none.
+/// @throws Error when the driver refuses
 using ThreadContextMaker = std::function<std::unique_ptr<ThreadContext>()>;
 
 }  // namespace si

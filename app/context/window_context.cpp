@@ -84,7 +84,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
                             GLFW_DONT_CARE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
-    beside_ = glfwCreateWindow(16, 16, title.c_str(), nullptr, window_);
+    shared_window_ = glfwCreateWindow(16, 16, title.c_str(), nullptr, window_);
     glfwMakeContextCurrent(window_);
     glfwSwapInterval(1);
     survive_x_errors();
@@ -93,7 +93,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
 }
 
 WindowContext::~WindowContext() {
-    if (beside_) glfwDestroyWindow(beside_);
+    if (shared_window_) glfwDestroyWindow(shared_window_);
     glfwDestroyWindow(window_);
     glfwTerminate();
 }
@@ -125,7 +125,7 @@ void WindowContext::install_callbacks() {
 }
 
 // The backend would show the next frame all of it at once, and calls what it found when it was installed: not these.
-void WindowContext::stand_before_backend() {
+void WindowContext::intercept_backend() {
     const auto stand = [](auto before, auto mine, auto& behind) {
         if (before != mine) behind = before;
     };
@@ -153,8 +153,8 @@ ThreadContextMaker WindowContext::sharing() const {
         explicit Current(GLFWwindow* window) { glfwMakeContextCurrent(window); }
         ~Current() override { glfwMakeContextCurrent(nullptr); }
     };
-    if (!beside_) return {};
-    return [this] { return std::make_unique<Current>(beside_); };
+    if (!shared_window_) return {};
+    return [this] { return std::make_unique<Current>(shared_window_); };
 }
 
 void WindowContext::wake() {
@@ -184,7 +184,7 @@ void WindowContext::wait_events(double seconds) {
     events_.polled_s = glfwGetTime();
 }
 void WindowContext::poll_events() {
-    stand_before_backend();
+    intercept_backend();
     glfwPollEvents();
     events_.polled_s = glfwGetTime();
     events_.queue.typing(ImGui::GetCurrentContext() && ImGui::GetIO().WantTextInput);

@@ -1,4 +1,4 @@
-// A window with an OpenGL 4.5 core context, through GLFW.
+// Window with an OpenGL 4.5 core context, through GLFW.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@ struct GLFWwindow;
 
 namespace si {
 
-/// One window at a time; the context is a debug context, current on the constructing thread, with vsync.
+/// Window with an OpenGL 4.5 core debug context and vsync, current on the constructing thread. Only one may exist.
 class WindowContext {
 public:
     /// @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area.
@@ -23,65 +23,76 @@ public:
     WindowContext(const WindowContext&) = delete;
     WindowContext& operator=(const WindowContext&) = delete;
 
+    /// Returns the GLFW handle of the window.
     GLFWwindow* handle() const { return window_; }
-    /// Makes one context beside the window's, which must live longer; empty where the driver has none.
+    /// Returns a function that makes one context sharing objects with the window's; empty if the driver offers none.
+    /// The window must outlive it.
     ThreadContextMaker sharing() const;
-    /// Ends wait_events(). From any thread.
+    /// Ends wait_events(). Callable from any thread.
     static void wake();
+    /// Returns true once the user has closed the window.
     bool should_close() const;
+    /// Sets the text of the window's title bar.
     void set_title(const std::string& title);
     /// Sleeps until input arrives, at most `seconds`.
     void wait_events(double seconds);
+    /// Handles waiting window events without sleeping.
     void poll_events();
+    /// Shows the frame that was drawn (swaps the buffers).
     void swap();
-    /// Hides the mouse and frees it from the screen's edges, or gives it back where it was.
+    /// Hides the cursor and lets it move without limits (true), or shows it again where it was (false).
     void hold_cursor(bool held);
+    /// Width of the window's framebuffer in pixels.
     int framebuffer_width() const;
+    /// Height of the window's framebuffer in pixels.
     int framebuffer_height() const;
-    /// In screen coordinates at scale 1, as the constructor takes it.
+    /// Width and height of the window in screen coordinates at scale 1, as the constructor takes them.
     std::pair<int, int> size() const;
+    /// Returns true if the window fills the work area (maximised).
     bool maximised() const;
-    /// The monitor's scale for text and widgets; 1 at about 96 dots per inch.
+    /// Scale of the window's monitor for text and widgets; 1 at about 96 dots per inch.
     float content_scale() const;
-    /// Whether the last wait brought input, a resize or an uncovered window; cleared by the call.
+    /// Returns true if input, a resize or an uncovered window arrived since the last call.
     bool take_input();
-    /// What mouse and keys did and no frame has shown yet. ImGui's backend is told nothing of it as it arrives.
+    /// Queue of input that no frame has shown yet. ImGui's backend receives input only from this queue.
     InputQueue& input() { return events_.queue; }
-    /// A key that went down, perhaps already up again. ImGui 1.86 sees only keys that are held when its frame starts.
+    /// Key that was pressed, perhaps released already. ImGui 1.86 sees only keys that are held when its frame starts.
     struct KeyPress {
         int key = 0;   ///< GLFW_KEY_*
         int mods = 0;  ///< GLFW_MOD_*
     };
-    /// Tells ImGui's backend of keys, characters and the wheel in the step that input().next() began.
-    /// @returns the keys that went down in it
+    /// Passes keys, characters and wheel of the step that input().next() began to ImGui's backend.
+    /// @returns the keys that were pressed in the step
     std::vector<KeyPress> take_keys();
-    /// As frames have been shown it.
+    /// Returns true if the key was held in the last frame shown. @param key GLFW_KEY_*
     bool is_down(int key) const { return events_.queue.is_down(key); }
-    /// Files dropped on the window since the last call.
+    /// Returns the files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
-    /// How other programs name the window to the desktop's portals: "x11:" and its id; empty elsewhere.
+    /// Name of the window for the desktop's portals (XDG): "x11:" and its id; empty elsewhere.
     std::string portal_name() const;
 
-    /// Whether a window can be opened as far as the environment tells (DISPLAY or WAYLAND_DISPLAY).
+    /// Returns true if the environment names a display (DISPLAY or WAYLAND_DISPLAY).
     static bool display_available();
 
 private:
     struct Events {
         bool input = true;
-        bool waiting = false;  ///< events are told of as they arrive
-        double polled_s = 0;   ///< when they were asked for last
+        bool waiting = false;  ///< inside wait_events(): callbacks run as events arrive
+        double polled_s = 0;   ///< time of the last poll
         InputQueue queue;
         std::vector<std::filesystem::path> dropped;
     };
-    /// ImGui's, which the queue stands before.
+    /// Callbacks of ImGui's GLFW backend, which the queue calls.
     struct Backend {
         void (*key)(GLFWwindow*, int key, int scancode, int action, int mods) = nullptr;
         void (*character)(GLFWwindow*, unsigned) = nullptr;
         void (*scroll)(GLFWwindow*, double, double) = nullptr;
     };
+    /// Installs the window's GLFW callbacks.
     void install_callbacks();
-    void stand_before_backend();
+    /// Replaces ImGui's GLFW callbacks by ones that fill the queue, and keeps ImGui's for take_keys().
+    void intercept_backend();
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
     static void on_character(GLFWwindow* window, unsigned code);
     static void on_scroll(GLFWwindow* window, double x, double y);
@@ -89,7 +100,7 @@ private:
     static InputQueue& queue_of(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;
-    GLFWwindow* beside_ = nullptr;  ///< never shown: a context that shares the window's objects; null: there is none
+    GLFWwindow* shared_window_ = nullptr;  ///< never shown; its context shares the window's objects; null: none
     Events events_;
     Backend backend_;
 };

@@ -12,8 +12,8 @@ namespace {
 int tell_error(Display* display, XErrorEvent* error) {
     char text[128] = {};
     XGetErrorText(display, error->error_code, text, int(sizeof text) - 1);
-    tell(fmt::format("shadow-inspector: the X server says: {} (request {}.{})\n", text, error->request_code,
-                     error->minor_code));
+    print_to_stderr(fmt::format("shadow-inspector: the X server says: {} (request {}.{})\n", text, error->request_code,
+                                error->minor_code));
     return 0;
 }
 

@@ -55,7 +55,7 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
 }
 
 void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                                 const CureRequest& request) {
+                                 const FixRequest& request) {
     std::vector<FixCandidate> own;
     const auto light = std::size_t(std::max(state_.settings.view.light, 0));
     if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)

@@ -67,7 +67,7 @@ private:
     /// Takes the result of a search; its error goes to the log. Returns true if it has ended.
     bool poll_found(auto& search);
     void start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
-                     const CureRequest& request);
+                     const FixRequest& request);
     void take_sweep_base();
 
     EditorState& state_;

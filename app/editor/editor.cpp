@@ -144,7 +144,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     const InterruptGuard interrupt;  // a batch system's end is an end like any other
     int due = kSettleFrames;         // frames still to draw before the editor may sleep
     int still = 0;                   // looks in a row that found nothing to do
-    while (!window.should_close() && !interrupt.asked()) {
+    while (!window.should_close() && !interrupt.stop_requested()) {
         if (due > 0)
             window.poll_events();
         else

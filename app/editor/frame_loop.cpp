@@ -170,7 +170,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     const auto health = renderer_.numeric_health(result_);
     if (health->sound()) return;
     news_.unsound = fmt::format("{} {}x{} {}: {}", scene.name, request_.width, request_.height,
-                                sets_beyond({}, drawn_settings_), health_text(*health));
+                                set_options({}, drawn_settings_), health_text(*health));
     report(news_.unsound);
 }
 

@@ -102,7 +102,7 @@ void HeadlessEditor::settle() {
 }
 
 ByteImage HeadlessEditor::picture() const {
-    return canvas_->picture();
+    return canvas_->read_picture();
 }
 
 }  // namespace si

@@ -133,7 +133,7 @@ bool EditorModel::save_drawing(const ShotRequest& request, ImGuiSession& imgui) 
     const Section* const section = shown_section();
     if (request.of != Shot::Drawing || !section) return false;
     const SectionSheet sheet = section_sheet(*section);
-    const ByteImage drawn = imgui.picture(*sheet.list, sheet.width, sheet.height);
+    const ByteImage drawn = imgui.render_list(*sheet.list, sheet.width, sheet.height);
     save_shot({Shot::Drawing, {{0, 0}, {float(sheet.width), float(sheet.height)}}}, drawn, 1);
     return true;
 }

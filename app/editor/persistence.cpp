@@ -63,7 +63,7 @@ void EditorPersistence::note_window(int width, int height, bool maximised) {
 }
 
 void EditorPersistence::follow(EditorState& state, double now_s) {
-    if (!state.between_steps && !state.scene_name.empty()) autosave_.follow(state.scene_name, state.settings, now_s);
+    if (!state.between_steps && !state.scene_name.empty()) autosave_.update(state.scene_name, state.settings, now_s);
     if (seen_layout_ != state.layout) {
         if (seen_layout_) layout_due_s_ = now_s + kLayoutSeconds;
         seen_layout_ = state.layout;

@@ -27,7 +27,7 @@ public:
         auto outcome = job_.poll();
         if (!outcome) return false;
         if (outcome->cancelled) problem = cancelled_;
-        if (outcome->problem) problem = what_of(outcome->problem);
+        if (outcome->problem) problem = exception_message(outcome->problem);
         if (outcome->value) found_ = std::move(outcome->value);
         return true;
     }

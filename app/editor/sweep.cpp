@@ -112,16 +112,16 @@ void EditorSweep::start(const Scene& scene, const std::string& scene_name, const
     if (axes.empty()) throw UsageError("a sweep varies at least one setting");
     Settings measured = settings;
     measured.truth.area = request.area;
-    RunningSweep::Of of{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
-    of.spec = sweep_spec(scene_name, scene, measured, std::move(axes), request.width, request.height);
-    of.plan = plan_sweep(of.spec.base, of.spec.axes);
-    const SweepFolder folder = folder_for(parent_, of.spec, of.plan);
-    of.folder = folder.path;
+    RunningSweep::Inputs inputs{.sessions = CaseSessions(session_plan(scene_name, scene, measured))};
+    inputs.spec = sweep_spec(scene_name, scene, measured, std::move(axes), request.width, request.height);
+    inputs.plan = plan_sweep(inputs.spec.base, inputs.spec.axes);
+    const SweepFolder folder = folder_for(parent_, inputs.spec, inputs.plan);
+    inputs.folder = folder.path;
     if (folder.made) made_.insert(folder.path);
-    of.timing.cost = request.timed;
-    show(of.spec, of.plan, of.folder);
+    inputs.timing.cost = request.timed;
+    show(inputs.spec, inputs.plan, inputs.folder);
     swept_cost_ = request.timed;
-    thread().sweep(std::move(of), copy_of(scene), settings.scene);
+    thread().start_sweep(std::move(inputs), copy_of(scene), settings.scene);
 }
 
 void EditorSweep::show(const SweepSpec& spec, const SweepPlan& plan, const fs::path& folder) {
@@ -166,13 +166,13 @@ void EditorSweep::follow(const Scene& scene, const std::string& scene_name, cons
                       followed_->width == width && followed_->height == height && followed_->cost == cost;
     if (same) return;
     followed_ = MeasuringThread::Picture{copy_of(scene), scene_name, wanted, width, height, cost};
-    thread().measure(*followed_);
+    thread().start_measurement(*followed_);
 }
 
 void EditorSweep::unfollow() {
     if (!followed_) return;
     followed_.reset();
-    thread_->cancel_measure();
+    thread_->cancel_measurement();
 }
 
 void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
@@ -187,7 +187,7 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     show(spec, plan, folder);
     results_ = sweep_results(state, plan);
     if (results_->rounds > 0) panel.timed = swept_cost_ = results_->cost;
-    seen_sweep_ = thread_ ? thread_->news().sweep : 0;
+    seen_sweep_ = thread_ ? thread_->status().sweep : 0;
     opened_ = true;
     panel.width = spec.width;
     panel.height = spec.height;
@@ -225,28 +225,28 @@ void EditorSweep::wait() const {
 }
 
 void EditorSweep::take_news() {
-    MeasuringThread::News news = thread_->news();
-    seen_ = news.version;
+    MeasuringThread::Status status = thread_->status();
+    seen_ = status.version;
     fresh_ = true;
-    present_ = std::move(news.measured);
-    facts_.measuring_present = news.measuring;
-    facts_.present_problem = news.measure_problem;
-    facts_.present_is_old = news.measuring && present_ && present_->time;  // times come last
-    if (!news.measuring && news.measure_problem.empty() && present_ && followed_)
+    present_ = std::move(status.measured);
+    facts_.measuring_present = status.measuring;
+    facts_.present_problem = status.measure_problem;
+    facts_.present_is_old = status.measuring && present_ && present_->time;  // times come last
+    if (!status.measuring && status.measure_problem.empty() && present_ && followed_)
         note_finished({*followed_, *present_});
-    if (opened_ && news.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
+    if (opened_ && status.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
     opened_ = false;
-    seen_sweep_ = news.sweep;
-    if (news.results) results_ = std::move(news.results);
-    if (!news.sweeping) drop_empty();
-    facts_.running = news.sweeping;
-    facts_.timing = news.progress.timing;
-    facts_.problem = news.sweep_problem;
-    facts_.seconds_left = news.progress.seconds_left;
+    seen_sweep_ = status.sweep;
+    if (status.results) results_ = std::move(status.results);
+    if (!status.sweeping) drop_empty();
+    facts_.running = status.sweeping;
+    facts_.timing = status.progress.timing;
+    facts_.problem = status.sweep_problem;
+    facts_.seconds_left = status.progress.seconds_left;
     const SweepTiming timing;
-    const double part = news.progress.total ? double(news.progress.done) / double(news.progress.total) : 0;
-    facts_.progress = news.progress.timing ? (news.progress.round + part) / timing.rounds : part;
-    facts_.current = news.sweeping ? progress_text(news.progress, timing) : "";
+    const double part = status.progress.total ? double(status.progress.done) / double(status.progress.total) : 0;
+    facts_.progress = status.progress.timing ? (status.progress.round + part) / timing.rounds : part;
+    facts_.current = status.sweeping ? progress_text(status.progress, timing) : "";
 }
 
 void EditorSweep::note_finished(const Finished& finished) {

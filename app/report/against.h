@@ -1,4 +1,4 @@
-// Two pictures of one frame held against each other.
+// Comparison of two pictures of one frame.
 #pragma once
 
 #include "renderer/frame/frame.h"
@@ -6,17 +6,18 @@
 
 namespace si {
 
-/// Settings that draw the frame of `shown` as `other` would: its maps, casters, bias, filter, lights and shading, under
-/// the camera, the moment and the views of `shown`.
+/// Returns settings that draw the view of `shown` with the shadows of `other`: maps, casters, bias, filter, lights and
+/// shading from `other`; camera, time and views from `shown`.
 Settings other_settings(const Settings& shown, const Settings& other);
 
-/// `a` left of the line at `at` (share of the width), `b` right of it, and the line. Both of one size.
+/// Composes image a left of a line and image b right of it. Both have one size. @param at place of the line, 0..1 of
+/// the width
 ByteImage swiped(const ByteImage& a, const ByteImage& b, double at);
-/// `a` and `b` beside each other with a gap.
+/// Composes two images side by side with a gap.
 ByteImage side_by_side(const ByteImage& a, const ByteImage& b);
-/// |a - b| of each channel, twice as bright.
+/// Computes the difference image 2 |a - b| of each channel.
 ByteImage difference(const ByteImage& a, const ByteImage& b);
-/// Mean |a - b| over pixels and colour channels, 0..1.
+/// Computes the mean of |a - b| over pixels and colour channels, 0..1.
 double mean_difference(const ByteImage& a, const ByteImage& b);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The cure table as JSON and as text (docs/cli.md).
+// Table of measured fixes as JSON and as text (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,10 +8,10 @@
 
 namespace si {
 
-/// One object a row, in the table's order.
+/// Converts a table of fixes to JSON: one object a row, in the table's order.
 nlohmann::ordered_json fixes_json(const FixTable& table);
 
-/// @param rows at most so many; what was not tried is left out
+/// Prints a table of fixes to stdout. Fixes that were not tried are left out. @param rows largest number of rows
 void print_fixes(const FixTable& table, std::size_t rows);
 
 }  // namespace si

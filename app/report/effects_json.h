@@ -1,4 +1,4 @@
-// The effects of a frame, and what their savings are worth, as JSON and as text (docs/cli.md).
+// Effects of a frame and the time that optimisations save, as JSON and as text (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,16 +11,19 @@
 
 namespace si {
 
-/// An object an effect. @param saved null: nothing was measured, and each saved_ms is null
+/// Converts the effects of a frame to JSON, one object each. @param saved measured times; null: each saved_ms is null
 nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
-/// Every row of savings(), with what it is worth where that was measured.
+/// Converts the table of optimisations to JSON. @param saved measured times; null: none
 nlohmann::ordered_json savings_json(const SavedTimes* saved);
+/// Converts wasted work (work that changes no pixel) to JSON.
 nlohmann::ordered_json waste_json(const Waste& waste);
 
-/// "1.20 (0.90 to 1.50), of 3 together", or a dash where it is not known.
-/// @param together effects that the time is of
+/// Formats a saved time: "1.20 (0.90 to 1.50), of 3 together"; a dash for null. @param together number of effects that
+/// were forced together for this time
 std::string saved_text(const Spread* ms, std::size_t together);
+/// Prints the effects of a frame to stdout. @param saved measured times; null: none
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
+/// Prints wasted work (work that changes no pixel) to stdout.
 void print_waste(const Waste& waste);
 
 }  // namespace si

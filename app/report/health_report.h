@@ -1,4 +1,4 @@
-// Whether the numbers of a frame are sound, for commands.
+// Search for NaN, infinite and out-of-range numbers in a frame, for --check-numeric.
 #pragma once
 
 #include <memory>
@@ -9,14 +9,15 @@
 
 namespace si {
 
-/// Draws what is missing of a frame, and searches all its maps and its visibility. What its sources ask for is traced
-/// by `workers`. @throws Error, Cancelled
+/// Draws a frame and searches its maps, visibility and matrices for unsound numbers. @param workers for rays that the
+/// light sources need @throws Error, Cancelled
 std::shared_ptr<const NumericHealth> search_numbers(Renderer& renderer, const Scene& scene, const Settings& settings,
                                                     FrameRequest request, const Workers& workers = {});
 
+/// Converts the findings of a search to JSON.
 nlohmann::ordered_json health_json(const NumericHealth& health);
 
-/// @throws Error that names what was found and where, unless all numbers are sound
+/// Checks that all numbers are sound. @throws Error naming each finding and its place
 void require_sound(const NumericHealth& health);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// What the shown light's map holds, and how much of it the picture reads, for reports.
+// Depth statistics and utilisation of the shown light's map, for reports.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,18 +11,21 @@
 
 namespace si {
 
+/// Statistics of one light's shadow map.
 struct MapReport {
     int light = 0, face = 0, resolution = 0;
-    TexelUsage usage;                  ///< of the shown face
-    std::vector<double> utilisations;  ///< of each face
-    double exact_utilisation = 0;  ///< of the shown face: texels that a kernel fetches, not the rectangles about them
+    TexelUsage usage;                  ///< texels of the shown face that the picture reads
+    std::vector<double> utilisations;  ///< share of texels read, per face
+    double exact_utilisation = 0;  ///< share of texels of the shown face that the kernel fetches; not bounding boxes
     DepthStatistics depth;
-    DepthHistogram raw, linear;  ///< over the range that was drawn
+    DepthHistogram raw, linear;  ///< over the range of depths that was drawn
 };
 
-/// Draws what it takes; `request` gives the size of the picture. Nothing when the light of view.light has no map.
+/// Draws a frame and measures the map of the light `view.light`; nothing if it has none. @param request size of the
+/// picture
 std::optional<MapReport> map_report(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request);
 
+/// Converts the statistics of a map to JSON.
 nlohmann::ordered_json map_report_json(const MapReport& facts);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Errors, times and costs as JSON, the same in `measure --json` and in a sweep's results.
+// Errors, times and costs as JSON, shared by `measure --json` and the results of sweeps.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,27 +9,31 @@
 
 namespace si {
 
-/// {median, p95, low, high, median_low, median_high, noise}: noise is half the interval of the median.
+/// Converts a distribution to JSON {median, p95, low, high, median_low, median_high, noise}; noise is half the
+/// confidence interval of the median.
 nlohmann::ordered_json spread_json(const Spread& spread);
+/// Converts a measured frame time to JSON.
 nlohmann::ordered_json time_json(const TimeMeasurement& time);
-/// What files call a state of a pixel.
+/// Returns the name of a pixel's state in JSON files.
 const char* state_key(PixelState state);
-/// How the truth was found: {area, step, noise, noise_unknown_px, samples_used {least, mean, most}}; null where not
-/// known.
+/// Converts the quality of a ray-traced reference to JSON {area, step, noise, noise_unknown_px, samples_used {least,
+/// mean, most}}; unknown values are null.
 nlohmann::ordered_json reference_quality_json(const Reference& reference);
-/// What the shares and causes of an error mean; rows of different meanings are not to be compared.
-/// 1: by distance to a true edge. 2: by the change that puts a pixel right.
-/// 3: as 2, with polygon offset and contact shadows as causes of their own.
+/// Version of the definitions of error shares and causes (JSON field `meaning`). Numbers of different versions must not
+/// be compared. 1: by distance to a true edge. 2: by the change that makes a pixel right. 3: as 2, with polygon offset
+/// and contact shadows as separate causes.
 inline constexpr int kErrorMeaning = 3;
-/// Numbers that are not finite become null.
+/// Converts error metrics to JSON; numbers that are not finite become null.
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics);
-/// With the truth's own noise (Truth::noise).
+/// Converts error metrics to JSON together with the noise of the reference (Reference::noise).
 nlohmann::ordered_json error_json(const ErrorMetrics& metrics, double noise);
+/// Converts the work of a frame (texels, taps, bytes) to JSON.
 nlohmann::ordered_json cost_json(const WorkCost& cost);
-/// What error_json() and cost_json() wrote; numbers that are missing are NaN, and counts 0.
+/// Reads the JSON written by error_json(). Missing numbers become NaN, missing counts 0.
 ErrorMetrics error_from_json(const nlohmann::ordered_json& json);
+/// Reads the JSON written by cost_json(). Missing numbers become NaN, missing counts 0.
 WorkCost cost_from_json(const nlohmann::ordered_json& json);
-/// The number under a field; NaN when it is missing or null.
+/// Returns the number in a field of a JSON object; NaN if missing or null.
 double number_or_nan(const nlohmann::ordered_json& json, std::string_view field);
 
 }  // namespace si

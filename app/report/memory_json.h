@@ -1,4 +1,4 @@
-// What memory this process has, and who holds it, as JSON (docs/cli.md).
+// Memory of the process by owner, as JSON (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, bytes.
+/// Converts memory facts to JSON {resident, peak, heap, heap_free, held, holders: [{holder, bytes, most, count}]}, in
+/// bytes.
 nlohmann::ordered_json memory_json(const MemoryReport& facts);
 
 }  // namespace si

@@ -10,7 +10,7 @@
 
 namespace si {
 
-std::string sets_beyond(const Settings& base, const Settings& settings) {
+std::string set_options(const Settings& base, const Settings& settings) {
     return set_options_text(setting_changes(base, settings));
 }
 
@@ -20,7 +20,7 @@ NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)
     renderer_.watch_numbers([this](const Settings& settings, const NumericHealth& health) {
         ++frames_;
         if (health.sound() || unsound_++ > 0) return;
-        const std::string sets = sets_beyond(base_, settings);
+        const std::string sets = set_options(base_, settings);
         first_ = fmt::format("{}: {}", sets.empty() ? "the settings as given" : "with " + sets, health_text(health));
     });
 }

@@ -1,4 +1,4 @@
-// --check-numeric of commands that draw many frames: all are searched, and the first with a fault is named.
+// --check-numeric for commands that draw many frames: searches each frame and names the first with a fault.
 #pragma once
 
 #include <string>
@@ -7,26 +7,27 @@
 
 namespace si {
 
-/// "KEY=VALUE" of all that differs from the settings `base`, with --set before each; empty: nothing does.
-std::string sets_beyond(const Settings& base, const Settings& settings);
+/// Formats the differences between settings and `base` as command-line options "--set KEY=VALUE ..."; empty if equal.
+std::string set_options(const Settings& base, const Settings& settings);
 
-/// While it lives, every picture that the renderer draws is searched, but for those that are timed.
+/// Scope in which every picture that a renderer draws is searched for unsound numbers, except timed frames.
 class NumberWatch {
 public:
-    /// @param base settings that the first fault's own are told beyond @param on false: nothing is searched
+    /// @param base settings that the message about a fault compares with @param on false: nothing is searched
     NumberWatch(Renderer& renderer, Settings base, bool on);
     ~NumberWatch();
     NumberWatch(const NumberWatch&) = delete;
     NumberWatch& operator=(const NumberWatch&) = delete;
 
-    /// @throws Error that names the first case with a fault, what was found there and where, unless all were sound
+    /// Checks that all frames were sound. @throws Error naming the first faulty frame's settings, the fault and its
+    /// place
     void require_sound() const;
 
 private:
     Renderer& renderer_;
     const Settings base_;
     const bool on_;
-    std::string first_;  ///< fault; empty: none
+    std::string first_;  ///< message of the first fault; empty: none
     std::size_t frames_ = 0, unsound_ = 0;
 };
 

@@ -1,4 +1,4 @@
-// A probed pixel as JSON (docs/cli.md).
+// Probe of one pixel as JSON (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// @param dossiers one for each light of the probe, or none where no truth was asked for
+/// Converts a probe of a pixel to JSON. @param diagnoses one for each light of the probe; empty without a reference
 nlohmann::ordered_json probe_json(const Probe& probe, std::span<const PixelDiagnosis> diagnoses);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Facts of a frame as JSON, for scripts (docs/cli.md).
+// Facts of a frame as JSON, for `render --report` (docs/cli.md).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,17 +9,20 @@
 
 namespace si {
 
-/// Column-major GLM matrices become arrays of rows.
+/// Converts a 4x4 matrix to JSON as an array of rows (GLM stores columns).
 nlohmann::ordered_json matrix_json(const glm::dmat4& m);
+/// Converts a vector to JSON as an array of three numbers.
 nlohmann::ordered_json vector_json(const glm::dvec3& v);
 
+/// Converts facts about the pages of a virtual shadow map to JSON.
 nlohmann::ordered_json pages_json(const PageFacts& pages);
+/// Converts the OpenGL driver's names and limits to JSON.
 nlohmann::ordered_json driver_json(const DriverInfo& driver);
-/// @param view key of the view that was drawn
+/// Makes the report of a drawn frame. @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);
 
-/// The text of a report; numbers that are not finite become null.
+/// Formats JSON as indented text; numbers that are not finite become null.
 std::string json_text(const nlohmann::ordered_json& json);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// A cross-section as a picture for pages and slides.
+// Cross-section of a shadow test as an SVG picture.
 #pragma once
 
 #include <string>
@@ -7,11 +7,11 @@
 
 namespace si {
 
-/// SVG 1.1, by itself: no fonts, scripts or files from elsewhere. The same drawing gives the same bytes. Where the
-/// reader asks for dark pages its colours are those for a dark ground; it brings its own ground.
-/// @param title for readers who cannot see it
+/// Formats a drawing as self-contained SVG 1.1 without external fonts, scripts or files. Equal drawings give equal
+/// bytes. The picture has its own background and follows the reader's preference for dark or light pages.
+/// @param title text for readers who cannot see the picture
 std::string section_svg(const SectionDrawing& drawing, const std::string& title);
-/// Of a section in the drawing's own size, with its verdict as the title.
+/// Draws a cross-section at its natural size as SVG, with its verdict as the title.
 std::string section_svg(const Section& section);
 
 }  // namespace si

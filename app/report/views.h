@@ -1,4 +1,4 @@
-// What `render` can draw: the picture, visibility, a depth image, or an overlay.
+// Views that `render` can draw: the picture, visibility, a depth image, or an overlay.
 #pragma once
 
 #include <string>
@@ -11,27 +11,28 @@
 
 namespace si {
 
+/// Image that `render --view` can draw.
 struct View {
     std::string key, label, help;
-    bool scalar = false;  ///< one number a pixel: can be written as floats
+    bool scalar = false;  ///< one number per pixel: can be written as a float file
     int overlay = 0;      ///< value of view.overlay, 0 for none
 };
 
-/// All views; where an overlay is named like a view the view stands for both.
+/// Lists all views. An overlay with the key of a view is not listed twice.
 std::vector<View> views();
-/// @throws UsageError naming the nearest
+/// Finds a view by key. @throws UsageError naming the nearest key
 View find_view(const std::string& key);
 
-/// Where the panes of view.panes lie in a picture of this size.
+/// Returns the rectangles of the panes (view.panes) in a picture of this size.
 PaneGrid picture_grid(const Settings& settings, int width, int height);
 
-/// Draws `view` into the file, PNG or PFM by extension; the picture of several panes (view.panes) as one of the size
-/// asked for. What its overlays need of the truth is traced by `workers`. `frame` gets the facts.
-/// @throws Error when the light has no map, or the file cannot be written.
+/// Draws a view into a PNG or PFM file, by extension. Several panes (view.panes) share the picture. @param workers for
+/// rays that the view's overlays need @param frame receives the facts of the frame @throws Error when the light has no
+/// map, or the file cannot be written
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
                 const std::string& path, FrameResult* frame = nullptr, const Workers& workers = {});
 
-/// @throws UsageError unless `path` ends in .png, or in .pfm and the view is scalar.
+/// Checks a file name for a view: .png, or .pfm if the view is scalar. @throws UsageError
 void check_view_file(const View& view, const std::string& path);
 
 }  // namespace si

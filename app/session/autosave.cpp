@@ -76,7 +76,7 @@ void Autosave::forget_lost() {
     find_lost();
 }
 
-bool Autosave::claim() {
+bool Autosave::claim_file() {
     if (lock_) return true;
     fs::create_directories(folder_);
     for (int n = 0; n < 100 && !lock_; ++n) {
@@ -90,7 +90,7 @@ bool Autosave::claim() {
 
 void Autosave::write(const std::string& scene, const Settings& settings) {
     try {
-        if (!claim()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
+        if (!claim_file()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
         Preset preset;
         preset.scene = lasting_name(scene);
         preset.settings = settings;
@@ -101,7 +101,7 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
     }
 }
 
-void Autosave::follow(const std::string& scene, const Settings& settings, double now_s) {
+void Autosave::update(const std::string& scene, const Settings& settings, double now_s) {
     // A program that was ended may still be going as the next begins, and hold its session.
     if (!look_again_s_) look_again_s_ = now_s + kSeconds;
     if (!lost_ && now_s >= *look_again_s_) {

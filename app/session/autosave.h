@@ -1,6 +1,5 @@
-// The present scene and settings on disk while the editor runs, so that a crash loses nothing. Each running editor has
-// a file of its own and holds a lock beside it; a file whose lock is free was left behind by an editor that did not
-// end cleanly.
+// Autosave of the scene and settings while the editor runs, so that a crash loses nothing. Each running editor has its
+// own file and holds a lock file next to it. A file whose lock is free was left by an editor that crashed.
 #pragma once
 
 #include <filesystem>
@@ -13,48 +12,53 @@
 
 namespace si {
 
+/// Autosave file of one running editor, and recovery of files that crashed editors left.
 class Autosave {
 public:
-    static constexpr double kSeconds = 2;  ///< at least so long between two writings
+    static constexpr double kSeconds = 2;  ///< shortest time between two writes
 
-    /// @param folder of the program's state; empty: nothing is kept
+    /// @param folder of the program's state; empty: autosave is off
     explicit Autosave(const std::filesystem::path& folder);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
 
-    /// A session that an earlier run left behind. No other running editor is offered the same.
+    /// Session of an editor that crashed. Its lock keeps other running editors from offering it too.
     struct Lost {
         Preset preset;
-        double age_s = 0;  ///< since it was last written
+        double age_s = 0;  ///< seconds since its last write
         std::filesystem::path file;
         LockFile lock;
     };
+    /// Returns the lost session that is offered for recovery; null: none.
     const Lost* lost() const { return lost_ ? &*lost_ : nullptr; }
-    /// It was restored or is not wanted: removes it and looks for the next.
+    /// Removes the lost session, after it was restored or declined, and looks for the next one.
     void forget_lost();
 
-    /// Call often. Writes when scene or settings differ from what was there at first and from what is written,
-    /// `now_s` grows steadily. Never throws.
-    void follow(const std::string& scene, const Settings& settings, double now_s);
-    /// The end. @param unsaved what is shown then is kept and offered again, as after a crash; else nothing is left
+    /// Writes scene and settings if they differ from the start and from the last write, at most every kSeconds. Called
+    /// every frame. @param now_s a steady clock. Never throws.
+    void update(const std::string& scene, const Settings& settings, double now_s);
+    /// Ends autosave. @param unsaved true: keeps the present state and offers it at the next start, as after a crash;
+    /// false: removes the file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
-    /// What went wrong since the last call, one line each.
+    /// Returns the errors since the last call, one line each.
     std::vector<std::string> take_remarks();
 
 private:
+    /// Looks for a session that a crashed editor left.
     void find_lost();
-    bool claim();
+    /// Makes and locks this editor's autosave file; false: not possible.
+    bool claim_file();
     void write(const std::string& scene, const Settings& settings);
 
     std::filesystem::path folder_;  ///< empty: off
     std::filesystem::path file_;
     LockFile lock_;
     std::optional<Lost> lost_;
-    std::vector<std::filesystem::path> settled_;             ///< lost sessions that were dealt with
-    std::optional<std::pair<std::string, Settings>> known_;  ///< as at first, later as written
-    std::optional<std::pair<std::string, Settings>> first_;  ///< as the editor began
+    std::vector<std::filesystem::path> settled_;             ///< lost sessions that were restored or declined
+    std::optional<std::pair<std::string, Settings>> known_;  ///< state at the last write, or at the start
+    std::optional<std::pair<std::string, Settings>> first_;  ///< state at the start
     double next_write_s_ = 0;
-    std::optional<double> look_again_s_;  ///< for lost sessions; infinite: done
+    std::optional<double> look_again_s_;  ///< time of the next search for lost sessions; infinite: never
     std::vector<std::string> remarks_;
 };
 

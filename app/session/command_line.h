@@ -1,4 +1,4 @@
-// The command that draws without a window what the editor shows.
+// Conversion of the editor's state into a command line that draws the same picture without a window.
 #pragma once
 
 #include <string>
@@ -7,14 +7,15 @@
 
 namespace si {
 
-/// Defaults with the scene's suggested settings over them. @throws Error when a suggestion has no such setting.
+/// Returns the default settings with the scene's suggested settings applied. @throws Error when a suggestion names no
+/// setting
 Settings base_settings(const Scene& scene);
 
-/// What opens the scene and these settings: the scene's base, and --set for everything that differs from it.
+/// Returns a plan that opens the scene with these settings: base_settings() and --set for everything that differs.
 SessionPlan session_plan(const std::string& scene_name, const Scene& scene, const Settings& settings);
 
-/// The command that renders what `settings` show, with --set for everything that differs from the scene's base.
-/// @param scene_name built-in key or path, as the editor was given it
+/// Formats the command that renders a scene with these settings, with --set for everything that differs from
+/// base_settings(). @param scene_name built-in key or path
 std::string command_line(const std::string& scene_name, const Scene& scene, const Settings& settings, int width,
                          int height);
 

@@ -1,4 +1,4 @@
-// What differs between two presets, in words.
+// Differences between two presets, in words.
 #pragma once
 
 #include <string>
@@ -9,21 +9,23 @@
 
 namespace si {
 
+/// One setting in which two presets differ.
 struct PresetDifference {
     std::string group;  ///< heading: "Bias", "Light 2", "Object Root/Box", "Scene"
     std::string key;    ///< "bias.constant"; "scene" for the scene that the presets are made for
     std::string text;   ///< "bias.constant: 0.1 → 0 texels (Constant)"
-    std::string note;   ///< why it does not matter in either; empty when it does
+    std::string note;   ///< why the setting has no effect in either preset; empty: it has
 };
 
-/// From `a` to `b`, the scene first, then settings in table order. Titles and sentences do not count.
+/// Lists the differences from preset a to preset b: the scene first, then settings in table order. Titles and
+/// descriptions are not compared.
 std::vector<PresetDifference> preset_differences(const Preset& a, const Preset& b);
 
-/// The differences under their headings, one line each; a line that says so when there are none.
+/// Formats differences under their group headings, one line each; "no differences" as a line if there are none.
 std::string differences_text(const std::vector<PresetDifference>& differences, const std::string& name_a,
                              const std::string& name_b);
 
-/// A preset file, a built-in preset, or "default": the program's defaults without a scene. @throws Error
+/// Loads a preset file, a built-in preset, or "default" (the program's defaults without a scene). @throws Error
 Preset load_preset_or_default(const std::string& name_or_path);
 
 }  // namespace si

@@ -42,7 +42,7 @@ double remaining_seconds(double passed, double progress) {
 std::optional<SceneLoading::Outcome> SceneLoading::poll() {
     auto ended = job_.poll();
     if (!ended || ended->cancelled) return {};
-    return Outcome{.name = name_, .scene = std::move(ended->value), .error = what_of(ended->problem)};
+    return Outcome{.name = name_, .scene = std::move(ended->value), .error = exception_message(ended->problem)};
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Reads a scene on a thread of its own, while the editor goes on with the one that it has.
+// Loading of a scene on a background thread while the editor shows the present one.
 #pragma once
 
 #include <chrono>
@@ -11,51 +11,52 @@
 
 namespace si {
 
-/// Makes a scene of a name or path, as load_scene() does; called on another thread. It reports progress through the
-/// options and throws when that returns false.
+/// Function that reads a scene by name or path, like load_scene(). Runs on another thread, reports progress through the
+/// options, and throws when the progress callback returns false.
 using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>;
 
-/// Of something that has come so far (0..1) in `passed` seconds; 0 while it is too early to say.
+/// Estimates the time left of work that reached `progress` (0..1) in `passed` seconds; 0 while it is too early to say.
 double remaining_seconds(double passed, double progress);
 
-/// One scene is wanted at a time, as Job has it.
+/// Background loading of one scene at a time (see Job).
 class SceneLoading {
 public:
-    /// Empty: load_scene().
+    /// @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
 
-    /// In place of what was wanted before. @throws std::system_error when there is no thread to be had.
-    /// @param file_scene which scene of a glTF file; -1: its default
+    /// Starts loading a scene and cancels the one before. @throws std::system_error when the system has no thread left
+    /// @param file_scene index of the scene in a glTF file; -1: its default
     void start(const std::string& name_or_path, int file_scene = -1);
-    /// Nothing is wanted any more.
+    /// Cancels the loading; poll() then reports nothing.
     void cancel() { job_.drop(); }
 
-    /// What is wanted and not there yet; empty: nothing.
+    /// Name of the scene that is being loaded; empty: none.
     std::string wanted() const { return job_.wanted() ? name_ : std::string(); }
-    /// Of the wanted scene, 0..1.
+    /// Progress of the scene that is being loaded, 0..1.
     double progress() const { return job_.progress().value_or(0); }
-    /// Until the wanted scene is there, as it went so far; 0: too early to say.
+    /// Estimated seconds until the scene is loaded; 0: too early to say.
     double seconds_left() const;
-    /// A thread is reading, wanted or not.
+    /// Returns true while a thread reads, also for a scene that was cancelled.
     bool busy() const { return job_.busy(); }
-    /// poll() has something to do.
+    /// Returns true if poll() would return an outcome.
     bool ended() const { return job_.ended(); }
-    /// The progress differs from that last asked for, or poll() has something to do.
+    /// Returns true if the progress changed since the last call of progress(), or poll() would return an outcome.
     bool moved() const { return job_.moved(); }
 
+    /// Scene that was loaded, or why loading failed.
     struct Outcome {
         std::string name;            ///< as given to start()
-        std::optional<Scene> scene;  ///< posed at its start; none: it failed
+        std::optional<Scene> scene;  ///< posed at the start of its animation; none: loading failed
         std::string error;
     };
-    /// The wanted scene or why there is none, once.
+    /// Returns the outcome of the loading and forgets it; nothing while it runs.
     std::optional<Outcome> poll();
-    /// Until ended(), or nothing runs.
+    /// Blocks until the loading has ended.
     void wait() const { job_.wait(); }
 
 private:
     SceneReader read_;
-    std::string name_;  ///< of what was started last
+    std::string name_;  ///< name or path given to the last start()
     std::chrono::steady_clock::time_point began_;
     Job<Scene> job_;
 };

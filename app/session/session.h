@@ -1,4 +1,4 @@
-// A scene with the settings to look at it, and how they came about.
+// Session: a scene with its settings, composed from a preset, the scene's suggestions and --set.
 #pragma once
 
 #include <optional>
@@ -13,70 +13,72 @@
 
 namespace si {
 
+/// Scene, preset and settings as given on the command line.
 struct SessionOptions {
-    std::string scene;              ///< built-in key or path; empty: the preset's scene, else the default one
+    std::string scene;              ///< built-in key or path; empty: the preset's scene, else the default scene
     std::string preset;             ///< built-in key or path; empty: none
     std::vector<std::string> sets;  ///< "KEY=VALUE", applied in order after everything else
 };
 
+/// Loaded scene with its composed settings.
 struct Session {
-    std::string scene_name;  ///< what load_scene() was given
+    std::string scene_name;  ///< name or path given to load_scene()
     Scene scene;
     Settings settings;
     std::vector<std::string> notes;  ///< remarks about the scene, one line each
 };
 
-/// What the options amount to while there is no scene yet.
+/// Checked session options, before the scene is read.
 struct SessionPlan {
-    std::string scene_name;  ///< to be read with load_scene()
+    std::string scene_name;  ///< for load_scene()
     std::optional<Preset> preset;
     std::string preset_path;
     std::vector<std::string> sets;
-    Settings settings;  ///< the preset, else program defaults, and `sets` over them
+    Settings settings;  ///< the preset or the program's defaults, with `sets` applied
 };
 
-/// Finds what is wrong with the options themselves. @throws UsageError, Error (a preset that cannot be read)
+/// Checks session options and reads the preset, but not the scene. @throws UsageError, Error (an unreadable preset)
 SessionPlan plan_session(const SessionOptions& options);
 
-/// Which scene of a file the plan is for.
+/// Returns the options for load_scene(): which scene of a glTF file the plan names.
 GltfOptions scene_options(const SessionPlan& plan);
 
+/// Settings with the notes made while composing them.
 struct ComposedSettings {
     Settings settings;
     std::vector<std::string> notes;  ///< repairs and remarks
 };
 
-/// compose_session() for a scene that stands as `moment` says.
-ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
+/// Composes the settings of a scene that is already posed. @param pose animation, time and placement of the scene
+/// @param left_out as for compose_session()
+ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& pose,
                                   std::vector<std::string>* left_out = nullptr);
 
-/// Poses the scene and composes the settings: program defaults, then the scene's suggestions or the preset (which holds
-/// them already), then the sets. @param left_out gets one line for each thing chosen that the scene lacks, which is
-/// then left out; null: it throws. @throws UsageError, Error
+/// Poses the scene and composes its settings: program defaults, then the preset or the scene's suggestions, then --set.
+/// @param left_out receives one line for each chosen thing that the scene lacks (an object, a camera), which is then
+/// ignored; null: throws instead @throws UsageError, Error
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out = nullptr);
 
-/// plan_session(), load_scene() and compose_session(). @throws UsageError, Error
+/// Opens a session: checks the options, loads the scene, poses it and composes the settings. @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
-/// Applies one "KEY=VALUE". @throws UsageError
+/// Applies one assignment "KEY=VALUE" to settings. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 
-/// Writes the scene's suggested values into `settings`. @throws Error when a suggestion is no setting.
+/// Applies the scene's suggested settings. @throws Error when a suggestion names no setting
 void apply_suggested(const Scene& scene, Settings& settings);
 
-/// Overrides of objects that the scene lacks: removed and told of in `left_out`, or (null) thrown.
-/// @param preset the file that they are from; empty: the command line. @throws UsageError, Error
+/// Removes per-object settings whose object the scene lacks. @param preset file that they come from, for the message;
+/// empty: the command line @param left_out receives one line for each; null: throws instead @throws UsageError, Error
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out);
 
-/// Node paths of what object.PATH.shown hides.
+/// Returns the node paths of objects that object.PATH.shown hides.
 std::set<std::string> hidden_paths(const Settings& settings);
 
-/// Poses a scene as scene.animation and scene.time say, and places it as scene.distance, direction and scale do. A
-/// file without a ground gets one where scene.ground lets it (renderer/scene/ground.h).
-/// What is hidden stays so.
-/// Returns a remark when there is nothing to pose, else "".
-/// @throws UsageError when there is no such animation.
+/// Poses a scene at scene.animation and scene.time and places it by scene.distance, scene.direction and scene.scale.
+/// Adds a ground to a file without one if scene.ground allows it (renderer/scene/ground.h). Hidden objects stay hidden.
+/// @returns a note when there is nothing to animate, else "" @throws UsageError for an unknown animation
 std::string pose_scene(Scene& scene, const SceneSettings& settings);
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// What the editor remembers from one run to the next: layout, window, recent files. A file that people may delete at
-// any time; whatever is wrong with it never hinders the editor.
+// Workspace file: layout, window and recent files that the editor keeps between runs. Users may delete it at any time,
+// and a damaged file never stops the editor.
 #pragma once
 
 #include <filesystem>
@@ -11,48 +11,54 @@
 
 namespace si {
 
+/// Contents of the workspace file.
 struct WorkspaceData {
     EditorLayout layout;
-    int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: never kept
+    int window_width = 0, window_height = 0;  ///< screen coordinates at scale 1; 0: unknown
     bool maximised = false;
     bool welcomed = false;                                   ///< the welcome was shown
     std::vector<std::string> recent_scenes, recent_presets;  ///< absolute paths, the newest first
     bool operator==(const WorkspaceData&) const = default;
 };
 
-/// $XDG_STATE_HOME/shadow-inspector, or ~/.local/state/shadow-inspector where that is not set (XDG base directories);
-/// empty when neither is known.
+/// Folder for the program's state: $XDG_STATE_HOME/shadow-inspector, else ~/.local/state/shadow-inspector (XDG base
+/// directories); empty if neither variable is set.
 std::filesystem::path state_folder();
 
-/// $XDG_CACHE_HOME/shadow-inspector, or ~/.cache/shadow-inspector where that is not set; empty when neither is known.
+/// Folder for the program's caches: $XDG_CACHE_HOME/shadow-inspector, else ~/.cache/shadow-inspector; empty if neither
+/// variable is set.
 std::filesystem::path cache_folder();
 
-/// Opened and locked by this process alone (flock), until closed. Invalid when another process holds it or the file
-/// system cannot lock.
+/// File that this process holds open and locked (flock) until it is closed. Invalid (false) when another process holds
+/// the lock or the file system cannot lock.
 class LockFile {
 public:
     LockFile() = default;
-    /// @param wait for another holder to let go
+    /// @param wait blocks until another holder releases the lock; false: gives up at once
     LockFile(const std::filesystem::path& path, bool wait);
     ~LockFile() { release(); }
     LockFile(LockFile&& other) noexcept;
     LockFile& operator=(LockFile&& other) noexcept;
+    /// Returns true if this process holds the lock.
     explicit operator bool() const { return fd_ >= 0; }
+    /// Releases the lock and closes the file.
     void release();
 
 private:
     int fd_ = -1;
 };
 
+/// Workspace file in the state folder, shared by all running editors.
 class Workspace {
 public:
-    /// @param folder made when first written to; empty: nothing is remembered
+    /// @param folder created at the first write; empty: nothing is kept
     explicit Workspace(std::filesystem::path folder);
 
+    /// Returns the workspace as last read or written by this process.
     const WorkspaceData& data() const { return data_; }
-    /// Changes the data here and in the file, on top of what other instances wrote meanwhile. Never throws.
+    /// Edits the workspace here and in the file, on top of changes that other instances wrote. Never throws.
     void change(const std::function<void(WorkspaceData&)>& edit);
-    /// What went wrong since the last call, one line each.
+    /// Returns the errors since the last call, one line each.
     std::vector<std::string> take_remarks();
 
 private:
@@ -60,11 +66,11 @@ private:
 
     std::filesystem::path folder_;
     WorkspaceData data_;
-    bool foreign_ = false;  ///< the file is not ours to write
+    bool foreign_ = false;  ///< the file is of another program or a later version: it is not written
     std::vector<std::string> remarks_;
 };
 
-/// Puts a path to the front of a list of recent files, once.
+/// Moves or adds a path to the front of a list of recent files, without duplicates.
 void put_first(std::vector<std::string>& recent, const std::string& path);
 
 }  // namespace si

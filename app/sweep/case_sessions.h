@@ -1,4 +1,4 @@
-// The cases of a sweep as the command line would open them: each axis' value as one more --set.
+// Sessions of the cases of a sweep: each axis value is applied like one more --set.
 #pragma once
 
 #include <map>
@@ -8,35 +8,39 @@
 
 namespace si {
 
+/// Loads scenes and composes settings for the cases of a sweep.
 class CaseSessions {
 public:
     using Values = std::vector<std::pair<std::string, std::string>>;  ///< SweepCase::values
 
+    /// @param plan scene and settings that all cases share
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
-    /// A scene that is read already. @param as how it was chosen and stands
-    void keep(Scene scene, const SceneSettings& as) {
+    /// Adds a scene that is loaded already, so that prepare() need not read it. @param as its scene settings: index in
+    /// the file, animation, time, placement
+    void add_scene(Scene scene, const SceneSettings& as) {
         loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}});
     }
 
+    /// Scene and settings of one case.
     struct Prepared {
-        const Scene& scene;  ///< until the next call
+        const Scene& scene;  ///< valid until the next call of prepare()
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Reads the scene where scene.index calls for another one, and poses it. @throws UsageError, Error as
-    /// open_session()
+    /// Prepares one case: loads another scene if scene.index asks for it, poses it, composes the settings. @param
+    /// values key and value of each axis @throws UsageError, Error as open_session()
     Prepared prepare(const Values& values);
 
-    /// Prepares what differs in scene, camera or objects among the cases of `axes`, so that what --set would refuse is
-    /// refused before anything is measured. @throws UsageError, Error
+    /// Checks axis values that concern the scene, camera or objects, so that errors appear before anything is measured.
+    /// @throws UsageError, Error
     void check(const std::vector<SweepAxis>& axes);
 
 private:
     struct Loaded {
         Scene scene;
         SceneSettings posed;
-        std::string remark;  ///< of pose_scene()
+        std::string remark;  ///< note of pose_scene()
     };
     SessionPlan plan_;
     std::map<int, Loaded> loaded_;  ///< by scene.index

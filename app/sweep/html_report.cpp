@@ -122,11 +122,11 @@ std::string replaced(std::string text, std::string_view mark, std::string_view b
 
 }  // namespace
 
-std::string report_html(const Json& results, const fs::path& folder, std::size_t most_picture_bytes) {
+std::string report_html(const Json& results, const fs::path& folder, std::size_t max_picture_bytes) {
     Json data = results;
     data["columns"] = columns_json(parse_cost(results.value("timed", "forced")));
     data["setting_info"] = setting_info(results.at("axes"));
-    data["pictures"] = pictures_json(results, folder, most_picture_bytes);
+    data["pictures"] = pictures_json(results, folder, max_picture_bytes);
     data["artefact_legend"] = Json::array();
     for (const ArtefactStyle& style : artefact_styles())
         data["artefact_legend"].push_back(

@@ -1,4 +1,4 @@
-// A sweep's report: one page for a browser that needs nothing beside it (assets/report/).
+// Report of a sweep as one self-contained HTML page (assets/report/).
 #pragma once
 
 #include <filesystem>
@@ -7,12 +7,12 @@
 
 namespace si {
 
-/// Bytes of pictures that a report carries at most; those of the frontier come first.
-inline constexpr std::size_t kMostPictureBytes = std::size_t{24} << 20;
+/// Largest total size of embedded pictures. Cases on the Pareto front come first.
+inline constexpr std::size_t kMaxPictureBytes = std::size_t{24} << 20;
 
-/// @param results as results_json() gives them
-/// @param folder of the sweep, where its pictures lie; missing ones are left out
+/// Makes the HTML report of a sweep. @param results from results_json() @param folder of the sweep with its pictures;
+/// missing ones are left out
 std::string report_html(const nlohmann::ordered_json& results, const std::filesystem::path& folder,
-                        std::size_t most_picture_bytes = kMostPictureBytes);
+                        std::size_t max_picture_bytes = kMaxPictureBytes);
 
 }  // namespace si

@@ -1,5 +1,4 @@
-// The journal of a sweep: a file to which each result is added as a line when it is there, so that nothing finished is
-// lost however the program ends.
+// Journal of a sweep: each result is appended to a file at once, so that nothing finished is lost if the program ends.
 #pragma once
 
 #include <filesystem>
@@ -10,24 +9,25 @@ namespace si {
 
 inline constexpr const char* kJournalFile = "journal.jsonl";
 
-/// Reads what a folder's journal says. A last line that was cut off is left out; so are others that cannot be read, of
-/// which the state's notes tell. @throws Error when it is no journal, or its errors mean something else
+/// Reads the journal of a folder. Unreadable lines are skipped and named in the state's notes; a last line that was cut
+/// off is skipped silently. @throws Error when it is no journal, or its error metrics have another definition
 SweepState read_journal(const std::filesystem::path& folder);
 
+/// Open journal of a sweep, locked for this process.
 class Journal {
 public:
-    /// Opens or begins the journal in `folder`, which is made if missing, and keeps others from writing into it.
-    /// @throws Error when it is of another sweep (naming the difference), or another process writes into it.
+    /// Opens or begins the journal in `folder` (made if missing) and locks it. @throws Error when it belongs to another
+    /// sweep (naming the difference), or another process writes into it
     Journal(const std::filesystem::path& folder, const nlohmann::ordered_json& spec, const std::string& plan);
     ~Journal();
     Journal(const Journal&) = delete;
     Journal& operator=(const Journal&) = delete;
 
+    /// Returns the state that all lines of the journal add up to.
     const SweepState& state() const { return state_; }
-    /// Adds a line. Whatever becomes of the program, it is kept; results of cases are on the disk when this returns, so
-    /// that they survive the machine's end, too. @throws Error when it cannot be written.
+    /// Appends a line. Results of cases are flushed to disk before it returns. @throws Error when it cannot be written
     void add(const nlohmann::ordered_json& line);
-    /// Adds several lines at once.
+    /// Appends several lines at once.
     void add(const std::vector<nlohmann::ordered_json>& lines);
 
 private:
@@ -36,10 +36,10 @@ private:
     int descriptor_ = -1;
 };
 
-/// Whether there is a journal in `folder`.
+/// Returns true if the folder holds a file with the journal's name.
 bool has_journal(const std::filesystem::path& folder);
 
-/// Whether it is one that a sweep wrote, whatever is wrong with it further on.
+/// Returns true if the folder's journal was written by a sweep of this program; damage in later lines does not count.
 bool has_own_journal(const std::filesystem::path& folder);
 
 }  // namespace si

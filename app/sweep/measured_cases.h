@@ -1,4 +1,4 @@
-// A sweep's results as the frontier panel shows them.
+// Conversion of sweep results for the frontier panel.
 #pragma once
 
 #include "app/sweep/results.h"
@@ -6,15 +6,16 @@
 
 namespace si {
 
-/// The columns that may be axes of the plot, in order. @param cost of which frames the times are
+/// Lists the columns that may be axes of the plot, in order. @param cost kind of frames that the times belong to
 std::vector<MeasuredColumn> measured_columns(CostCase cost = kDefaultCost);
 
+/// Converts a row of sweep results to a dot of the plot.
 MeasuredCase measured_case(const SweepRow& row);
-/// Of settings that are no case.
+/// Converts numbers measured outside a sweep (present or pinned settings) to a dot of the plot.
 MeasuredCase measured_case(const CaseNumbers& numbers);
 
-/// Rows that failed are left out. @param present, before numbers of other settings; null: none @param cost, error keys
-/// of columns
+/// Makes the plot of a sweep. Failed rows are left out. @param present, before numbers of the present and the earlier
+/// settings; null: none @param cost, error keys of the columns on the axes
 FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
                            const std::string& error, const CaseNumbers* before = nullptr);
 

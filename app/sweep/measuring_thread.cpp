@@ -36,83 +36,84 @@ MeasuringThread::MeasuringThread(std::chrono::milliseconds kept)
 
 MeasuringThread::~MeasuringThread() {
     cancel_sweep();
-    cancel_measure();
+    cancel_measurement();
 }
 
 template <typename Change>
-void MeasuringThread::tell(const Change& change) {
+void MeasuringThread::update_status(const Change& change) {
     {
         const std::lock_guard lock(mutex_);
         change();
-        ++news_.version;
+        ++status_.version;
     }
     changed_.notify_all();
 }
 
-void MeasuringThread::sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene, const SceneSettings& as) {
-    tell([&] {
+void MeasuringThread::start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene,
+                                  const SceneSettings& as) {
+    update_status([&] {
         sweep_stop_.request_stop();
         sweep_stop_ = {};
-        next_sweep_ = SweepWanted{std::move(of), std::move(scene), as, sweep_stop_};
-        news_.sweeping = true;
-        news_.progress = {};
-        news_.results.reset();
-        news_.sweep_problem.clear();
-        ++news_.sweep;
+        next_sweep_ = SweepWanted{std::move(inputs), std::move(scene), as, sweep_stop_};
+        status_.sweeping = true;
+        status_.progress = {};
+        status_.results.reset();
+        status_.sweep_problem.clear();
+        ++status_.sweep;
     });
 }
 
 void MeasuringThread::cancel_sweep() {
-    tell([&] {
+    update_status([&] {
         sweep_stop_.request_stop();
         if (next_sweep_) {
             next_sweep_.reset();
-            news_.sweeping = false;
+            status_.sweeping = false;
         }
     });
 }
 
-void MeasuringThread::measure(Picture picture) {
-    tell([&] {
+void MeasuringThread::start_measurement(Picture picture) {
+    update_status([&] {
         picture_stop_.request_stop();
         picture_stop_ = {};
         next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kRest};
-        news_.measuring = true;
-        news_.measure_problem.clear();
+        status_.measuring = true;
+        status_.measure_problem.clear();
     });
 }
 
-void MeasuringThread::cancel_measure() {
-    tell([&] {
+void MeasuringThread::cancel_measurement() {
+    update_status([&] {
         picture_stop_.request_stop();
         next_picture_.reset();
-        news_.measuring = false;
+        status_.measuring = false;
     });
 }
 
-MeasuringThread::News MeasuringThread::news() const {
+MeasuringThread::Status MeasuringThread::status() const {
     const std::lock_guard lock(mutex_);
-    return news_;
+    return status_;
 }
 
 std::uint64_t MeasuringThread::version() const {
     const std::lock_guard lock(mutex_);
-    return news_.version;
+    return status_.version;
 }
 
 bool MeasuringThread::busy() const {
     const std::lock_guard lock(mutex_);
-    return news_.sweeping || news_.measuring;
+    return status_.sweeping || status_.measuring;
 }
 
 void MeasuringThread::wait() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !news_.sweeping && !news_.measuring; });
+    changed_.wait(lock, [&] { return !status_.sweeping && !status_.measuring; });
 }
 
 void MeasuringThread::wait_for_sweep() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return !news_.sweeping; });
+    changed_.wait(lock, [&] { return !status_.sweeping; });
 }
 
 void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds kept) {
@@ -146,21 +147,21 @@ void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds 
         try {
             if (!bench) bench = std::make_unique<Bench>();
         } catch (const std::exception& e) {
-            tell([&] {
+            update_status([&] {
                 next_sweep_.reset();
                 next_picture_.reset();
-                news_.sweeping = news_.measuring = false;
-                news_.sweep_problem = news_.measure_problem = e.what();
+                status_.sweeping = status_.measuring = false;
+                status_.sweep_problem = status_.measure_problem = e.what();
             });
             continue;
         }
         if (picture) measure_picture(*bench, *picture);
-        if (new_sweep) take_sweep(*bench);
+        if (new_sweep) begin_sweep(*bench);
         if (bench->sweep) step_sweep(*bench);
     }
 }
 
-void MeasuringThread::take_sweep(Bench& bench) {
+void MeasuringThread::begin_sweep(Bench& bench) {
     std::optional<SweepWanted> wanted;
     {
         const std::lock_guard lock(mutex_);
@@ -169,15 +170,15 @@ void MeasuringThread::take_sweep(Bench& bench) {
     if (!wanted) return;
     bench.sweep.reset();  // leaves its journal
     try {
-        wanted->of.sessions.keep(*wanted->scene, wanted->as);
+        wanted->inputs.sessions.add_scene(*wanted->scene, wanted->as);
         bench.sweep_stop = wanted->stop.get_token();
         bench.sweep =
-            std::make_unique<RunningSweep>(std::move(wanted->of), bench.renderer, workers_of(bench.sweep_stop));
+            std::make_unique<RunningSweep>(std::move(wanted->inputs), bench.renderer, workers_of(bench.sweep_stop));
         bench.report_due = Clock::now() + kReport;
     } catch (const std::exception& e) {
-        tell([&] {
-            news_.sweeping = false;
-            news_.sweep_problem = e.what();
+        update_status([&] {
+            status_.sweeping = false;
+            status_.sweep_problem = e.what();
         });
     }
 }
@@ -194,28 +195,28 @@ void MeasuringThread::step_sweep(Bench& bench) {
     const bool report = !more || Clock::now() >= bench.report_due;
     std::optional<SweepResults> results;
     if (report) {
-        results = sweep_results(bench.sweep->state(), bench.sweep->of().plan);
+        results = sweep_results(bench.sweep->state(), bench.sweep->inputs().plan);
         bench.report_due = Clock::now() + kReport;
     }
     const SweepProgress progress = bench.sweep->progress();
     if (!more) bench.sweep.reset();  // the journal is free before anybody hears of the end
-    tell([&] {
+    update_status([&] {
         if (next_sweep_) return;  // another one is wanted already
-        if (report) news_.results = std::move(results);
-        news_.progress = progress;
-        news_.sweeping = more;
-        news_.sweep_problem = problem;
+        if (report) status_.results = std::move(results);
+        status_.progress = progress;
+        status_.sweeping = more;
+        status_.sweep_problem = problem;
     });
 }
 
 void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted) {
     const Picture& p = wanted.picture;
     const auto publish = [&](const std::optional<CaseNumbers>& measured, const std::string& problem, bool done) {
-        tell([&] {
+        update_status([&] {
             if (wanted.stop.stop_requested()) return;
-            news_.measured = measured;
-            news_.measure_problem = problem;
-            if (done) news_.measuring = false;
+            status_.measured = measured;
+            status_.measure_problem = problem;
+            if (done) status_.measuring = false;
         });
     };
     CaseNumbers numbers;
@@ -225,7 +226,7 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
         bench.width = p.width;
         bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
-        const Judgement classified = bench.measurer->judge(*p.scene, p.settings);
+        const Classification classified = bench.measurer->judge(*p.scene, p.settings);
         numbers.error = {classified.error, classified.reference->noise};
         numbers.cost = classified.cost;
         publish(numbers, "", false);

@@ -1,5 +1,5 @@
-// A thread that measures: a sweep case by case, and between its steps the present settings. It draws in an OpenGL
-// context of its own, so that whoever asks is never kept waiting.
+// Background thread that measures a sweep case by case, and the present settings between its steps. It draws in an
+// OpenGL context of its own, so that the editor never waits.
 #pragma once
 
 #include <chrono>
@@ -17,51 +17,58 @@
 
 namespace si {
 
+/// Background thread for sweeps and single measurements.
 class MeasuringThread {
 public:
-    /// @param kept how long maps, programs and the context stay after there was something to measure
+    /// @param kept time that maps, programs and the GL context stay in memory after the last measurement
     explicit MeasuringThread(std::chrono::milliseconds kept = std::chrono::seconds(5));
-    /// Cancels and joins.
+    /// Cancels all work and joins the thread.
     ~MeasuringThread();
 
-    /// What a picture is measured of. The scene is shared, never changed.
+    /// Picture to be measured. The scene is shared and never changed.
     struct Picture {
         std::shared_ptr<const Scene> scene;
         std::string scene_name;
         Settings settings;
         int width = 0, height = 0;
-        CostCase cost = kDefaultCost;  ///< of which frames the time is
+        CostCase cost = kDefaultCost;  ///< kind of frames to time
     };
-    /// In place of the sweep under way. @param scene that its cases begin with, standing as `as` says; copied
-    void sweep(RunningSweep::Of of, std::shared_ptr<const Scene> scene, const SceneSettings& as);
+    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as its scene
+    /// settings (index, animation, time, placement)
+    void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
+    /// Stops the sweep. Finished cases stay in its journal.
     void cancel_sweep();
-    /// In place of the picture under way.
-    void measure(Picture picture);
-    void cancel_measure();
+    /// Starts measuring a picture and cancels the present measurement of a picture.
+    void start_measurement(Picture picture);
+    /// Stops the measurement of a picture.
+    void cancel_measurement();
 
-    /// What became of it so far. Versions grow with each change.
-    struct News {
+    /// State of all work. The version grows with each change.
+    struct Status {
         std::uint64_t version = 0;
         bool sweeping = false;
         SweepProgress progress;
-        std::optional<SweepResults> results;  ///< of the sweep; none yet
-        std::uint64_t sweep = 0;              ///< counts the sweeps
-        std::string sweep_problem;            ///< why it ended early
-        bool measuring = false;               ///< a picture is wanted and not there yet
-        std::optional<CaseNumbers> measured;  ///< of the last picture
+        std::optional<SweepResults> results;  ///< results of the sweep so far; none yet
+        std::uint64_t sweep = 0;              ///< number of sweeps started
+        std::string sweep_problem;            ///< why the sweep ended early
+        bool measuring = false;               ///< a picture is being measured
+        std::optional<CaseNumbers> measured;  ///< numbers of the last picture
         std::string measure_problem;
     };
-    News news() const;
+    /// Returns a copy of the present state.
+    Status status() const;
+    /// Returns Status::version without copying the state.
     std::uint64_t version() const;
+    /// Returns true while a sweep or a measurement runs.
     bool busy() const;
-    /// Until nothing is wanted any more.
+    /// Blocks until no work is left.
     void wait() const;
-    /// Until no sweep is under way.
+    /// Blocks until no sweep runs.
     void wait_for_sweep() const;
 
 private:
     struct SweepWanted {
-        RunningSweep::Of of;
+        RunningSweep::Inputs inputs;
         std::shared_ptr<const Scene> scene;
         SceneSettings as;
         std::stop_source stop;
@@ -73,19 +80,19 @@ private:
     };
     struct Bench;
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
-    void take_sweep(Bench& bench);
+    void begin_sweep(Bench& bench);
     void step_sweep(Bench& bench);
     void measure_picture(Bench& bench, const PictureWanted& wanted);
-    /// Changes the news and wakes who waits.
+    /// Applies a change to the status and wakes waiting threads.
     template <typename Change>
-    void tell(const Change& change);
+    void update_status(const Change& change);
 
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
     std::optional<SweepWanted> next_sweep_;
     std::optional<PictureWanted> next_picture_;
-    std::stop_source sweep_stop_, picture_stop_;  ///< of what is wanted or under way
-    News news_;
+    std::stop_source sweep_stop_, picture_stop_;  ///< stop the waiting or running work
+    Status status_;
     std::jthread thread_;  ///< last: ends before what it uses
 };
 

@@ -1,4 +1,4 @@
-// Shards of a sweep put together.
+// Merging of the shards of a sweep.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace si {
 
-/// The sweep of which all parts are shards, or parts of the same work done twice: of a case that several know, the
-/// first that did not fail counts, and those that contradict it are named in the notes. @param parts name for messages,
-/// and state; at least one. @throws Error when they are not of one sweep, naming two that differ and how.
+/// Merges shards of one sweep, or repeated runs of it. For a case in several parts the first result that did not fail
+/// counts; contradicting ones are named in the notes. @param parts name for messages, and state; at least one
+/// @throws Error when the parts belong to different sweeps, naming two and their difference
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
-/// Lines of a journal that make `known` know what `more` of the same sweep knows besides.
-std::vector<nlohmann::ordered_json> lines_beyond(const SweepState& known, const SweepState& more);
+/// Returns the journal lines that `known` lacks and `more`, a state of the same sweep, has.
+std::vector<nlohmann::ordered_json> missing_lines(const SweepState& known, const SweepState& more);
 
-/// Numbers of the plan's cases that nobody has measured.
+/// Returns the numbers of the plan's cases without a result.
 std::vector<std::size_t> missing_cases(const SweepState& state, const SweepPlan& plan);
 
 }  // namespace si

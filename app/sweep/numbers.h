@@ -1,4 +1,4 @@
-// What is measured of one case of a sweep, or of other settings.
+// Numbers measured for one case of a sweep, or for other settings.
 #pragma once
 
 #include <limits>
@@ -9,12 +9,13 @@
 
 namespace si {
 
+/// Error metrics with the noise of the reference.
 struct CaseErrors {
     ErrorMetrics metrics;
-    double noise = std::numeric_limits<double>::quiet_NaN();  ///< of the truth; NaN: unknown
+    double noise = std::numeric_limits<double>::quiet_NaN();  ///< noise of the reference; NaN: unknown
 };
 
-/// Each part is there once it is measured.
+/// Error, cost and time of one case; parts that are not measured yet are empty.
 struct CaseNumbers {
     std::optional<CaseErrors> error;
     std::optional<WorkCost> cost;

@@ -1,4 +1,4 @@
-// Small pictures for reports.
+// Thumbnails for reports.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace si {
 
-/// Made no wider than `width` by averaging whole areas; smaller pictures stay as they are.
+/// Shrinks an image to at most `width` pixels by area averaging; smaller images are returned unchanged.
 ByteImage shrunk(const ByteImage& image, int width);
 
-/// A JPEG's bytes. @throws Error
+/// Encodes an image as JPEG. @throws Error
 std::string jpg_bytes(const ByteImage& image, int quality = 85);
 
 }  // namespace si

@@ -41,7 +41,7 @@ std::string progress_text(const SweepProgress& p, const SweepTiming& timing) {
 ProgressLine::ProgressLine() : terminal_(::isatty(STDERR_FILENO) == 1) {}
 
 ProgressLine::~ProgressLine() {
-    if (open_) tell("\n");
+    if (open_) print_to_stderr("\n");
 }
 
 void ProgressLine::show(const SweepProgress& progress, const SweepTiming& timing) {
@@ -52,9 +52,9 @@ void ProgressLine::show(std::string text, bool last) {
     const auto now = std::chrono::steady_clock::now();
     if (now < next_ && !last) return;
     next_ = now + (terminal_ ? 100ms : 10s);
-    if (!terminal_) return tell(text + "\n");
+    if (!terminal_) return print_to_stderr(text + "\n");
     text.resize(std::min(text.size(), columns_of_terminal() - 1));
-    tell(fmt::format("\r{}\x1b[K", text));
+    print_to_stderr(fmt::format("\r{}\x1b[K", text));
     open_ = true;
 }
 

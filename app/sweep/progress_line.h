@@ -1,4 +1,4 @@
-// How far a sweep or search is, on stderr: one line that is rewritten on a terminal, else a line now and then.
+// Progress of a sweep or search on stderr: one rewritten line on a terminal, else a line every few seconds.
 #pragma once
 
 #include <chrono>
@@ -8,20 +8,22 @@
 
 namespace si {
 
-/// "2 h 05 min", "3 min 20 s", "12 s".
+/// Formats a duration: "2 h 05 min", "3 min 20 s", "12 s".
 std::string duration_text(double seconds);
 
-/// The line without its end.
+/// Formats the progress of a sweep as one line without line break.
 std::string progress_text(const SweepProgress& progress, const SweepTiming& timing);
 
+/// Progress line on stderr.
 class ProgressLine {
 public:
     ProgressLine();
     ~ProgressLine();  ///< ends the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
+    /// Shows the progress of a sweep.
     void show(const SweepProgress& progress, const SweepTiming& timing);
-    /// @param last must not be left out
+    /// Shows a text. @param last true: always prints; false: may skip it, since the last print was very recently
     void show(std::string text, bool last);
 
 private:

@@ -1,4 +1,4 @@
-// Cases of a sweep as the renderer draws and times them, judged by the ray-traced truth.
+// Cases of a sweep, drawn and timed by the renderer and compared with the ray-traced reference.
 #pragma once
 
 #include "app/sweep/case_sessions.h"
@@ -7,9 +7,10 @@
 
 namespace si {
 
-/// Width of the pictures that a report shows, in pixels.
+/// Widths of a report's pictures in pixels: of the scene, and of the artefacts.
 inline constexpr int kThumbnailWidth = 320, kArtefactsWidth = 640;
 
+/// Meter that draws, times and compares each case with the program's renderer.
 class RenderedCases : public CaseMeter {
 public:
     RenderedCases(Measurer& measurer, const DriverInfo& driver, CaseSessions& sessions)

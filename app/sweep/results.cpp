@@ -74,7 +74,7 @@ std::string csv_cell(const std::string& text) {
 
 }  // namespace
 
-bool RankedRounds::holds(const Turn& turn) const {
+bool RankedRounds::contains(const Turn& turn) const {
     return std::find(rounds.begin(), rounds.end(), std::pair(turn.run, turn.round)) != rounds.end();
 }
 
@@ -82,7 +82,7 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
     std::map<std::pair<std::string, int>, std::set<std::size_t>> drawn;
     std::size_t live = 0;
     for (const auto& [number, c] : state.cases) {
-        if (!good(c)) continue;
+        if (!is_measured(c)) continue;
         ++live;
         for (const Turn& turn : c.turns) drawn[{turn.run, turn.round}].insert(number);
     }
@@ -110,7 +110,7 @@ RankedRounds ranked_rounds(const SweepState& state) {
 TimeSamples ranked_samples(const CaseState& c, const RankedRounds& rounds) {
     TimeSamples samples;
     for (const Turn& turn : c.turns)
-        if (rounds.holds(turn)) samples.add(turn.samples);
+        if (rounds.contains(turn)) samples.add(turn.samples);
     return samples;
 }
 
@@ -129,7 +129,7 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
     out.combinations = plan.product;
     out.cases = plan.cases.size();
     for (std::size_t i = 0; i < plan.cases.size(); ++i) {
-        if (!shard.holds(i)) continue;
+        if (!shard.contains(i)) continue;
         const auto known = state.cases.find(i);
         if (known == state.cases.end() || !(known->second.finished || !known->second.failed.empty())) continue;
         const CaseState& c = known->second;

@@ -33,7 +33,7 @@ SweepRunner::SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing,
     : plan_(plan), timing_(timing), meter_(meter), journal_(journal), folder_(std::move(folder)) {
     const auto& known = journal_.state().cases;
     for (std::size_t i = 0; i < plan_.cases.size(); ++i) {
-        if (!shard.holds(i)) continue;
+        if (!shard.contains(i)) continue;
         const auto c = known.find(i);
         const bool failed = c != known.end() && !c->second.failed.empty();
         if (c == known.end() || (failed ? retry_failed : !c->second.finished || lacks_pictures(folder_, i)))
@@ -71,8 +71,8 @@ bool SweepRunner::step_facts() {
     const auto& known = journal_.state().cases;
     const auto it = known.find(number);
     std::string why;
-    const bool again = it != known.end() && good(it->second);
-    if (it != known.end() && it->second.begun >= kMostBegins) {
+    const bool again = it != known.end() && is_measured(it->second);
+    if (it != known.end() && it->second.begun >= kMaxBegins) {
         why = "the program ended each time that it measured this case";
     } else {
         journal_.add(begin_line(number));
@@ -105,7 +105,7 @@ void SweepRunner::begin_round() {
     const RankedRounds rounds = rounds_like(state, here);
     bool all_settled = true;
     for (const auto& [number, c] : state.cases) {
-        if (!good(c)) continue;
+        if (!is_measured(c)) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
         all_settled = all_settled && int(samples.total_ms.size()) >= timing_.least_frames && summary(samples).settled;

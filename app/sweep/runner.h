@@ -1,4 +1,4 @@
-// Runs a sweep step by step: first each case's error and cost, then rounds of timed frames over all cases.
+// Runner of a sweep, step by step: first error and cost of each case, then rounds of timed frames over all cases.
 #pragma once
 
 #include <chrono>
@@ -9,41 +9,46 @@
 
 namespace si {
 
-/// Error and cost of a case, and what it looks like.
+/// Error, cost and pictures of a case.
 struct CaseFacts {
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
-    int map_resolution = 0;                  ///< as drawn, where it had to be smaller; else 0
+    int map_resolution = 0;                  ///< resolution drawn if it had to be smaller than set; else 0
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
-/// What measures a case. A sweep of the program uses RenderedCases; tests have their own.
+/// Interface that measures a case. The program uses RenderedCases; tests use fakes.
 class CaseMeter {
 public:
     virtual ~CaseMeter() = default;
+    /// Describes the process that measures: machine, driver, clock.
     virtual RunInfo run() = 0;
-    /// @throws std::exception: the case has failed
+    /// Measures error and cost of a case. @throws std::exception: the case has failed
     virtual CaseFacts facts(const SweepCase& c) = 0;
-    /// `frames` frames after what warms up. @throws std::exception: the case has failed
+    /// Times `frames` frames of a case after warm-up frames. @throws std::exception: the case has failed
     virtual TimeSamples time(const SweepCase& c, int frames, CostCase cost) = 0;
 };
 
+/// Progress of a sweep.
 struct SweepProgress {
-    bool timing = false;              ///< the rounds; else errors and costs
+    bool timing = false;              ///< phase: timed rounds; false: errors and costs
     std::size_t done = 0, total = 0;  ///< steps of this phase
     int round = 0;
-    std::string current;      ///< the case of the last step
-    double seconds_left = 0;  ///< estimated for all phases; 0: nothing known
+    std::string current;      ///< case of the last step
+    double seconds_left = 0;  ///< estimate for all phases; 0: unknown
 };
 
+/// Runs the steps of a sweep and appends each result to the journal.
 class SweepRunner {
 public:
-    /// @param folder of the pictures; the journal's
+    /// @param folder of the journal and the pictures
     SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
                 Journal& journal, std::filesystem::path folder);
-    /// Measures the facts of one case, or draws one case's frames of a round. False: nothing is left to do.
+    /// Measures error and cost of one case, or draws the timed frames of one case in a round. @returns false when the
+    /// sweep is done
     bool step();
+    /// Returns the progress of the sweep.
     const SweepProgress& progress() const { return progress_; }
 
 private:
@@ -61,13 +66,13 @@ private:
     Journal& journal_;
     std::filesystem::path folder_;
     std::vector<std::size_t> todo_;   ///< cases whose facts or pictures are missing, in order
-    std::size_t next_ = 0;            ///< of todo_
-    std::vector<std::size_t> order_;  ///< of the round under way
-    std::size_t turn_ = 0;            ///< of order_
+    std::size_t next_ = 0;            ///< index into todo_
+    std::vector<std::size_t> order_;  ///< order of the cases in the present round
+    std::size_t turn_ = 0;            ///< index into order_
     int round_ = -1;
     std::string run_;
     SweepProgress progress_;
-    double facts_s_ = 0, turns_s_ = 0;  ///< spent so far
+    double facts_s_ = 0, turns_s_ = 0;  ///< seconds spent so far
     std::size_t turns_ = 0;
 };
 

@@ -2,11 +2,11 @@
 
 namespace si {
 
-RunningSweep::RunningSweep(Of of, Renderer& renderer, const Workers& workers)
-    : of_(std::move(of)),
-      measurer_(renderer, of_.spec.width, of_.spec.height, workers),
-      cases_(measurer_, renderer.driver(), of_.sessions),
-      journal_(of_.folder, spec_json(of_.spec), plan_key(of_.plan)),
-      runner_(of_.plan, of_.spec.shard, of_.timing, of_.retry, cases_, journal_, of_.folder) {}
+RunningSweep::RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers)
+    : inputs_(std::move(inputs)),
+      measurer_(renderer, inputs_.spec.width, inputs_.spec.height, workers),
+      cases_(measurer_, renderer.driver(), inputs_.sessions),
+      journal_(inputs_.folder, spec_json(inputs_.spec), plan_key(inputs_.plan)),
+      runner_(inputs_.plan, inputs_.spec.shard, inputs_.timing, inputs_.retry, cases_, journal_, inputs_.folder) {}
 
 }  // namespace si

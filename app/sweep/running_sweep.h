@@ -1,4 +1,4 @@
-// A sweep with all that it needs: scene, truth, journal and runner.
+// Running sweep with its scene, reference, journal and runner.
 #pragma once
 
 #include <filesystem>
@@ -7,9 +7,11 @@
 
 namespace si {
 
+/// Sweep that runs in steps: owns sessions, measurer, journal and runner.
 class RunningSweep {
 public:
-    struct Of {
+    /// Inputs of a sweep.
+    struct Inputs {
         CaseSessions sessions;
         SweepSpec spec;
         SweepPlan plan;
@@ -17,18 +19,22 @@ public:
         bool retry = false;  ///< measure failed cases again
         std::filesystem::path folder;
     };
-    /// Opens or begins the folder's journal. @throws Error as Journal does
-    RunningSweep(Of of, Renderer& renderer, const Workers& workers = {});
+    /// Opens or begins the journal of the folder. @throws Error as Journal::Journal()
+    RunningSweep(Inputs inputs, Renderer& renderer, const Workers& workers = {});
     RunningSweep(const RunningSweep&) = delete;
     RunningSweep& operator=(const RunningSweep&) = delete;
 
+    /// Runs the next step of the sweep (see SweepRunner::step). @returns false when the sweep is done
     bool step() { return runner_.step(); }
+    /// Returns the progress of the sweep.
     const SweepProgress& progress() const { return runner_.progress(); }
+    /// Returns all results so far.
     const SweepState& state() const { return journal_.state(); }
-    const Of& of() const { return of_; }
+    /// Returns the inputs that the sweep was made with.
+    const Inputs& inputs() const { return inputs_; }
 
 private:
-    Of of_;
+    Inputs inputs_;
     Measurer measurer_;
     RenderedCases cases_;
     Journal journal_;

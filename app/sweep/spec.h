@@ -1,5 +1,5 @@
-// What a sweep is of: its scene, settings, axes and picture. Equal specs give equal errors and costs, so that a sweep
-// may be continued, split into shards and merged again.
+// Specification of a sweep: scene, settings, axes and picture size. Equal specifications give equal errors and costs,
+// so that a sweep can be continued, split into shards and merged.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,43 +12,47 @@
 
 namespace si {
 
-/// One of `count` equal parts of a sweep: cases are dealt out in turn.
+/// One of `count` parts of a sweep. Case n belongs to part n mod count.
 struct Shard {
     int index = 1, count = 1;  ///< index from 1
-    bool holds(std::size_t case_number) const { return int(case_number % std::size_t(count)) == index - 1; }
+    /// Returns true if the case belongs to this part.
+    bool contains(std::size_t case_number) const { return int(case_number % std::size_t(count)) == index - 1; }
     bool operator==(const Shard&) const = default;
 };
 
-/// "2/8": the second of eight. @throws UsageError
+/// Parses the value of --shard: "2/8" is the second part of eight. @throws UsageError
 Shard parse_shard(std::string_view text);
 
+/// Specification of a sweep.
 struct SweepSpec {
-    std::string scene;                ///< as it was named
+    std::string scene;                ///< name or path as given
     std::uint64_t scene_content = 0;  ///< scene_content_key()
     std::size_t triangles = 0;
     Settings base;  ///< measured_settings()
     std::vector<SweepAxis> axes;
-    int width = 640, height = 360;  ///< of the picture
-    bool area = false;              ///< truth.area of what all cases share
+    int width = 640, height = 360;  ///< size of the picture
+    bool area = false;              ///< truth.area, which all cases share
     Shard shard;
 };
 
-/// Of what is drawn of a scene: equal for the same file read twice, wherever it lies.
+/// Computes a hash of a scene's drawable content. A file read twice, or from another place, gives the same hash.
 std::uint64_t scene_content_key(const Scene& scene);
 
+/// Makes the specification of a sweep.
 SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
                      std::vector<SweepAxis> axes, int width, int height);
 
+/// Converts a specification to JSON.
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
-/// @param settings_version of the file that it is from (earlier.h)
-/// @throws Error when it is not what spec_json() writes
+/// Reads a specification from the JSON that spec_json() writes. @param settings_version version of the settings in the
+/// file (earlier.h) @throws Error
 SweepSpec spec_from_json(const nlohmann::ordered_json& json, int settings_version = kSettingsVersion);
 
-/// Of the cases and their order, which follow from the spec and from what the program knows of its settings.
+/// Computes a hash of the cases and their order. They follow from the specification and the settings table.
 std::string plan_key(const SweepPlan& plan);
 
-/// How two specs differ, as a phrase that names the first difference and both values ("map.format: d16 there, d24
-/// here"); empty when they are the same. `there` and `here` are of spec_json().
+/// Describes the first difference of two specifications ("map.format: d16 there, d24 here"); empty if equal.
+/// @param there, here JSON of spec_json() @param with_shard also compares the shards
 std::string spec_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here,
                             bool with_shard = true);
 

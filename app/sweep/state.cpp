@@ -112,12 +112,12 @@ const RunInfo* SweepState::run(const std::string& id) const {
     return it == runs.end() ? nullptr : &*it;
 }
 
-bool good(const CaseState& c) {
+bool is_measured(const CaseState& c) {
     return c.finished && c.failed.empty();
 }
 
 std::string contradiction(const CaseState& a, const CaseState& b) {
-    if (!good(a) || !good(b)) return {};
+    if (!is_measured(a) || !is_measured(b)) return {};
     const auto first_difference = [](const Json& one, const Json& other) -> std::string {
         const Json flat = one.flatten(), beside = other.flatten();
         for (const auto& [path, value] : flat.items())

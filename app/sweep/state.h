@@ -1,4 +1,4 @@
-// What is known of a sweep so far: the sum of its journal's lines.
+// State of a sweep: the sum of its journal's lines.
 #pragma once
 
 #include <map>
@@ -14,76 +14,85 @@ namespace si {
 
 inline constexpr const char* kJournalFormat = "shadow-inspector-sweep-journal";
 
-/// A few frames of one case. A round draws every case once, so that drift falls on all alike.
+/// Timed frames of one case in one round. A round draws every case once, so that drift affects all equally.
 struct Turn {
     int round = 0;
     std::string run;
     TimeSamples samples;
 };
 
+/// Results of one case so far.
 struct CaseState {
     bool finished = false;  ///< error and cost are known
-    std::string failed;     ///< why there are none; empty: it did not fail
-    int begun = 0;          ///< how often it was begun without an end
+    std::string failed;     ///< why the case failed; empty: it did not
+    int begun = 0;          ///< number of attempts that did not end (the program crashed)
     CaseErrors error;
     WorkCost cost;
     std::vector<std::string> notes;
-    int map_resolution = 0;  ///< as drawn, where the driver or the memory limit made it smaller; else 0
+    int map_resolution = 0;  ///< resolution drawn if the driver or the memory limit made it smaller; else 0
     std::vector<Turn> turns;
 };
 
-/// Measured, and not in vain.
-bool good(const CaseState& c);
+/// Returns true if the case was measured and did not fail.
+bool is_measured(const CaseState& c);
 
-/// How two measurements of one case contradict each other, as a phrase; empty: they do not. Their times may differ.
+/// Describes how two measurements of one case contradict each other; empty: they agree. Times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
 
-/// A process that measured: where, when, with what.
+/// Process that measured: machine, start, driver and clock.
 struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
-    std::string machine;      ///< equal on the same machine only; says nothing else
+    std::string machine;      ///< hash that is equal only on the same machine
     std::string renderer, version, clock;
-    bool software = false;                             ///< a CPU rasteriser
-    double load = 0;                                   ///< of the machine before it began, running processes per core
-    CostCase cost = CostCase::Forced;                  ///< of which frames it took times
-    bool comparable_with(const RunInfo& other) const;  ///< their times may stand beside each other
+    bool software = false;             ///< the driver draws on the CPU
+    double load = 0;                   ///< load of the machine at the start, running processes per core
+    CostCase cost = CostCase::Forced;  ///< kind of frames it timed
+    /// Returns true if the times of both runs are comparable.
+    bool comparable_with(const RunInfo& other) const;
 };
 
-/// Fills id, started, machine and load.
+/// Describes the present process: fills id, started, machine and load.
 RunInfo this_run();
 
-/// Errors that mean something else: they cannot stand beside those that are measured now.
+/// Error for results whose metrics have another definition (kErrorMeaning) than this program's.
 struct OtherMeaning : Error {
     using Error::Error;
 };
 
+/// State of a sweep.
 struct SweepState {
     nlohmann::ordered_json spec;  ///< spec_json()
     std::string plan;             ///< plan_key()
     std::vector<RunInfo> runs;
     std::map<std::size_t, CaseState> cases;   ///< by number in the plan
-    std::size_t case_count = kMaxSweepCases;  ///< of the plan, where it is known: numbers are below
-    std::vector<std::string> notes;           ///< what is wrong with the journal and does not count
+    std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
+    std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
-    /// Adds what a line of the journal says, all of it or nothing. @throws OtherMeaning (kErrorMeaning), and
-    /// std::exception when it says nothing known
+    /// Applies one line of the journal completely or not at all. @throws OtherMeaning, and std::exception for an
+    /// unknown line
     void apply(const nlohmann::ordered_json& line);
+    /// Finds a run by its id; null: unknown.
     const RunInfo* run(const std::string& id) const;
 
 private:
-    /// The case whose number is that member of the line. @throws Error when there is no such case
+    /// Returns the case whose number is in `member` of the line. @throws Error for an unknown number
     CaseState& case_of(const nlohmann::ordered_json& line, const char* member);
 };
 
-// Lines of the journal.
+/// Makes the first line of a journal.
 nlohmann::ordered_json header_line(const nlohmann::ordered_json& spec, const std::string& plan);
+/// Makes the journal line that a process begins to measure.
 nlohmann::ordered_json run_line(const RunInfo& run);
+/// Makes the journal line that a case is begun.
 nlohmann::ordered_json begin_line(std::size_t case_number);
+/// Makes the journal line with error and cost of a case.
 nlohmann::ordered_json facts_line(std::size_t case_number, const CaseState& facts);
+/// Makes the journal line that a case has failed.
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
+/// Makes the journal line with timed frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
 
-/// A case that the program did not survive this often has failed.
-inline constexpr int kMostBegins = 3;
+/// Number of crashes after which a case counts as failed.
+inline constexpr int kMaxBegins = 3;
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// A whole search for the least bias, drawn and measured: for the command line and the editor.
+// Search for the least bias without acne, for the command line and the editor.
 #pragma once
 
 #include <functional>
@@ -7,18 +7,19 @@
 
 namespace si {
 
+/// Inputs of a search for the least bias.
 struct TuningJob {
-    Settings settings;  ///< truth.* say what it is held against
+    Settings settings;  ///< truth.* choose the reference
     int width = 1280, height = 720;
     TuneGoals goals;
 };
 
-/// Searches to the end. The bias is that of view.light. @param report hears of every step, on this thread.
-/// @throws Cancelled; Error when that light draws no map
+/// Searches the least bias of the light `view.light` and returns the finished search. @param report called after every
+/// step, on this thread @throws Cancelled; Error when that light draws no map
 Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, const Workers& workers,
                  const std::function<void(const Tuner&)>& report);
 
-/// What the search found, in place of bias, kernel and resolution of `settings`.
+/// Replaces bias, kernel and resolution of `settings` by those that the search found.
 void apply_tuning(Settings& settings, const Settings& found);
 
 }  // namespace si

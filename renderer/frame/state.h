@@ -56,7 +56,7 @@ struct Resources {
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
     gl::Target camera_depth;               ///< of the picture's size; its key is of the surfaces that are in it
-    std::shared_ptr<SceneFindings> found;             ///< see optimisations/scene_findings.h
+    std::shared_ptr<SceneFindings> found;  ///< see optimisations/scene_findings.h
     std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
     std::vector<FittedLight> as_placed;  ///< fitted without a camera

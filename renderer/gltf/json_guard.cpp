@@ -41,7 +41,7 @@ bool is_only_look(const std::string& extension) {
            std::find(std::begin(kTexture), std::end(kTexture), extension) != std::end(kTexture);
 }
 
-std::string fix_for(const std::string& extension) {
+std::string fix_for_error(const std::string& extension) {
     if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression" ||
         extension == "KHR_meshopt_compression") {
         return "export the model without mesh compression (gltf-transform copy IN OUT decodes it)";
@@ -133,7 +133,7 @@ void check_asset_and_extensions(Context& context, const Json& root) {
         const auto& name = entry.get_ref<const std::string&>();
         if (is_read_here(name)) continue;
         if (!is_only_look(name)) {
-            context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name), fix_for(name));
+            context.fail(Place("extensionsRequired"), fmt::format("{} is not supported", name), fix_for_error(name));
         }
         context.warn(Place("extensionsRequired"),
                      fmt::format("{} is not supported; surfaces look plainer without it", name));

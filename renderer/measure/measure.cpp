@@ -5,11 +5,11 @@
 
 namespace si {
 
-Judgement Measurer::judge(const Scene& scene, const Settings& settings) {
+Classification Measurer::judge(const Scene& scene, const Settings& settings) {
     const Settings measured = measured_settings(settings);
     FrameRequest request{.width = width_, .height = height_, .force = true};
     trace_sources(renderer_, scene, measured, request, references_, workers_);
-    Judgement classified;
+    Classification classified;
     const FrameResult frame = renderer_.render(scene, measured, request);
     classified.cost = work_cost(measured, frame);
     classified.map_resolution = frame.map_resolution;

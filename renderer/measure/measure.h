@@ -9,7 +9,7 @@
 namespace si {
 
 /// A frame held against the truth about view.light.
-struct Judgement {
+struct Classification {
     ErrorMetrics error;
     std::shared_ptr<const Reference> reference;  ///< that it was held against
     WorkCost cost;
@@ -51,7 +51,7 @@ public:
     void set_workers(Workers workers) { workers_ = std::move(workers); }
 
     /// Draws, traces (unless the truth is known from before) and compares. @throws Error, Cancelled
-    Judgement judge(const Scene& scene, const Settings& settings);
+    Classification judge(const Scene& scene, const Settings& settings);
     /// Draws what warms up, and `frames` that count. @throws Error
     TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
     /// Draws until the time stands still or the most frames were drawn. @throws Error, Cancelled

@@ -1,7 +1,7 @@
 #include "renderer/passes/caster_content.h"
 
-#include "renderer/passes/casters.h"
 #include "renderer/passes/caster_findings.h"
+#include "renderer/passes/casters.h"
 
 namespace si {
 namespace {

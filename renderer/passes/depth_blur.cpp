@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "renderer/optimisations/map_extents.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/light_depth.h"
+#include "renderer/passes/passes.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

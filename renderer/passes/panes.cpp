@@ -7,8 +7,8 @@
 
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/moments.h"
+#include "renderer/passes/passes.h"
 #include "renderer/passes/truth.h"
 
 namespace si {

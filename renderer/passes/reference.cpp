@@ -6,11 +6,11 @@
 #include <cmath>
 #include <utility>
 
-#include "renderer/frame/causes.h"
 #include "renderer/base/index_of.h"
+#include "renderer/frame/causes.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/moments.h"
+#include "renderer/passes/passes.h"
 #include "renderer/passes/truth.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"

@@ -9,8 +9,8 @@
 #include "renderer/frame/blocks.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/moments.h"
+#include "renderer/passes/passes.h"
 #include "renderer/passes/visibility.h"
 #include "renderer/settings/sources.h"
 

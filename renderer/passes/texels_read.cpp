@@ -1,8 +1,8 @@
 // Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
-#include "renderer/passes/passes.h"
 #include "renderer/passes/texels_read.h"
 
 #include "renderer/passes/moments.h"
+#include "renderer/passes/passes.h"
 
 namespace si {
 

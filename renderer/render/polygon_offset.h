@@ -2,7 +2,6 @@
 #pragma once
 
 #include "renderer/gl/raster_traits.h"
-
 #include "renderer/settings/settings.h"
 
 namespace si {

@@ -8,8 +8,8 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/held_memory.h"
-#include "renderer/frame/blocks.h"
 #include "renderer/base/index_of.h"
+#include "renderer/frame/blocks.h"
 #include "renderer/frame/driver.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/optimisations/lookup_optimisations.h"
@@ -82,7 +82,8 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
 }  // namespace
 
 Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
-Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs) : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
+Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs)
+    : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
 Renderer::~Renderer() {
     glUseProgram(0);  // so that nobody restores a program that is gone
     glFinish();       // drivers with threads of their own crash when the process ends with work under way

@@ -5,8 +5,8 @@
 #include <memory>
 #include <optional>
 
-#include "renderer/render/all_passes.h"
 #include "renderer/frame/state.h"
+#include "renderer/render/all_passes.h"
 
 namespace si {
 

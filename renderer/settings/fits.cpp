@@ -75,8 +75,8 @@ bool fit_reads_camera(const Settings& settings, int light) {
 bool fit_reads_depths(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
     return s.depth_bounds == DepthBounds::Sdsm && !has_clip_levels(settings, light) &&
-           fit_reads_camera(settings, light) && s.type != LightType::Point && s.fit != LightFit::Stabilised &&
-           s.cast && source_of(settings, std::size_t(light)).needs.map;
+           fit_reads_camera(settings, light) && s.type != LightType::Point && s.fit != LightFit::Stabilised && s.cast &&
+           source_of(settings, std::size_t(light)).needs.map;
 }
 
 }  // namespace si

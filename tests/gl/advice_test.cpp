@@ -43,7 +43,7 @@ protected:
             Settings with = s;
             for (const auto& [key, value] : t.settings) set_setting(with, key, value);
             classified_as.view.light = with.view.light = t.idea.light;
-            const Judgement before = measurer.judge(scene, classified_as), after = measurer.judge(scene, with);
+            const Classification before = measurer.judge(scene, classified_as), after = measurer.judge(scene, with);
             EXPECT_EQ(before.error.mae, t.before.error);
             EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
             if (t.idea.claim == Claim::Same) {

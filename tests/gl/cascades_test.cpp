@@ -128,7 +128,7 @@ TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
         Measurer measurer(renderer, 320, 180);
         const ErrorMetrics one = measurer.judge(scene, s).error;
         s.lights[0].cascades = 4;
-        const Judgement four = measurer.judge(scene, s);
+        const Classification four = measurer.judge(scene, s);
         EXPECT_GT(one.mae, 0.005);
         EXPECT_LT(four.error.mae, 0.6 * one.mae) << choice;
         EXPECT_EQ(four.error.outside_map, 0) << choice;

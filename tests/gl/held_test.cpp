@@ -89,8 +89,7 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
     next.settings.light_count = 7;
-    for (int i = 0; i < next.settings.light_count; ++i)
-        next.settings.lights[std::size_t(i)].type = LightType::Point;
+    for (int i = 0; i < next.settings.light_count; ++i) next.settings.lights[std::size_t(i)].type = LightType::Point;
     ShaderWarmup warmup;
     const auto heap_after = [&](int resolution) {
         next.settings.map.resolution = resolution;
@@ -151,13 +150,13 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
 TEST_F(HeldTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
     const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
     MeasuringThread thread(std::chrono::milliseconds(300));
-    thread.measure({.scene = std::make_shared<const Scene>(load_scene("boxes")),
-                    .scene_name = "boxes",
-                    .settings = s,
-                    .width = 64,
-                    .height = 48});
+    thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
+                              .scene_name = "boxes",
+                              .settings = s,
+                              .width = 64,
+                              .height = 48});
     thread.wait();
-    EXPECT_TRUE(thread.news().measured) << thread.news().measure_problem;
+    EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
     EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
     while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)

@@ -220,12 +220,12 @@ TEST_F(PagesTest, AreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
     Settings s = settings_for(scene, {{"map.resolution", "4096"}});
-    const Judgement fixed = measurer.judge(scene, s);
+    const Classification fixed = measurer.judge(scene, s);
     set_setting(s, "map.virtual", "true");
     set_setting(s, "map.virtual_bias", "-1");
-    const Judgement paged = measurer.judge(scene, s);
+    const Classification paged = measurer.judge(scene, s);
     ASSERT_TRUE(paged.pages);
-    const auto wrong = [](const Judgement& j) { return j.error.false_shadow + j.error.false_light; };
+    const auto wrong = [](const Classification& j) { return j.error.false_shadow + j.error.false_light; };
     const double drawn = double(paged.pages->drawn_texels());
     EXPECT_LT(wrong(paged), 0.7 * wrong(fixed));
     EXPECT_LT(drawn, 0.5 * 4096 * 4096);

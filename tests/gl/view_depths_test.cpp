@@ -85,7 +85,7 @@ TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
     Measurer measurer(renderer, 240, 135);
     const double boxes = measurer.judge(scene, s).error.mae;
     set_setting(s, "light.depth_bounds", "sdsm");
-    const Judgement measured = measurer.judge(scene, s);
+    const Classification measured = measurer.judge(scene, s);
     EXPECT_LT(measured.error.mae, 0.85 * boxes);
     EXPECT_EQ(measured.error.outside_map, 0);
     RecordProperty("mae", std::to_string(boxes) + " " + std::to_string(measured.error.mae));

@@ -48,7 +48,7 @@ double share(const ByteImage& image, bool (*is)(int r, int g, int b)) {
 }
 
 /// A preset with some settings changed, drawn anew and held against the truth.
-Judgement classified(const std::string& preset, const std::vector<std::string>& changes = {}) {
+Classification classified(const std::string& preset, const std::vector<std::string>& changes = {}) {
     const Preset p = load_preset(preset);
     Settings s = p.settings;
     for (const std::string& change : changes) apply_set(s, change);
@@ -67,7 +67,7 @@ PageFacts pages_after(const std::string& preset, const std::vector<std::string>&
     return hard_renderer().render(scene, s, request).pages.value();
 }
 
-double wrong(const Judgement& j) {
+double wrong(const Classification& j) {
     return j.error.false_light + j.error.false_shadow;
 }
 
@@ -78,8 +78,8 @@ const Claims& guided_map_claims() {
         // ---- Virtual maps
         {"virtual-map",
          [] {
-             const Judgement pages = classified("virtual-map"),
-                             whole = classified("virtual-map", {"map.virtual=false"});
+             const Classification pages = classified("virtual-map"),
+                                  whole = classified("virtual-map", {"map.virtual=false"});
              EXPECT_LT(wrong(pages), 0.75 * wrong(whole));
              EXPECT_EQ(pages.error.outside_map, 0);
              EXPECT_LT(pages.pages->drawn_texels(), 4096u * 4096u);
@@ -88,8 +88,8 @@ const Claims& guided_map_claims() {
          }},
         {"full-page-pool",
          [] {
-             const Judgement full = classified("full-page-pool"),
-                             room = classified("full-page-pool", {"map.page_pool=1024"});
+             const Classification full = classified("full-page-pool"),
+                                  room = classified("full-page-pool", {"map.page_pool=1024"});
              EXPECT_GT(wrong(full), 1.3 * wrong(room));
              EXPECT_GT(full.pages->coarser, 10);
              EXPECT_LE(full.pages->drawn, 8);

@@ -60,7 +60,7 @@ const ErrorMetrics& Guided::error() const {
     return *error_;
 }
 
-const Judgement& Guided::classification() const {
+const Classification& Guided::classification() const {
     if (!judgement_) judgement_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
     return *judgement_;
 }

@@ -49,7 +49,7 @@ public:
     /// Errors of the whole picture, by cause.
     const ErrorMetrics& error() const;
     /// The same drawing without anything cached.
-    const Judgement& classification() const;
+    const Classification& classification() const;
 
     Scene scene;
     Settings settings;
@@ -70,7 +70,7 @@ private:
     mutable std::vector<std::optional<Hit>> hits_;
     mutable std::optional<RayReference> rays_;
     mutable std::optional<ErrorMetrics> error_;
-    mutable std::optional<Judgement> judgement_;
+    mutable std::optional<Classification> judgement_;
 };
 
 }  // namespace si::test

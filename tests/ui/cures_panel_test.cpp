@@ -149,7 +149,7 @@ TEST(EditorFixesTest, FindsInTheBackgroundAndTheFirstRowKeepsItsWord) {
     request.scene_width = model.facts().result->colour.width;
     request.scene_height = model.facts().result->colour.height;
     request.want_error = true;
-    request.find_fixes = CureRequest{};
+    request.find_fixes = FixRequest{};
     const Settings settings = model.state.settings;
     model.fulfil(request);
     EXPECT_TRUE(model.facts().fixes.running);

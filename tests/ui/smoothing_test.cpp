@@ -62,7 +62,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
          },
          nullptr},
         {"tuning", [](EditorRequests& a) { a.tune = TuneRequest{}; }, [](EditorRequests& a) { a.cancel_tune = true; }},
-        {"cures", [](EditorRequests& a) { a.find_fixes = CureRequest{}; },
+        {"cures", [](EditorRequests& a) { a.find_fixes = FixRequest{}; },
          [](EditorRequests& a) { a.cancel_fixes = true; }},
         {"advice", [](EditorRequests& a) { a.find_advice = AdviceRequest{}; },
          [](EditorRequests& a) { a.cancel_advice = true; }},

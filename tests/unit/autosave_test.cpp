@@ -34,8 +34,8 @@ std::size_t files_in(const fs::path& folder, const char* extension) {
 /// An editor that changes something and is then killed.
 void crash(const fs::path& folder, double bias, const std::string& scene = "boxes") {
     Autosave editor(folder);
-    editor.follow(scene, with_bias(0.1), 0);
-    editor.follow(scene, with_bias(bias), 1);
+    editor.update(scene, with_bias(0.1), 0);
+    editor.update(scene, with_bias(bias), 1);
     EXPECT_TRUE(editor.take_remarks().empty());
 }
 
@@ -62,12 +62,12 @@ TEST(Autosave, WhatACrashLeftIsOfferedUntilItIsSettled) {
 TEST(Autosave, ACleanEndLeavesNothing) {
     const fs::path folder = fresh_test_folder();
     Autosave editor(folder);
-    editor.follow("boxes", with_bias(0.1), 0);
-    editor.follow("boxes", with_bias(2), 1);
+    editor.update("boxes", with_bias(0.1), 0);
+    editor.update("boxes", with_bias(2), 1);
     EXPECT_EQ(files_in(folder, ".json"), 1u);
     editor.end("boxes", with_bias(2), false);
     EXPECT_EQ(files_in(folder, ".json"), 0u);
-    editor.follow("boxes", with_bias(3), 100);
+    editor.update("boxes", with_bias(3), 100);
     EXPECT_EQ(files_in(folder, ".json"), 0u) << "the end is the end";
     EXPECT_EQ(Autosave(folder).lost(), nullptr);
 }
@@ -76,7 +76,7 @@ TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
     const fs::path folder = fresh_test_folder();
     {
         Autosave editor(folder);
-        editor.follow("boxes", with_bias(0.1), 0);
+        editor.update("boxes", with_bias(0.1), 0);
         editor.end("boxes", with_bias(2), true);  // changed since anything was written
     }
     {
@@ -88,7 +88,7 @@ TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
         const fs::path own = folder / "own";
         fs::remove_all(own);
         Autosave editor(own);
-        editor.follow("boxes", with_bias(0.1), 0);
+        editor.update("boxes", with_bias(0.1), 0);
         editor.end(scene, settings, true);
         return files_in(own, ".json");
     };
@@ -104,22 +104,22 @@ TEST(Autosave, AnEndWithUnsavedSettingsOffersThemAgain) {
 TEST(Autosave, WritesOnlyChangesAndNotTooOften) {
     const fs::path folder = fresh_test_folder();
     Autosave editor(folder);
-    for (int i = 0; i < 10; ++i) editor.follow("boxes", with_bias(0.1), i);
+    for (int i = 0; i < 10; ++i) editor.update("boxes", with_bias(0.1), i);
     EXPECT_EQ(files_in(folder, ".json"), 0u) << "nothing was changed";
     const auto written = [&] {
         for (const auto& entry : fs::directory_iterator(folder / "sessions"))
             if (entry.path().extension() == ".json") return load_preset(entry.path().string()).settings.bias.constant;
         return -1.0;
     };
-    editor.follow("boxes", with_bias(1), 20);
+    editor.update("boxes", with_bias(1), 20);
     EXPECT_EQ(written(), 1) << "the first change at once";
-    editor.follow("boxes", with_bias(2), 20 + 0.5 * Autosave::kSeconds);
+    editor.update("boxes", with_bias(2), 20 + 0.5 * Autosave::kSeconds);
     EXPECT_EQ(written(), 1) << "the next not so soon";
-    editor.follow("boxes", with_bias(3), 20 + 1.01 * Autosave::kSeconds);
+    editor.update("boxes", with_bias(3), 20 + 1.01 * Autosave::kSeconds);
     EXPECT_EQ(written(), 3) << "but then the latest";
-    editor.follow("boxes", with_bias(0.1), 60);
+    editor.update("boxes", with_bias(0.1), 60);
     EXPECT_EQ(written(), 0.1) << "back to the start is a change too";
-    editor.follow("stage", with_bias(0.1), 90);
+    editor.update("stage", with_bias(0.1), 90);
     EXPECT_EQ(files_in(folder, ".json"), 1u);
 }
 
@@ -149,10 +149,10 @@ TEST(Autosave, AProgramThatIsStillEndingAsTheNextBeginsIsOfferedALittleLater) {
     ending->follow("boxes", with_bias(0.1), 0);
     ending->follow("boxes", with_bias(11), 1);
     Autosave next(folder);
-    next.follow("boxes", with_bias(0.1), 0);
+    next.update("boxes", with_bias(0.1), 0);
     EXPECT_EQ(next.lost(), nullptr);
     ending.reset();
-    next.follow("boxes", with_bias(0.1), 1.01 * Autosave::kSeconds);
+    next.update("boxes", with_bias(0.1), 1.01 * Autosave::kSeconds);
     ASSERT_NE(next.lost(), nullptr);
     EXPECT_EQ(next.lost()->preset.settings.bias.constant, 11);
 }
@@ -162,8 +162,8 @@ TEST(Autosave, SeveralLostSessionsComeOneAfterTheOther) {
     {
         Autosave a(folder), b(folder);
         for (Autosave* editor : {&a, &b}) editor->follow("boxes", with_bias(0.1), 0);
-        a.follow("boxes", with_bias(1), 1);
-        b.follow("boxes", with_bias(2), 1);
+        a.update("boxes", with_bias(1), 1);
+        b.update("boxes", with_bias(2), 1);
     }
     Autosave next(folder);
     std::vector<double> offered;
@@ -218,13 +218,13 @@ TEST(Autosave, NoPlaceToWriteIsARemarkAndNoMore) {
     std::ofstream(folder / "sessions") << "a file where a folder belongs";
     Autosave editor(folder);
     EXPECT_EQ(editor.lost(), nullptr);
-    editor.follow("boxes", with_bias(1), 0);
-    for (int i = 1; i < 9; ++i) editor.follow("boxes", with_bias(1 + i), 10 * i);
+    editor.update("boxes", with_bias(1), 0);
+    for (int i = 1; i < 9; ++i) editor.update("boxes", with_bias(1 + i), 10 * i);
     EXPECT_EQ(editor.take_remarks().size(), 1u);
     editor.end("boxes", with_bias(9), true);
     Autosave off{fs::path()};
-    off.follow("boxes", with_bias(1), 0);
-    off.follow("boxes", with_bias(2), 10);
+    off.update("boxes", with_bias(1), 0);
+    off.update("boxes", with_bias(2), 10);
     off.end("boxes", with_bias(2), true);
     EXPECT_TRUE(off.take_remarks().empty());
 }

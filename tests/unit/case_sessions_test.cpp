@@ -76,7 +76,7 @@ protected:
             Session base = compose_session(opened, load_scene(scene, scene_options(opened)));
             const SweepPlan plan = plan_sweep(measured_settings(base.settings), axes);
             CaseSessions sessions(opened);
-            sessions.keep(std::move(base.scene), base.settings.scene);
+            sessions.add_scene(std::move(base.scene), base.settings.scene);
             sessions.check(axes);
             const auto prepared = sessions.prepare(plan.cases.at(0).values);
             out.settings = prepared.settings;

@@ -130,8 +130,8 @@ TEST(Job, TellsWhyItFailed) {
     const auto failed = job.poll();
     ASSERT_TRUE(failed && failed->problem);
     EXPECT_FALSE(failed->cancelled || failed->value);
-    EXPECT_EQ(what_of(failed->problem), "no such file");
-    EXPECT_EQ(what_of(nullptr), "");
+    EXPECT_EQ(exception_message(failed->problem), "no such file");
+    EXPECT_EQ(exception_message(nullptr), "");
 }
 
 TEST(Job, TellsProgressOfWhatIsWantedAlone) {

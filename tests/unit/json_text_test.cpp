@@ -33,8 +33,8 @@ TEST(JsonText, IsWhatTheLibraryReads) {
 }
 
 TEST(JsonText, DepthIsBounded) {
-    EXPECT_EQ(refusal_of_text(nested(kDeepestJson)), "");
-    EXPECT_EQ(refusal_of_text(nested(kDeepestJson + 1)), "a.json: it nests 33 levels deep, at most 32 are read");
+    EXPECT_EQ(refusal_of_text(nested(kMaxJsonDepth)), "");
+    EXPECT_EQ(refusal_of_text(nested(kMaxJsonDepth + 1)), "a.json: it nests 33 levels deep, at most 32 are read");
     EXPECT_EQ(refusal_of_text(nested(1'000'000)), "a.json: it nests 1000000 levels deep, at most 32 are read");
     EXPECT_EQ(refusal_of_text("\"" + nested(40) + "\\\"[[\""), "") << "brackets in a text nest nothing";
 }

@@ -25,7 +25,7 @@ TEST(Shards, DealOutEachCaseOnce) {
         EXPECT_THROW(parse_shard(wrong), UsageError) << wrong;
     for (std::size_t number = 0; number < 20; ++number) {
         int held = 0;
-        for (int i = 1; i <= 3; ++i) held += Shard{i, 3}.holds(number);
+        for (int i = 1; i <= 3; ++i) held += Shard{i, 3}.contains(number);
         EXPECT_EQ(held, 1);
     }
 }
@@ -364,7 +364,7 @@ TEST(Sweep, ACaseThatTheProgramDoesNotSurviveFails) {
     const FakeSweep f(fresh_test_folder());
     FakeMeter meter;
     f.run(meter, 2);
-    for (int i = 0; i < kMostBegins; ++i) Journal(f.folder, f.spec_text(), plan_key(f.plan)).add(begin_line(2));
+    for (int i = 0; i < kMaxBegins; ++i) Journal(f.folder, f.spec_text(), plan_key(f.plan)).add(begin_line(2));
     f.run(meter, 10'000, {.on = false});
     EXPECT_EQ(meter.measured.size(), 7u);
     EXPECT_NE(f.results()["rows"][2]["failed"].get<std::string>().find("the program ended"), std::string::npos);
@@ -491,8 +491,8 @@ TEST(Merge, TheMergedSweepIsTimedByContinuingIt) {
     FakeSweep whole(folder / "whole");
     {
         Journal journal(whole.folder, whole.spec_text(), plan_key(whole.plan));
-        journal.add(lines_beyond(journal.state(), merge_sweeps(parts)));
-        EXPECT_TRUE(lines_beyond(journal.state(), merge_sweeps(parts)).empty());
+        journal.add(missing_lines(journal.state(), merge_sweeps(parts)));
+        EXPECT_TRUE(missing_lines(journal.state(), merge_sweeps(parts)).empty());
     }
     for (const char* shard : {"1", "2"}) copy_pictures(folder / shard, whole.folder);
     FakeMeter meter;

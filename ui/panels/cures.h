@@ -11,7 +11,7 @@ namespace si {
 struct FixTable;  // renderer/advise/fixes.h
 
 /// What is to be cured: a pixel, or nothing for the whole picture.
-struct CureRequest {
+struct FixRequest {
     std::optional<glm::ivec2> pixel;
 };
 
@@ -23,8 +23,8 @@ struct FixSearch {
     bool current = false;             ///< it is about the present settings
 };
 
-struct CureRequests {
-    std::optional<CureRequest> find_fixes;
+struct FixRequests {
+    std::optional<FixRequest> find_fixes;
     bool cancel_fixes = false, forget_fixes = false;
 };
 

@@ -56,7 +56,7 @@ void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& 
 
 }  // namespace
 
-void fixes_button(const FixSearch& search, CureRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
+void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
@@ -66,7 +66,7 @@ void fixes_button(const FixSearch& search, CureRequests& requests, std::optional
         return;
     }
     ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find cures")) requests.find_fixes = CureRequest{pixel};
+    if (ImGui::Button("Find cures")) requests.find_fixes = FixRequest{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
@@ -74,7 +74,7 @@ void fixes_button(const FixSearch& search, CureRequests& requests, std::optional
                         : "Nothing is wrong here.");
 }
 
-void fix_rows_table(Settings& settings, const FixSearch& search, CureRequests& requests,
+void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& requests,
                     std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)

@@ -21,7 +21,7 @@ struct ReferenceFacts {
     int width = 0, height = 0;  ///< in pixels
 };
 
-struct TruthRequests {
+struct ReferenceActions {
     bool want_error = false;  ///< the error panel is shown
     bool cancel_reference = false;
     std::optional<std::string> save_error;  ///< all metrics as JSON into this file

@@ -145,11 +145,11 @@ struct EditorFrame : ProbeFacts,
 
 /// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
-                        TruthRequests,
+                        ReferenceActions,
                         PresetRequests,
                         SweepRequests,
                         TuneRequests,
-                        CureRequests,
+                        FixRequests,
                         EffectsRequests,
                         AdviceRequests,
                         LabRequests,
