@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "renderer/inspect/lookup_effects.h"
+#include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/passes/casters.h"
 #include "renderer/scene/animation.h"
 #include "renderer/settings/filters.h"

@@ -2,11 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "renderer/frame/state.h"
 
 namespace si {
+
+/// Reason why no bounds of the maps are found (Optimisation::EarlyOut) while the maps change.
+inline constexpr std::string_view kBoundsWaitForMaps =
+    "the maps are drawn anew: finding bounds would take longer than it spares";
 
 /// Why look-ups of the frame do not first ask for the map's bounds about them (Saving::EarlyOut), in words; empty: they
 /// do. Known once the passes that draw the maps are planned.

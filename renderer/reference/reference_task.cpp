@@ -60,8 +60,7 @@ template <typename Make>
 auto timed(double& ms, Make&& make) {
     const auto start = std::chrono::steady_clock::now();
     auto result = make();
-    ms = std::chrono::duration < double;
-    std::milli > (std::chrono::steady_clock::now() - start).count();
+    ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     return result;
 }
 

@@ -93,8 +93,8 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
 }
 
 /// Returns what finds the region of a fit: asked for suns without perspective, and for spot lights of one map.
-Fit finder_of(int fit) {
-    switch (LightFit(fit)) {
+Fit finder_of(LightFit fit) {
+    switch (fit) {
         case LightFit::Casters:
             return fit_casters;
         case LightFit::View:
