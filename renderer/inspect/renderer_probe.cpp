@@ -11,7 +11,6 @@
 #include "renderer/frame/blocks.h"
 #include "renderer/frame/causes.h"
 #include "renderer/inspect/comparison.h"
-#include "renderer/passes/passes.h"
 #include "renderer/reference/shadow_runs.h"
 #include "renderer/render/renderer.h"
 #include "renderer/render/renderer_impl.h"

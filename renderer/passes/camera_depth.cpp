@@ -3,7 +3,6 @@
 #include "renderer/passes/camera_depth.h"
 
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

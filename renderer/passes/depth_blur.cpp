@@ -6,7 +6,6 @@
 
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/light_depth.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/map_storage.h"
 
 namespace si {

@@ -10,7 +10,6 @@
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/pages.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/software/llvmpipe_queue.h"

@@ -6,7 +6,6 @@
 
 #include "renderer/base/index_of.h"
 #include "renderer/frame/depth_histogram.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 
 namespace si {

@@ -12,7 +12,6 @@
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/map_extents.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/software/llvmpipe_queue.h"

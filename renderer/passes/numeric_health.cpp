@@ -14,7 +14,6 @@
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/number_check.h"
 #include "renderer/passes/pages.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"
 #include "renderer/settings/sources.h"

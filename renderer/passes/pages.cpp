@@ -12,7 +12,6 @@
 #include "renderer/passes/caster_content.h"
 #include "renderer/passes/casters.h"
 #include "renderer/passes/light_depth.h"
-#include "renderer/passes/passes.h"
 #include "renderer/projection/projection.h"
 #include "renderer/scene/clusters.h"
 #include "renderer/settings/map_storage.h"

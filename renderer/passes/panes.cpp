@@ -8,8 +8,7 @@
 #include "renderer/frame/value_range.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
-#include "renderer/passes/passes.h"
-#include "renderer/passes/truth.h"
+#include "renderer/passes/reference.h"
 
 namespace si {
 namespace {

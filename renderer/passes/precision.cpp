@@ -5,7 +5,6 @@
 
 #include "renderer/frame/read_images.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 #include "renderer/reference/precision.h"
 
 namespace si {

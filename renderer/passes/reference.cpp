@@ -10,8 +10,7 @@
 #include "renderer/frame/causes.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
-#include "renderer/passes/passes.h"
-#include "renderer/passes/truth.h"
+#include "renderer/passes/reference.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"
@@ -27,7 +26,7 @@ static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact
 
 constexpr const char* kUntraced = "the truth about this frame is not traced";
 
-using ReferenceTargets = TruthPasses::Targets;
+using ReferenceTargets = ReferencePasses::Targets;
 
 /// What PixelState is for the shader; rows stay from the top.
 void upload(const TracedReference& traced, ReferenceTargets& to) {
@@ -275,7 +274,7 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
     return out;
 }
 
-void TruthPasses::declare(FrameState& f) {
+void ReferencePasses::declare(FrameState& f) {
     Targets& t = targets_;
     f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
     f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});

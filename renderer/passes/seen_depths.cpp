@@ -10,7 +10,6 @@
 
 #include "renderer/base/lengths_text.h"
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 
 namespace si {
 namespace {

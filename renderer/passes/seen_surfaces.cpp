@@ -2,7 +2,6 @@
 #include "renderer/passes/seen_surfaces.h"
 
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/biases.h"
 
 namespace si {

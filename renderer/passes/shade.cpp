@@ -10,7 +10,6 @@
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/visibility.h"
 #include "renderer/settings/sources.h"
 
@@ -166,7 +165,7 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
 
 }  // namespace
 
-void TrueShadePass::declare(FrameState& f) {
+void ReferenceShadePass::declare(FrameState& f) {
     f.plan.place(Result::TruePicture, {&picture_});
     Pass pass;
     pass.name = "shading by the truth";
@@ -186,7 +185,7 @@ void TrueShadePass::declare(FrameState& f) {
     f.plan.add(std::move(pass));
 }
 
-void TrueShadePass::run(FrameState& f, PassInfo& info) {
+void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
     const gl::Target& drawn = f.result(Result::Visibility);
     gl::Target& visibility = visibility_;
     visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);

@@ -30,7 +30,7 @@ private:
 };
 
 /// Draws the picture once more with the visibility that rays found for the shown light.
-class TrueShadePass : public FramePass {
+class ReferenceShadePass : public FramePass {
 public:
     void declare(FrameState& f) override;
 

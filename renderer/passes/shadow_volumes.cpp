@@ -6,7 +6,6 @@
 
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/casters.h"
-#include "renderer/passes/passes.h"
 #include "renderer/settings/sources.h"
 
 namespace si {

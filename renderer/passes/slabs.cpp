@@ -6,7 +6,6 @@
 #include "renderer/gl/driver_failure.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/map_depths.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/texel_slabs.h"
 #include "renderer/settings/map_storage.h"
 

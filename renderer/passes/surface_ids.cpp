@@ -2,7 +2,6 @@
 #include "renderer/passes/surface_ids.h"
 
 #include "renderer/passes/camera_pass.h"
-#include "renderer/passes/passes.h"
 
 namespace si {
 

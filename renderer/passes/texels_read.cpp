@@ -2,7 +2,6 @@
 #include "renderer/passes/texels_read.h"
 
 #include "renderer/passes/moments.h"
-#include "renderer/passes/passes.h"
 
 namespace si {
 

@@ -8,7 +8,6 @@
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/light_map.h"
 #include "renderer/passes/moments.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/shadow_volumes.h"
 #include "renderer/reference/reference_picture.h"
 #include "renderer/settings/sources.h"

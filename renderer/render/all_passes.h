@@ -16,12 +16,12 @@
 #include "renderer/passes/pages.h"
 #include "renderer/passes/panes.h"
 #include "renderer/passes/precision.h"
+#include "renderer/passes/reference.h"
 #include "renderer/passes/seen_surfaces.h"
 #include "renderer/passes/shade.h"
 #include "renderer/passes/shadow_volumes.h"
 #include "renderer/passes/surface_ids.h"
 #include "renderer/passes/texels_read.h"
-#include "renderer/passes/truth.h"
 #include "renderer/passes/visibility.h"
 
 namespace si {
@@ -41,8 +41,8 @@ struct AllPasses {
     LightMapPass light_map;
     VisibilityPass visibility{shadow_volumes, light_map};
     UnfilteredMapPass unfiltered_map{light_depth, pages};
-    TruthPasses reference;
-    TrueShadePass true_shade;
+    ReferencePasses reference;
+    ReferenceShadePass reference_shade;
     ShadePasses shade;
     PrecisionPass precision;
     PanePasses panes{pages};
@@ -59,7 +59,7 @@ struct AllPasses {
         out.insert(out.end(), {&pages, &light_depth, &depth_blur, &moments, &map_bounds, &camera_depth, &surface_ids,
                                &shadow_volumes});
         if (!paged) out.push_back(&seen_surfaces);
-        out.insert(out.end(), {&blobs, &light_map, &visibility, &unfiltered_map, &reference, &true_shade, &shade,
+        out.insert(out.end(), {&blobs, &light_map, &visibility, &unfiltered_map, &reference, &reference_shade, &shade,
                                &precision, &panes, &map_coordinates, &texels_read, &map_view, &numeric_health});
         return out;
     }

@@ -13,7 +13,6 @@
 #include "renderer/optimisations/lookup_optimisations.h"
 #include "renderer/optimisations/scene_findings.h"
 #include "renderer/passes/caster_findings.h"
-#include "renderer/passes/passes.h"
 #include "renderer/passes/seen_depths.h"
 #include "renderer/projection/projection.h"
 #include "renderer/reference/light_map.h"

@@ -13,7 +13,6 @@
 #include "renderer/frame/driver.h"
 #include "renderer/gl/driver_failure.h"
 #include "renderer/optimisations/lookup_optimisations.h"
-#include "renderer/passes/passes.h"
 #include "renderer/render/pass_progress.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/biases.h"

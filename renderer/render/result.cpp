@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <set>
 
-#include "renderer/passes/passes.h"
 #include "renderer/render/renderer_impl.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/map_storage.h"

@@ -93,8 +93,7 @@ struct Hands {
             ms = std::max(ms, frame());
             still = editor->model().drawing() ? 0 : still + 1;
             if (still == 0 || shown_ms == 0) {
-                shown_ms = std::chrono::duration < double;
-                std::milli > (std::chrono::steady_clock::now() - begin).count();
+                shown_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
             }
             if (editor->model().drawing()) std::this_thread::sleep_for(std::chrono::milliseconds(16));
         }

@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "renderer/base/index_of.h"
+
 namespace si {
 
 /// Place of the map viewer in the window.
@@ -13,7 +15,7 @@ enum class Panel { Scene, Map, Tabs };
 
 /// Tabs of the strip below the pictures.
 enum class BottomTab { Effects, Probe, Error, Objects, Compare, Frontier, Advice, Lab, Numbers, Log };
-inline constexpr int kBottomTabs = int(BottomTab::Log) + 1;
+inline constexpr int kBottomTabs = index_of(BottomTab::Log) + 1;
 
 /// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
 /// they survive a change of scale.

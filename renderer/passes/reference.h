@@ -16,7 +16,7 @@ std::vector<gl::Define> reference_defines(const FrameState& f);
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 
 /// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
-class TruthPasses : public FramePass {
+class ReferencePasses : public FramePass {
 public:
     struct Targets {
         gl::Target reference, more_reference;  ///< of the truth picture
