@@ -22,7 +22,7 @@ Settings other_settings(const Settings& shown, const Settings& other) {
     out.scene = shown.scene;
     out.camera = shown.camera;
     out.view = shown.view;
-    out.reference = shown.reference;
+    out.truth = shown.truth;
     return out;
 }
 
