@@ -1,6 +1,7 @@
 // Every panel for every choice of every row; the widgets' behaviour by mouse.
 #include <gtest/gtest.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <cmath>
 #include <map>
@@ -323,7 +324,7 @@ TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
     ui.frames(3);
     std::string tips;
     for (float y = 75; y < 5990; y += 9) {
-        ui.move({kFirstLabel.x, y});
+        ui.move({kFirstLabel.x - 22, y});  // short labels, too
         ui.frames(2);
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
             if (!w->Active || !(w->Flags & ImGuiWindowFlags_Tooltip)) continue;

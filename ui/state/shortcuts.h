@@ -94,8 +94,8 @@ enum class Modifier { Up, Down, Any };
 struct Chord {
     const char* name = "";  ///< "F11", "1 to 9"
     bool mapped = false;    ///< the codes are ImGuiKey values; else codes of the window (GLFW), which equal ASCII
-    int first = 0;          ///< code of the first key; 0: no key, a mouse gesture
-    int last = 0;           ///< code of the last key of the range
+    int first = -1;         ///< code of the first key; -1: no key, a mouse gesture
+    int last = -1;          ///< code of the last key of the range
     Modifier ctrl = Modifier::Up;
     Modifier shift = Modifier::Any;
     Modifier alt = Modifier::Any;
