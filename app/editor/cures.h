@@ -20,7 +20,7 @@ struct CureOutcome {
 /// One search for fixes at a time, on a thread of its own.
 class EditorCures : public EditorSearch<CureOutcome> {
 public:
-    EditorCures() : EditorSearch("The search for cures was cancelled") {}
+    EditorCures() : EditorSearch("The search for fixes was cancelled") {}
     /// Starts a search and cancels the one under way. @param pixel to make right; none: the whole picture
     /// @param own changes to try besides the usual ones, such as the fix of a pixel diagnosis
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,

@@ -21,7 +21,7 @@ void EditorPipelines::start(const Scene& scene, const LabOf& of) {
             Renderer renderer;
             return PipelinesFound{compare_pipelines(renderer, *copy, of.settings, of.width, of.height), of};
         },
-        {"four ways", 0});
+        {"four pipelines", 0});
 }
 
 void EditorPipelines::fill(LabFacts& shown, const LabOf& present) const {

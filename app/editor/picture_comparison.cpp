@@ -128,7 +128,7 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
             clear();
         return had;
     }
-    const std::string label = state.comparison.truth ? "ray-traced truth" : reference_label(state.compare);
+    const std::string label = state.comparison.truth ? "ray-traced reference" : reference_label(state.compare);
     if (!had || facts_->label != label) {
         if (state.comparison.truth) other_.reset();
         facts_ = PictureComparisonFacts{.label = label};

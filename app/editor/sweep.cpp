@@ -175,8 +175,9 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     const SweepSpec spec = spec_from_json(state.spec);
     const SweepPlan plan = plan_sweep(spec.base, spec.axes);
     if (plan_key(plan) != state.plan)
-        throw Error(fmt::format("{}: was made by a version of the program that orders cases differently; sweep anew",
-                                folder.string()));
+        throw Error(
+            fmt::format("{}: was made by a version of the program that orders cases differently; start the sweep again",
+                        folder.string()));
     cancel();
     if (thread_) thread_->wait_for_sweep();
     show(spec, plan, folder);

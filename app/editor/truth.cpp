@@ -174,7 +174,7 @@ bool EditorTruth::update(Renderer& renderer, const Scene& scene, const Settings&
         else
             start_trace(renderer, scene, settings, request, next->light);
     } else if (save_next_) {
-        remark_ = "Not saved: the truth about this view is not traced";
+        remark_ = "Not saved: the reference of this view is not traced";
         save_next_.reset();
     } else {
         return changed;

@@ -65,7 +65,7 @@ void exact_choice(EditorState& state) {
                                     : "Mark the texels that kernels fetch, exactly, where links show the squares "
                                       "about them: red what some pixel\nof the picture fetches, darkened what "
                                       "none does. Costs the kernel once more for every pixel and reading a\nfloat "
-                                      "of each texel back, in every frame that is drawn anew while nothing is dragged");
+                                      "of each texel back, in every new frame while nothing is dragged");
 }
 
 float check_width(const char* label) {

@@ -67,12 +67,13 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
                   ms && current ? theme::text() : theme::muted());
     if (ms)
         wrapped_tooltip(fmt::format(
-            "{} ms, 95 % interval {} to {} ms, by {} pairs of frames in turns.{}{}", digits_text(ms->median),
+            "{} ms, 95 % interval {} to {} ms, by {} pairs of alternating frames.{}{}", digits_text(ms->median),
             digits_text(ms->median_low), digits_text(ms->median_high), ms->samples,
-            together > 1 ? fmt::format(" Of all {} effects with this saving together, not of each.", together) : "",
+            together > 1 ? fmt::format(" For all {} effects of this optimisation together, not for each.", together)
+                         : "",
             current ? "" : " Of other settings or another size: measure again."));
     else
-        wrapped_tooltip("Not measured, or nothing spares it. Times are never estimated.");
+        wrapped_tooltip("Not measured, or nothing skips it. Times are never estimated.");
 }
 
 /// Whether frames are to do what a saving spares.
@@ -84,7 +85,7 @@ void force_box(SavingSet& forced, Saving saving, const char* label) {
             if (Saving(i) == saving ? on : forced.contains(Saving(i))) next.add(Saving(i));
         forced = next;
     }
-    wrapped_tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
+    wrapped_tooltip(fmt::format("Force: do the work that \"{}\" skips. The picture stays the same, byte by byte.\n{}",
                                 row_of(saving).label, row_of(saving).help));
 }
 
@@ -99,8 +100,8 @@ void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
     }
     if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
     wrapped_tooltip(
-        "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
-        "difference in milliseconds with its interval.");
+        "Draws frames with and without each optimisation alternately, in the background, and prints the difference in "
+        "milliseconds with its interval.");
 }
 
 void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requests) {
@@ -111,7 +112,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
     flow(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
-    wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
+    wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
         for (std::size_t i = 0; i < kSavings; ++i)
             force_box(forced, Saving(i), std::string(savings()[i].label).c_str());
@@ -121,9 +122,9 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
-    wrapped_tooltip("Make all savings again.");
-    flow(button_width("Hide what is not called for") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not called for", &panel.hide_uncalled);
+    wrapped_tooltip("Switches all optimisations on again.");
+    flow(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
+    ImGui::Checkbox("Hide what is not needed", &panel.hide_uncalled);
     if (!facts.saved || facts.saved_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
     flow(ImGui::CalcTextSize(kOld).x);
@@ -193,7 +194,7 @@ void last_time_cell(const FrameTimes& times, const PassInfo& pass) {
     const auto last = times.pass_ms.find(pass.name);
     if (last == times.pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
     right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
-    wrapped_tooltip("When it was drawn last; this frame spares it");
+    wrapped_tooltip("When it was drawn last; this frame skips it");
 }
 
 void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult& result, const EffectsFacts& facts,

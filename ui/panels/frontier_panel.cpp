@@ -153,11 +153,11 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& 
             requests.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
         wrapped_tooltip(
-            "Error against ray-traced truth and time of every combination, in the background. Settings without "
+            "Error against the ray-traced reference and time of every combination, in the background. Settings without "
             "effect in a combination collapse. An interrupted sweep goes on.");
     }
     ImGui::Checkbox("Measure the present settings", &panel.follow);
-    wrapped_tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
+    wrapped_tooltip("The diamond: measured again when a setting, the camera or the scene changes");
     const float buttons =
         ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
@@ -421,7 +421,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_advice(state, facts, *cost, *error);
         if (facts.view.marks.empty() && !facts.view.present) {
             ImGui::TextDisabled(facts.running ? "The first cases are being measured."
-                                              : "Sweep over settings to see which are worth their time.");
+                                              : "Sweep over settings to see which pay for their time.");
         } else {
             const ImVec2 size = ImGui::GetContentRegionAvail();
             const FrontierPlotResult r =

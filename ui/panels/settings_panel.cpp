@@ -42,7 +42,7 @@ constexpr Group kGroups[] = {
     {"scene", "Scene, time and place", false},
     {"shading", "Shading", false},
     {"view", "View", false},
-    {"truth", "Truth", false},
+    {"truth", "Reference", false},
 };
 
 // Turned seldom: while they are as at first, their groups keep them back until they are asked for or searched.

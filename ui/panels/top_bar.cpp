@@ -73,8 +73,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "A PNG beside the preset, under a name that no file has (the log tells which), and in the clipboard to "
-            "paste");
+            "A PNG in the preset's folder under a free name, which the log prints, and in the clipboard to paste");
     ImGui::Separator();
     item("Quit", Command::Quit);
     ImGui::EndPopup();
@@ -106,15 +105,15 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset before", Command::PreviousPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
-                presets_menu_width());
+    menu_button("Guided presets", "guided presets",
+                "Artefacts and their fixes, each with a sentence on what to look at", presets_menu_width());
     draw_presets_menu("guided presets", frame.presets, state, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset after", Command::NextPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    menu_button("Hard cases", "hard cases", "Corners in which shadow maps break, with and without what mends them",
+    menu_button("Hard cases", "hard cases", "Scenes in which shadow maps fail, each with and without the fix",
                 presets_menu_width());
     draw_presets_menu("hard cases", frame.hard_cases, state, requests);
 }

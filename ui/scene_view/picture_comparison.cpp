@@ -32,7 +32,7 @@ std::string shown_side(const EditorState& state) {
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.comparison.truth) return "ray-traced truth";
+    if (state.comparison.truth) return "ray-traced reference";
     if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
@@ -87,7 +87,7 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
     ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
         bool picked = false;
-        if (ImGui::Selectable("ray-traced truth", a.truth)) a.truth = picked = true;
+        if (ImGui::Selectable("ray-traced reference", a.truth)) a.truth = picked = true;
         const auto other = [&](const char* text, const CompareWith& with) {
             if (!ImGui::Selectable(text, !a.truth && state.compare == with)) return;
             a.truth = false, picked = true;
@@ -106,7 +106,7 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the\n"
+            "The other side: light, maps, bias, filter and shading of a preset, or the traced reference of the\n"
             "shown light, under the same camera. Choosing one begins to compare");
 }
 

@@ -19,7 +19,7 @@ std::string truth_status(const EditorFrame& frame) {
     if (!t.doing.empty()) return fmt::format("{} … {} %", t.doing, int(t.progress * 100));
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
-    if (!t.current) return "The truth about this view is not traced yet.";
+    if (!t.current) return "The reference of this view is not traced yet.";
     std::string text = fmt::format("{} × {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
     if (t.trace_ms > 0) text += fmt::format(", traced in {:.0f} ms", t.build_ms + t.place_ms + t.trace_ms);
     if (!t.noise.empty()) text += ", " + t.noise;
