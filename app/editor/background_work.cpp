@@ -41,7 +41,7 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
             state_.log.add(LogKind::Info, outcome->text);
         return true;
     }
-    // What was searched for is right for that scene, camera and light only.
+    // The result holds for that scene, camera and light only.
     Settings now = state_.settings;
     apply_tuning(now, outcome->settings);
     now.view = outcome->settings.view;

@@ -121,7 +121,7 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
                                      const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
     if (state.comparison.view == ComparisonView::Off) {
-        // What is pinned is flickered to again and again: its maps are kept.
+        // Maps of the pinned settings are kept, because they are shown again and again.
         if (state.pinned)
             hide();
         else

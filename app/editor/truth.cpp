@@ -17,11 +17,10 @@ namespace {
 
 struct LightNeed : TruthNeed {
     int light = 0;
-    bool light_map = false;  ///< else it is a truth
+    bool light_map = false;  ///< else it is a reference
 };
 
-/// What a frame asks for of truths, of the light that is shown and of those whose source is ray traced, and of light
-/// maps.
+/// Returns the references and light maps that a frame needs: of the shown light, and of lights whose source they are.
 std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
     std::vector<LightNeed> out;
     if (frame.truth.key != 0) out.push_back({frame.truth, shown_light});

@@ -15,8 +15,9 @@
 namespace si {
 namespace {
 
-constexpr double kShareOfHeight = 0.2;  ///< of the picture's height that a cluster comes to fill
-constexpr double kClosest = 0.25;       ///< of the distance before: what stands around it stays in the picture
+constexpr double kShareOfHeight = 0.2;  ///< share of the picture's height that a cluster fills
+constexpr double kClosest =
+    0.25;  ///< smallest share of the former distance, so that the surroundings stay in the picture
 
 int artefact_overlay() {
     const auto all = overlays();
@@ -30,7 +31,7 @@ std::string_view cause_label(Artefact cause) {
     return "an unknown cause";
 }
 
-/// What clusters are found in: all but how they are looked at.
+/// Returns true if clusters are the same under both settings. Those of the view do not matter.
 bool same_picture(Settings a, const Settings& b) {
     a.view = b.view;
     return a == b;

@@ -1,4 +1,4 @@
-// What differs between the present state and a preset, with a button a row that takes the preset's value over.
+// Settings that differ from a preset's, with a button a row that applies the preset's value.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -30,7 +30,7 @@ std::string reference_label(const CompareWith& with) {
 
 namespace {
 
-/// The same with a guided preset's title, and a file without its folders.
+/// Returns reference_label() with a guided preset's title, and a file without its folders.
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets) {
     if (with.kind != CompareKind::Preset) return reference_label(with);
     for (const PresetEntry& p : presets)

@@ -32,10 +32,10 @@ std::string grouped(std::uint64_t n) {
     return text;
 }
 
-/// What there is room for beside reasons of a line or three.
+/// Columns that have room besides reasons of one to three lines.
 enum class Room {
     Least,   ///< reasons are tooltips of the names
-    Few,     ///< no savings: their menu has all that can be forced
+    Few,     ///< no column of optimisations: their menu has all that can be forced
     Narrow,  ///< states are shapes alone
     Usual,
     Wide,  ///< for what a pass draws and what the processor does for it
@@ -76,7 +76,7 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
         wrapped_tooltip("Not measured, or nothing skips it. Times are never estimated.");
 }
 
-/// Whether frames are to do what a saving spares.
+/// Draws the checkbox that switches an optimisation off.
 void force_box(SavingSet& forced, Saving saving, const char* label) {
     bool on = forced.contains(saving);
     if (ImGui::Checkbox(label, &on)) {
@@ -160,7 +160,7 @@ void header(Room room) {
     }
 }
 
-/// What passes cost, one or all.
+/// Cost of one pass, or the sum of all.
 struct PassCost {
     double gpu_ms = 0, cpu_ms = 0;
     std::uint64_t draws = 0, triangles = 0;
@@ -189,7 +189,7 @@ void time_bar(const FrameTimes& times, double ms) {
                                               theme::colours().done);
 }
 
-/// What a pass took when it was timed last, in grey.
+/// Draws the last time of a pass that this frame skips, in grey.
 void last_time_cell(const FrameTimes& times, const PassInfo& pass) {
     const auto last = times.pass_ms.find(pass.name);
     if (last == times.pass_ms.end() || !ImGui::TableSetColumnIndex(int(Column::Ms))) return;
@@ -233,7 +233,7 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         force_box(panel.forced, *effect.saving, "##force");
 }
 
-/// What is forced stays on view, so that its box can be taken back.
+/// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
     return panel.hide_uncalled && effect.state == EffectState::NotCalledFor && !forced;

@@ -162,7 +162,7 @@ void space(const Probe::PerLight& p) {
     ImGui::EndTable();
 }
 
-/// Where the bias lies between what the surface needs and what its occluder allows, on a line of texels.
+/// Draws the bias on a line of texels, between the needed one and the largest one that keeps the shadow.
 void window_bar(const Dossier& d) {
     const float em = ImGui::GetFontSize(), width = em * 20, high = em * 0.7f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -246,7 +246,7 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// All that the verdict rests on. @param cures draws what puts the pixel right
+/// Draws all numbers that the verdict depends on. @param cures draws the fixes of the pixel
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const Dossier* d, Settings& settings, int resolution, Button&& cures_button,
              Table&& cures_table) {

@@ -118,7 +118,7 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests
     draw_presets_menu("hard cases", frame.hard_cases, state, requests);
 }
 
-/// How the window looks.
+/// Draws the menu of theme and layout.
 void view_menu(EditorState& state, const char* label) {
     menu_button(label, "view", "Theme and panels", ImGui::GetFontSize() * 18);
     if (!ImGui::BeginPopup("view")) return;

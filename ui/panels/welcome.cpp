@@ -1,4 +1,4 @@
-// What a person sees first, once.
+// The welcome of the first start.
 #include <fmt/format.h>
 #include <imgui.h>
 

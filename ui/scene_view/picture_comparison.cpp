@@ -26,7 +26,7 @@ bool is_pinned(const EditorState& state) {
     return !state.comparison.truth && state.compare.kind == CompareKind::Pinned;
 }
 
-/// What stands at each side: what was pinned was there first.
+/// Returns the name of the shown settings' side. Pinned settings are A, because they were first.
 std::string shown_side(const EditorState& state) {
     return is_pinned(state) ? "B: shown settings" : "A: shown settings";
 }

@@ -13,7 +13,7 @@ struct EditorRequests;
 
 /// Something that a person triggers by a key. Most have a menu item or a button, too.
 enum class Command {
-    MouseGesture,  ///< of rows without a key, which only the overview reads
+    MouseGesture,  ///< row without a key, for the overview only
     FlyForwards,
     FlyBackwards,
     FlyLeft,
@@ -114,7 +114,7 @@ struct Shortcut {
     Command command = Command::MouseGesture;
     Chord chord;
     When when = When::Ready;
-    const char* label = "";                           ///< what the key does; empty: as the row before
+    const char* label = "";                           ///< effect of the key; empty: as in the row before
     void (*action)(const CommandContext&) = nullptr;  ///< null: is_held() is polled, or a mouse gesture
     bool repeats = false;                             ///< acts again while the key is held
     bool joined = false;                              ///< shares its line of the overview with the row before

@@ -18,8 +18,8 @@ struct Colours {
     ImU32 accent;  ///< changed values
     ImU32 error, warning;
     ImU32 note;  ///< behind remarks to the person
-    ImU32 done;  ///< of a progress bar
-    ImU32 bar;   ///< of a plot
+    ImU32 done;  ///< filled part of a progress bar
+    ImU32 bar;   ///< bars of a plot
 };
 /// Returns the colours of the light or the dark theme.
 const Colours& colours(bool light);
