@@ -189,14 +189,6 @@ void preset_name(const EditorState& state, const EditorFrame& frame, float width
 
 }  // namespace
 
-std::string scene_label(const std::string& name) {
-    if (name.empty()) return "No scene";
-    for (const BuiltinScene& scene : builtin_scenes())
-        if (scene.key == name) return std::string(scene.label);
-    if (is_builtin_scene(name)) return name;
-    return last_part(name);
-}
-
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;
     const char *help = "Help", *view = "View";

@@ -127,7 +127,9 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, requests); });
+    tab(state, BottomTab::Compare, "Compare", [&] {
+        draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
+    });
     tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
     tab(state, BottomTab::Advice, "Advice",
         [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });

@@ -1,11 +1,15 @@
-// The other side of the comparison of settings.
+// The panel Compare, and the other side of the comparison of settings.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "renderer/settings/settings.h"
 
 namespace si {
+
+struct PresetRequests;
+struct PresetsFacts;
 
 /// Kind of settings to compare with. Pinned: PictureState::pinned.
 enum class CompareKind { Scene, Defaults, Preset, Pinned };
@@ -33,5 +37,12 @@ struct ComparisonFacts {
 
 /// Returns the name of the other side: "the scene's own settings", or a preset's key or path.
 std::string reference_label(const CompareWith& with);
+
+/// Draws the settings that differ from the compared ones.
+/// @param compare changed by the combo @param pinned offered as a choice @param scene_name of the shown scene
+/// @param other settings that `compare` names; null or of another choice: not read yet
+void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
+                  const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
+                  PresetRequests& requests);
 
 }  // namespace si
