@@ -41,7 +41,7 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
             state_.log.add(LogKind::Info, outcome->text);
         return true;
     }
-    // What was searched for is right for that scene, camera and light only.
+    // The result holds for that scene, camera and light only.
     Settings now = state_.settings;
     apply_tuning(now, outcome->settings);
     now.view = outcome->settings.view;
@@ -101,7 +101,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
     request(requests.open_sweep.has_value(), [&] { open_sweep(*requests.open_sweep); });
     request(requests.save_sweep.has_value(), [&] {
         sweep_.save(*requests.save_sweep);
-        state_.log.add(LogKind::Info, "Saved " + *requests.save_sweep + "/report.html and the tables beside it");
+        state_.log.add(LogKind::Info, "Saved " + *requests.save_sweep + "/report.html and its tables");
     });
     request(requests.take_sweep_base, [&] { take_sweep_base(); });
     return changed;

@@ -20,7 +20,7 @@ struct FixOutcome {
 /// One search for fixes at a time, on a thread of its own.
 class EditorFixes : public EditorSearch<FixOutcome> {
 public:
-    EditorFixes() : EditorSearch("The search for cures was cancelled") {}
+    EditorFixes() : EditorSearch("The search for fixes was cancelled") {}
     /// Starts a search and cancels the one under way. @param pixel to make right; none: the whole picture
     /// @param own changes to try besides the usual ones, such as the fix of a pixel diagnosis
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,

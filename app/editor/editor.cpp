@@ -113,7 +113,7 @@ void require_sound_session(EditorModel& model) {
     if (const std::string& what = model.session().unsound(); !what.empty()) throw Error("--check-numeric: " + what);
 }
 
-/// What a person chose in the desktop's dialog. Returns whether there was an answer.
+/// Opens or saves the file that was chosen in the desktop's dialog. Returns true if there was an answer.
 bool take_file(FilePortal& portal, EditorModel& model) {
     const auto answer = portal.take_answer();
     if (!answer) return false;

@@ -19,11 +19,11 @@ struct EditorOptions {
     std::filesystem::path state_folder;  ///< folder of layout, recent files and autosaves; empty: none is kept
     bool headless = false;               ///< draw through EGL and write `screenshot`; needs no display
     std::filesystem::path screenshot;
-    int width = 1600, height = 900;  ///< of the window, or of the screenshot in pixels
+    int width = 1600, height = 900;  ///< size of the window, or of the screenshot in pixels
     bool size_given = false;         ///< the window has this size, not that of the last session
-    double scale = 0;                ///< of text and widgets; 0: from the monitor, or from the screenshot's height
+    double scale = 0;  ///< scale of text and widgets; 0: from the monitor, or from the screenshot's height
     int probe_x = -1, probe_y = -1;  ///< pixel of the scene picture probed at the start; negative: none
-    std::string tab;                 ///< of the strip below, in front at the start; empty: effects
+    std::string tab;                 ///< tab in front at the start; empty: effects
     std::string theme;               ///< dark or light; empty: as kept, or dark
     std::filesystem::path sweep;     ///< folder of a sweep to show; may be empty
     bool welcome = false;            ///< show the welcome at the first start

@@ -200,7 +200,7 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
     const PassInfo* const did = more.pass(kSmoothingPass);
     const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
     if (!did || told == result_.passes.end() || told->reason == did->reason) return;
-    // Of all else the frame itself is told of, and its times.
+    // All other passes keep the states and times of the frame itself.
     told->state = did->state, told->reason = did->reason;
     frame_effects_.clear();
 }

@@ -13,15 +13,16 @@
 
 namespace si {
 
+/// The editor in a framebuffer, frame by frame.
 class HeadlessEditor {
 public:
-    /// Starts to read the first scene. @throws Error when there is no OpenGL, or the size cannot be drawn.
+    /// Starts to read the first scene. @throws Error if there is no OpenGL, or the size cannot be drawn
     explicit HeadlessEditor(const EditorOptions& options, SceneReader read = {});
     ~HeadlessEditor();
 
     EditorModel& model() { return *model_; }
 
-    /// Where the mouse is and what it does in the following frames.
+    /// Mouse in the following frames.
     struct Mouse {
         std::optional<glm::vec2> at;  ///< pixels from the top left; none: outside
         bool left = false, right = false, middle = false, ctrl = false, shift = false;
@@ -29,14 +30,14 @@ public:
     };
     Mouse mouse;
 
-    /// One frame of the editor, 1/60 s after the one before, and what it asked for.
+    /// Draws one frame of the editor, 1/60 s after the one before. Returns its requests.
     EditorRequests frame();
     /// Waits for a scene that is being read, draws frames until layout and pictures no longer change, and waits for
     /// what they ask to be measured.
     void settle();
-    /// Lets the picture become smooth, where it is to (view.smooth), and draws it. Before, it stays as it is drawn.
+    /// Adds all samples per pixel to the picture, if view.smooth is on, and draws it.
     void smooth();
-    /// The last frame, top row first.
+    /// Returns the last frame, top row first.
     ByteImage picture() const;
 
 private:
@@ -47,7 +48,7 @@ private:
     std::unique_ptr<EditorModel> model_;
 };
 
-/// The scale of text and widgets that suits a screenshot of this height.
+/// Returns the scale of text and widgets for a screenshot of this height, pixels.
 float screenshot_scale(int height);
 
 }  // namespace si

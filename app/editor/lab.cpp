@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-/// Whether a measurement still says what the present settings would.
+/// Returns true if a measurement is about the present scene, settings and size.
 bool holds(const LabOf& of, const LabOf& present) {
     return of.scene == present.scene && of.width == present.width && of.height == present.height &&
            measured_settings(of.settings) == measured_settings(present.settings);
@@ -21,7 +21,7 @@ void EditorPipelines::start(const Scene& scene, const LabOf& of) {
             Renderer renderer;
             return PipelinesFound{compare_pipelines(renderer, *copy, of.settings, of.width, of.height), of};
         },
-        {"four ways", 0});
+        {"four pipelines", 0});
 }
 
 void EditorPipelines::fill(LabFacts& shown, const LabOf& present) const {

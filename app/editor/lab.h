@@ -23,7 +23,7 @@ struct PipelinesFound {
 /// One comparison of single-precision matrix pipelines at a time, on a thread of its own.
 class EditorPipelines : public EditorSearch<PipelinesFound> {
 public:
-    EditorPipelines() : EditorSearch("Comparing ways was cancelled") {}
+    EditorPipelines() : EditorSearch("The comparison of precision was cancelled") {}
     /// Starts a comparison and cancels the one under way.
     void start(const Scene& scene, const LabOf& of);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.
@@ -40,7 +40,7 @@ struct ShimmerFound {
 /// One measurement of shimmer at a time, on a thread of its own.
 class EditorShimmer : public EditorSearch<ShimmerFound> {
 public:
-    EditorShimmer() : EditorSearch("Measuring shimmer was cancelled") {}
+    EditorShimmer() : EditorSearch("The measurement of shimmer was cancelled") {}
     /// Starts a measurement and cancels the one under way.
     void start(const Scene& scene, const LabOf& of, const ShimmerOptions& options);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.

@@ -170,7 +170,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     if (requests.welcomed) persistence_.note_welcome();
     follow_memory(requests.want_memory);
     bool changed = frames_.poll();
-    // What is being drawn stays as it is meanwhile.
+    // The scene must not change while a frame of it is drawn.
     if (!frames_.under_way()) changed |= scenes_.poll();
     changed |= work_.poll(scenes_.scene());
     const auto request = [&](bool requested, const auto& what) {

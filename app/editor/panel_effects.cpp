@@ -37,7 +37,8 @@ constexpr PanelRow kPanels[] = {
      "No overlay is under the mouse, or it drags."},
     {"panel: texels of the frozen camera",
      [](const PictureState& s, const EditorRequests& a) { return s.frozen && a.want_frozen_usage; },
-     "A camera is frozen: a frame of its own tells what it reads, until a setting changes.", "No camera is frozen."},
+     "A camera is frozen: a frame of its own finds the texels that it reads, until a setting changes.",
+     "No camera is frozen."},
     {"panel: probed pixel", [](const PictureState& s, const EditorRequests&) { return s.probe_pixel.has_value(); },
      "A pixel is probed: its shadow test is written out once a frame.", "No pixel is probed."},
     {"panel: cross-section",
@@ -88,14 +89,14 @@ std::vector<Effect> panel_effects(const PictureState& state, const EditorRequest
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now) {
     Effect effect{.name = "panel: next artefact"};
     if (request.number == 0) {
-        effect.reason = "Nobody has asked for the next artefact.";
+        effect.reason = "The next artefact is not requested.";
     } else if (request.number != found.number) {
-        effect.reason = "It was asked for, and waits for the truth of the picture.";
+        effect.reason = "It is requested, and waits for the reference of the picture.";
     } else {
         effect.state = now ? EffectState::Drawn : EffectState::Cached;
-        effect.reason = fmt::format("{} cluster{} of wrong pixels: looked for {}.", found.spots.size(),
+        effect.reason = fmt::format("{} cluster{} of wrong pixels: searched {}.", found.spots.size(),
                                     found.spots.size() == 1 ? "" : "s",
-                                    now ? "once, as it was asked for" : "when it was asked for, and not meanwhile");
+                                    now ? "once, on request" : "at the last request, and not since");
     }
     return effect;
 }
@@ -103,7 +104,7 @@ Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& foun
 Effect reference_effect(const ReferenceFacts& reference) {
     Effect effect{.name = "rays of the truth"};
     if (!reference.wanted)
-        effect.reason = "Neither a panel, an overlay nor a light's source asks for rays.";
+        effect.reason = "Neither a panel, an overlay nor a light's source needs rays.";
     else if (!reference.doing.empty()) {
         effect.state = EffectState::Drawn;
         effect.reason = sentence(reference.doing + " in the background");
@@ -111,7 +112,8 @@ Effect reference_effect(const ReferenceFacts& reference) {
         effect.state = EffectState::Cached;
         effect.reason = "They were traced, and nothing they depend on changed.";
     } else
-        effect.reason = reference.problem.empty() ? "They wait until the picture rests." : sentence(reference.problem);
+        effect.reason =
+            reference.problem.empty() ? "They wait until the picture stays the same." : sentence(reference.problem);
     return effect;
 }
 

@@ -122,14 +122,14 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
                                      const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
     if (state.comparison.view == ComparisonView::Off) {
-        // What is pinned is flickered to again and again: its maps are kept.
+        // Maps of the pinned settings are kept, because they are shown again and again.
         if (state.pinned)
             hide();
         else
             clear();
         return had;
     }
-    const std::string label = state.comparison.reference ? "ray-traced truth" : reference_label(state.compare);
+    const std::string label = state.comparison.reference ? "ray-traced reference" : reference_label(state.compare);
     if (!had || facts_->label != label) {
         if (state.comparison.reference) other_.reset();
         facts_ = PictureComparisonFacts{.label = label};

@@ -23,7 +23,7 @@ DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, cons
     return depth_histogram(depth, result.map_view_curve, v.map, kHistogramBins, lo, hi);
 }
 
-/// What the texels that a given camera reads depend on.
+/// Returns the settings that the texels read by a camera depend on.
 Settings texel_settings(const Settings& settings) {
     Settings s = settings;
     s.camera = {};

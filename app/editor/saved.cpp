@@ -18,7 +18,7 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
             const std::vector<Optimisation> named = named_optimisations(effects);
             out.times =
                 measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
-                    report({"frames in turns", share});
+                    report({"alternating frames", share});
                 });
             return out;
         },

@@ -18,7 +18,7 @@ struct SavedOutcome {
 /// One measurement of optimisations at a time, on a thread of its own.
 class EditorSaved : public EditorSearch<SavedOutcome> {
 public:
-    EditorSaved() : EditorSearch("Measuring what is saved was cancelled") {}
+    EditorSaved() : EditorSearch("The measurement of optimisations was cancelled") {}
     /// Starts a measurement and cancels the one under way. @param request of the frame that is shown
     void start(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Writes progress and this scene's results into `shown`, marked as current only if they are about these arguments.

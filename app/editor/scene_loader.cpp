@@ -123,7 +123,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     std::vector<std::string> left_out, notes;
     if (arrival.plan) {
         Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
-        // What was changed by hand while the first scene was being read is kept.
+        // Changes made by hand while the first scene was being read are kept.
         state_.settings = first ? rebased(state_.settings, base_, session.settings) : session.settings;
         given_ = session.settings;
         suggests_ = !arrival.plan->preset;
@@ -135,7 +135,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         const Settings base = base_settings(loaded);
         state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
         if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
-        // What a person changed before is no less unsaved here.
+        // Earlier changes stay unsaved under the new scene.
         const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
         given_ = !arrival.settings                             ? rebased(given_, base_, base)
                  : arrival.step && was_here != given_at_.end() ? was_here->second

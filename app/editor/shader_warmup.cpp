@@ -16,21 +16,21 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kStill = 700ms;            ///< nothing is foreseen while settings move
-constexpr int kWidth = 64, kHeight = 36;  ///< of pictures that nobody sees
+constexpr int kWidth = 64, kHeight = 36;  ///< size of the warm-up pictures, pixels
 constexpr std::size_t kMostForeseen = 3;  ///< the oldest give way
 
 /// Has the thread take only what processor time nobody else wants.
 void give_way() {
 #if defined(__linux__)
     const sched_param none{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // a wish
+    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // may fail, without harm
 #endif
 }
 
 }  // namespace
 
-/// What a rehearsal takes place on. Each has its own: programs are the driver's to keep, but llvmpipe keeps images,
-/// too, of what a context drew last, which may be maps of a gigabyte.
+/// Context and renderer of one warm-up frame. Each frame has its own: the driver keeps shaders without it, and llvmpipe
+/// would keep the last images of a context, which may be maps of a gigabyte.
 struct ShaderWarmup::Stage {
     HeadlessContext context;
     void play(const WarmupFrame& r) {
@@ -50,7 +50,7 @@ struct ShaderWarmup::Stage {
         probe(renderer, r, request);
         renderer.take_gl_messages();
     }
-    /// Of the background little is asked.
+    /// Draws probes until one hits a surface, because the background needs few of their shaders.
     static void probe(Renderer& renderer, const WarmupFrame& r, const FrameRequest& request) {
         for (int y = kHeight / 2; y < kHeight; y += kHeight / 4)
             for (int x = kWidth / 2; x < kWidth; x += kWidth / 4)

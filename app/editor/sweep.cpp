@@ -180,8 +180,9 @@ void EditorSweep::open(const fs::path& folder, SweepPanel& panel) {
     const SweepSpec spec = spec_from_json(state.spec);
     const SweepPlan plan = plan_sweep(spec.base, spec.axes);
     if (plan_key(plan) != state.plan)
-        throw Error(fmt::format("{}: was made by a version of the program that orders cases differently; sweep anew",
-                                folder.string()));
+        throw Error(
+            fmt::format("{}: was made by a version of the program that orders cases differently; start the sweep again",
+                        folder.string()));
     cancel();
     if (thread_) thread_->wait_for_sweep();
     show(spec, plan, folder);
@@ -261,7 +262,7 @@ EditorSweep::Earlier EditorSweep::earlier(const EditorState& state) const {
     const auto comparable_with_now = [&](const Finished& f) {
         const Settings &a = f.of.settings, &b = now.settings;
         return f.of.scene->id == now.scene->id && f.of.width == now.width && f.of.height == now.height &&
-               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.reference == b.reference &&
+               f.of.cost == now.cost && a.camera == b.camera && a.scene == b.scene && a.truth == b.truth &&
                !differing_settings(comparable(a), comparable(b)).empty();
     };
     Earlier found;

@@ -17,11 +17,10 @@ namespace {
 
 struct LightNeed : ReferenceNeed {
     int light = 0;
-    bool light_map = false;  ///< else it is a truth
+    bool light_map = false;  ///< else it is a reference
 };
 
-/// What a frame asks for of truths, of the light that is shown and of those whose source is ray traced, and of light
-/// maps.
+/// Returns the references and light maps that a frame needs: of the shown light, and of lights whose source they are.
 std::vector<LightNeed> needs_of(const FrameResult& frame, int shown_light) {
     std::vector<LightNeed> out;
     if (frame.reference.key != 0) out.push_back({frame.reference, shown_light});
@@ -180,7 +179,7 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
         else
             start_trace(renderer, scene, settings, request, next->light);
     } else if (save_next_) {
-        remark_ = "Not saved: the truth about this view is not traced";
+        remark_ = "Not saved: the reference of this view is not traced";
         save_next_.reset();
     } else {
         return changed;

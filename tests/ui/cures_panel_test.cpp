@@ -54,7 +54,7 @@ TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     ui.error->metrics.false_shadow = 0.2;
     ui.state.layout.bottom_height = 32;
     ui.frames(4);
-    auto find = ui.find("Error", "", "Find cures");
+    auto find = ui.find("Error", "", "Find fixes");
     ASSERT_TRUE(find);
     ui.click(*find);
     ASSERT_TRUE(ui.last_requests.find_fixes);
@@ -79,7 +79,7 @@ TEST(FixesPanel, ShowsWhatWasFoundAndAppliesARowAsOneStepOfUndo) {
     EXPECT_TRUE(ui.last_requests.forget_fixes);
     const Settings before = ui.state.settings;
     // The row spans the table; its name is below the button.
-    const auto button = ui.find("Error", "", "Find cures");
+    const auto button = ui.find("Error", "", "Find fixes");
     ASSERT_TRUE(button);
     bool applied = false;
     for (float y = 2; y < 50 && !applied; ++y) {

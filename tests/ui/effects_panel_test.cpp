@@ -76,7 +76,7 @@ TEST(EffectsPanel, ANarrowWindowGivesUpSavingsThenReasons) {
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7"));
         EXPECT_TRUE(ui.drawn().shows("Time ms"));
-        EXPECT_TRUE(ui.drawn().shows("Hide what is not called for")) << "in a line of its own";
+        EXPECT_TRUE(ui.drawn().shows("Hide what is not needed")) << "in a line of its own";
         EXPECT_FALSE(ui.drawn().shows("Saved ms"));
         EXPECT_FALSE(ui.drawn().shows("Force"));
     };
@@ -204,7 +204,7 @@ TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     ASSERT_TRUE(measure);
     ui.click(*measure);
     EXPECT_TRUE(ui.last_requests.measure_saved);
-    ui.effects.measuring_saved = SearchProgress{"frames in turns", 0.4};
+    ui.effects.measuring_saved = SearchProgress{"alternating frames", 0.4};
     ui.frames(3);
     EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
     const auto cancel = ui.find("bottom", "", "Cancel##saved");

@@ -326,7 +326,7 @@ TEST(Panels, TheTooltipOfEverySettingShowsItsKey) {
     ui.frames(3);
     std::string tips;
     for (float y = 75; y < 5990; y += 9) {
-        ui.move({kFirstLabel.x, y});
+        ui.move({kFirstLabel.x - 22, y});  // short labels, too
         ui.frames(2);
         for (const ImGuiWindow* w : ImGui::GetCurrentContext()->Windows) {
             if (!w->Active || !(w->Flags & ImGuiWindowFlags_Tooltip)) continue;

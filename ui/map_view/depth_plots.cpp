@@ -129,7 +129,7 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
 
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m,
                       ImVec2 size) {
-    // Of a warped map, whose rows differ in range alone, the middle one's.
+    // Rows of a warped map differ in range only: the curve is that of the middle row.
     const DepthCurve curve = result.map_view_curve.at_row(0.5);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     // The number that surprises: how little of the way takes half of the depth values under perspective.

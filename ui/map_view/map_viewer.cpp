@@ -54,7 +54,7 @@ void save_menu(EditorState& state, EditorRequests& requests) {
     ImGui::EndPopup();
 }
 
-/// Whether the texels that are read are found exactly.
+/// Draws the checkbox that marks the texels that kernels fetch.
 void exact_choice(EditorState& state) {
     ImGui::BeginDisabled(state.frozen.has_value());
     ImGui::Checkbox("Texels read", &state.map.exact_texels);
@@ -65,7 +65,7 @@ void exact_choice(EditorState& state) {
                                     : "Mark the texels that kernels fetch, exactly, where links show the squares "
                                       "about them: red what some pixel\nof the picture fetches, darkened what "
                                       "none does. Costs the kernel once more for every pixel and reading a\nfloat "
-                                      "of each texel back, in every frame that is drawn anew while nothing is dragged");
+                                      "of each texel back, in every new frame while nothing is dragged");
 }
 
 float check_width(const char* label) {
@@ -96,7 +96,7 @@ NamedValues light_choices(const Settings& s) {
     return out;
 }
 
-/// Whether plots stand below a map that has this height with its caption.
+/// Returns true if the plots fit below a map that has this height with its caption.
 bool has_room_for_plots(const EditorLayout& layout, float height) {
     return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
 }
@@ -152,7 +152,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
     bar.end();
 }
 
-/// What the image is, and what its texels mean.
+/// Returns the caption: the image and the meaning of its texels.
 std::pair<std::string, std::string> title(const Settings& s, const FrameResult& result, const FittedLight* fitted) {
     const DepthCurve& curve = result.map_view_curve;
     const glm::ivec2 n = result.map_view_size;
@@ -264,7 +264,7 @@ void append(std::pair<std::string, std::string>& lines, const std::string& more)
     line += "   " + more;
 }
 
-/// What stands between the user and a picture of the map; empty when there is one.
+/// Returns the reason why there is no picture of the map; empty: there is one.
 std::string obstacle(const Settings& s, const EditorFrame& frame) {
     const FrameResult& result = *frame.result;
     if (!of_camera(s)) {
@@ -339,7 +339,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
             outline_texels(rect, {state.viewport.hovered_pixel->x, n.y - 1 - state.viewport.hovered_pixel->y}, {1, 1},
                            IM_COL32_WHITE);
     } else {
-        // What the frozen camera sees of the map; the live one's outline stands beside it once it has moved away.
+        // The frozen camera's outline, and the live camera's once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
         if (state.frozen) {
             map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);

@@ -61,7 +61,7 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
     ImGui::BeginDisabled(!ready);
     if (ImGui::Button("Run")) requests.find_advice = AdviceRequest{.cost = panel.cost};
     wrapped_tooltip(
-        "Measures each change that the scene calls for against the ray-traced truth and the clock, in the background. "
+        "Measures error (against the ray-traced reference) and time of each change that may help, in the background. "
         "Nothing is changed.");
     ImGui::EndDisabled();
     ImGui::Spacing();
@@ -180,7 +180,7 @@ void draw_advice_panel(AdvicePanel& panel, Settings& settings, bool ready, const
     else if (facts.autopilot)
         show_flight(settings, *facts.autopilot, facts.advice_current, facts.autopilot_changes);
     else if (!facts.advising)
-        ImGui::TextDisabled("Run says which settings this scene could do without, and what each change is worth.");
+        ImGui::TextDisabled("Run lists the settings that this scene can do without, with the gain of each change.");
     ImGui::EndChild();
 }
 

@@ -1,4 +1,4 @@
-// What the scene advises, and the autopilot: what the panel is set to, what was found, what it wishes for.
+// The panel Advice: measured changes of settings that the scene can do with, and the autopilot.
 #pragma once
 
 #include <optional>
@@ -15,26 +15,32 @@ struct Settings;
 struct AdviceReport;     // renderer/advise/advice.h
 struct AutopilotResult;  // renderer/advise/autopilot.h
 
+/// State of the panel.
 struct AdvicePanel {
-    CostCase cost = kDefaultCost;  ///< of which frames times are
-    bool bound_error = true, bound_ms = false;
-    double most_error = 0.01, most_ms = 10;
+    CostCase cost = kDefaultCost;  ///< kind of frames that are timed
+    bool bound_error = true;
+    bool bound_ms = false;
+    double most_error = 0.01;  ///< largest mean error of visibility
+    double most_ms = 10;       ///< longest time of a frame
 };
 
-/// Without bounds what the scene advises; with one the autopilot.
+/// Request for a search: advice without bounds, the autopilot with one.
 struct AdviceRequest {
     CostCase cost = kDefaultCost;
-    std::optional<double> most_error, most_ms;
+    std::optional<double> most_error;  ///< largest mean error of visibility
+    std::optional<double> most_ms;     ///< longest time of a frame
 };
 
+/// Facts of the panel.
 struct AdvicePanelFacts {
-    std::optional<SearchProgress> advising;                                  ///< under way
-    const AdviceReport* advice = nullptr;                                    ///< found last, of this scene
-    const AutopilotResult* autopilot = nullptr;                              ///< the same; one of the two
+    std::optional<SearchProgress> advising;      ///< under way
+    const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
+    const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
     std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< key and value
-    bool advice_current = false;                                             ///< of the present settings
+    bool advice_current = false;                                             ///< the result is of the present settings
 };
 
+/// Requests of the panel.
 struct AdviceRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;

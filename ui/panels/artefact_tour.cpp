@@ -16,8 +16,9 @@
 namespace si {
 namespace {
 
-constexpr double kShareOfHeight = 0.2;  ///< of the picture's height that a cluster comes to fill
-constexpr double kClosest = 0.25;       ///< of the distance before: what stands around it stays in the picture
+constexpr double kShareOfHeight = 0.2;  ///< share of the picture's height that a cluster fills
+constexpr double kClosest =
+    0.25;  ///< smallest share of the former distance, so that the surroundings stay in the picture
 
 int artefact_overlay() {
     const auto all = overlays();
@@ -31,7 +32,7 @@ std::string_view cause_label(Artefact cause) {
     return "an unknown cause";
 }
 
-/// What clusters are found in: all but how they are looked at.
+/// Returns true if clusters are the same under both settings. Those of the view do not matter.
 bool same_picture(Settings a, const Settings& b) {
     a.view = b.view;
     return a == b;
@@ -143,7 +144,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
         give_up("Where the picture is wrong is not known: " + frame.reference->problem);
         return false;
     }
-    // What is wished for is known once the truth of this picture is.
+    // Clusters are known once the reference of this picture is.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
         const Artefact cause = touring_cause(state, frame);

@@ -1,4 +1,4 @@
-// From one cluster of wrong pixels to the next.
+// Tour of the clusters of wrong pixels, largest first.
 #pragma once
 
 #include <optional>
@@ -11,48 +11,50 @@
 
 namespace si {
 
-/// The clusters of a cause in the picture shown are asked for.
+/// Request for the clusters of a cause in the shown picture.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
-    int number = 0;  ///< another one for each wish; 0: none was made
+    int number = 0;  ///< differs from that of every earlier request; 0: there was none
 };
 
-/// A cluster, and where its surface is.
+/// A cluster and the surface point at its middle.
 struct ArtefactSpot : ArtefactCluster {
-    glm::dvec3 position_ws{0}, normal_ws{0, 1, 0};  ///< of its middle
+    glm::dvec3 position_ws{0};
+    glm::dvec3 normal_ws{0, 1, 0};
 };
 
+/// Clusters of one picture.
 struct ArtefactSpots {
-    int number = 0;                   ///< of the wish
+    int number = 0;                   ///< ArtefactRequest::number
     std::vector<ArtefactSpot> spots;  ///< largest first
-    Camera camera;                    ///< of the picture that they are in
-    int height = 0;                   ///< of it, pixels
+    Camera camera;                    ///< camera of the picture
+    int height = 0;                   ///< height of the picture, pixels
 };
 
-/// Which spot is shown. They are those of the picture in which the tour began.
+/// Position in the tour. The clusters are those of the picture in which the tour began.
 struct ArtefactTour {
-    std::optional<Artefact> cause;  ///< chosen; none: the most frequent one
-    int waits_for = 0;              ///< number of the wish that is not fulfilled yet; 0: none
-    int asked = 0;                  ///< number of the last wish
+    std::optional<Artefact> cause;  ///< chosen cause; none: the most frequent one
+    int waits_for = 0;              ///< number of the request that is not fulfilled yet; 0: none
+    int asked = 0;                  ///< number of the last request
     ArtefactSpots of;
-    std::size_t at = 0;
-    Settings left;      ///< what the settings were after the last step: where others are shown, it begins anew
-    std::string scene;  ///< the same
+    std::size_t at = 0;  ///< index of the next cluster
+    Settings left;       ///< settings after the last step; other settings restart the tour
+    std::string scene;   ///< scene after the last step; another one restarts the tour
 };
 
 struct EditorState;
 struct EditorFrame;
 
-/// The cause whose clusters are shown: the one that was chosen, or the one that most pixels are wrong by. None where
-/// nothing is known, or nothing is wrong.
+/// Returns the cause of the tour: the chosen one, else the most frequent one. None if nothing is known, or no pixel is
+/// wrong.
 Artefact touring_cause(const EditorState& state, const EditorFrame& frame);
-/// Chooses the cause and has the picture show what is wrong; the same one again: neither.
+/// Chooses a cause and shows the artefact overlay; the same cause again takes both back.
 void choose_cause(EditorState& state, Artefact cause);
-/// Takes the camera to the next cluster and probes its middle, once it is known where it is.
+/// Moves the camera to the next cluster and probes its middle, at once or when the clusters are known.
 void next_artefact(EditorState& state, const EditorFrame& frame);
-/// Goes where it was waited to go. Call once a frame. Returns whether it is still waited for.
+/// Continues next_artefact() when the clusters are known. Call once a frame. Returns true while it waits.
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
-/// "2 of 7: 153 pixels"; empty: none is shown.
+/// Returns the position in the tour: "2 of 7: 153 pixels"; empty: no cluster is shown.
 std::string artefact_tour_text(const EditorState& state);
 
 }  // namespace si

@@ -1,4 +1,5 @@
-// What differs between the present state and a preset, with a button a row that takes the preset's value over.
+#include "ui/panels/compare_panel.h"
+
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -8,7 +9,8 @@
 
 #include "renderer/settings/idle_reason.h"
 #include "renderer/settings/param.h"
-#include "ui/state/panels.h"
+#include "ui/panels/presets.h"
+#include "ui/state/scene_label.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/setting_widgets.h"
@@ -31,7 +33,7 @@ std::string reference_label(const CompareWith& with) {
 
 namespace {
 
-/// The same with a guided preset's title, and a file without its folders.
+/// Returns reference_label() with a guided preset's title, and a file without its folders.
 std::string shown_label(const CompareWith& with, std::span<const PresetEntry> presets) {
     if (with.kind != CompareKind::Preset) return reference_label(with);
     for (const PresetEntry& p : presets)
@@ -39,10 +41,10 @@ std::string shown_label(const CompareWith& with, std::span<const PresetEntry> pr
     return scene_label(with.preset);
 }
 
-void reference_combo(EditorState& state, const EditorFrame& frame) {
-    if (!begin_combo("##reference", shown_label(state.compare, frame.presets), ImGuiComboFlags_HeightLarge)) return;
+void reference_combo(CompareWith& compare, bool pinned, const PresetsFacts& presets) {
+    if (!begin_combo("##reference", shown_label(compare, presets.presets), ImGuiComboFlags_HeightLarge)) return;
     const auto item = [&](const std::string& label, const CompareWith& with, const std::string& hint) {
-        if (ImGui::Selectable(label.c_str(), state.compare == with)) state.compare = with;
+        if (ImGui::Selectable(label.c_str(), compare == with)) compare = with;
         if (!hint.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
     };
     const auto own = [&](CompareKind kind, const std::string& hint) {
@@ -51,12 +53,13 @@ void reference_combo(EditorState& state, const EditorFrame& frame) {
     };
     own(CompareKind::Scene, "Defaults with what the scene suggests over them");
     own(CompareKind::Defaults, {});
-    if (state.pinned) own(CompareKind::Pinned, "What the settings were when P was pressed");
-    if (!frame.recent_presets.empty()) ImGui::TextDisabled("Recent presets");
-    for (const std::string& path : frame.recent_presets)
+    if (pinned)
+        own(CompareKind::Pinned, fmt::format("The settings that {} has pinned", key_text(Command::PinSettings)));
+    if (!presets.recent_presets.empty()) ImGui::TextDisabled("Recent presets");
+    for (const std::string& path : presets.recent_presets)
         item(scene_label(path) + "##" + path, {CompareKind::Preset, path}, path);
-    if (!frame.presets.empty()) ImGui::TextDisabled("Guided presets");
-    for (const PresetEntry& p : frame.presets)
+    if (!presets.presets.empty()) ImGui::TextDisabled("Guided presets");
+    for (const PresetEntry& p : presets.presets)
         item((p.title.empty() ? p.key : p.title) + "##" + p.key, {CompareKind::Preset, p.key}, p.about);
     ImGui::EndCombo();
 }
@@ -79,18 +82,18 @@ void cell(const std::string& text, ImU32 colour) {
         ImGui::SetTooltip("%s", text.c_str());
 }
 
-void setting_line(EditorState& state, const Settings& reference, const SettingRef& ref) {
+void setting_line(Settings& settings, const Settings& reference, const SettingRef& ref) {
     const Param& p = *ref.param;
-    const bool idle = !idle_reason(state.settings, ref).empty() && !idle_reason(reference, ref).empty();
+    const bool idle = !idle_reason(settings, ref).empty() && !idle_reason(reference, ref).empty();
     const ImU32 colour = idle ? theme::faint() : theme::text();
-    cell(owner(state.settings, ref), colour);
+    cell(owner(settings, ref), colour);
     cell(std::string(p.label), colour);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", setting_key(ref).c_str());
-    cell(shown_value(state.settings, ref, get_value(state.settings, ref)), idle ? theme::faint() : theme::accent());
+    cell(shown_value(settings, ref, get_value(settings, ref)), idle ? theme::faint() : theme::accent());
     cell(shown_value(reference, ref, get_value(reference, ref)), colour);
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    if (ImGui::Button("Use")) set_value(state.settings, ref, get_value(reference, ref));
+    if (ImGui::Button("Use")) set_value(settings, ref, get_value(reference, ref));
     ImGui::PopID();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s",
@@ -100,36 +103,38 @@ void setting_line(EditorState& state, const Settings& reference, const SettingRe
 
 }  // namespace
 
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
+                  const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
+                  PresetRequests& requests) {
     const float em = ImGui::GetFontSize();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted("Compared with");
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 18);
-    reference_combo(state, frame);
+    reference_combo(compare, pinned.has_value(), presets);
     ImGui::SameLine();
-    if (!frame.comparison || frame.comparison->with != state.compare) {
+    if (!other || other->with != compare) {
         ImGui::TextDisabled("not read yet");
         return;
     }
-    if (!frame.comparison->problem.empty()) {
+    if (!other->problem.empty()) {
         ImGui::TextDisabled("cannot be read");
         ImGui::PushStyleColor(ImGuiCol_Text, theme::error());
-        ImGui::TextWrapped("%s", frame.comparison->problem.c_str());
+        ImGui::TextWrapped("%s", other->problem.c_str());
         ImGui::PopStyleColor();
         return;
     }
-    const Settings& reference = frame.comparison->settings;
-    const std::string& scene = frame.comparison->scene;
-    const bool other_scene = !scene.empty() && scene != state.scene_name;
-    const std::vector<SettingRef> rows = differing_settings(state.settings, reference);
+    const Settings& reference = other->settings;
+    const std::string& scene = other->scene;
+    const bool other_scene = !scene.empty() && scene != scene_name;
+    const std::vector<SettingRef> rows = differing_settings(settings, reference);
     const std::size_t count = rows.size() + other_scene;
     ImGui::TextDisabled("%s",
                         count == 0 ? "equal" : fmt::format("{} difference{}", count, count == 1 ? "" : "s").c_str());
     if (count == 0) return;
     ImGui::SameLine(0, em);
     if (ImGui::Button("Use all settings")) {
-        state.settings = reference;
+        settings = reference;
         return;
     }
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY |
@@ -146,7 +151,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& 
         ImGui::TableNextRow();
         cell("Scene", theme::text());
         cell("Scene", theme::text());
-        cell(scene_label(state.scene_name), theme::accent());
+        cell(scene_label(scene_name), theme::accent());
         cell(scene_label(scene), theme::text());
         ImGui::TableNextColumn();
         if (ImGui::Button("Use")) requests.load_scene = scene;
@@ -157,7 +162,7 @@ void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& 
     while (clipper.Step())
         for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) {
             ImGui::TableNextRow();
-            setting_line(state, reference, rows[std::size_t(i)]);
+            setting_line(settings, reference, rows[std::size_t(i)]);
         }
     ImGui::EndTable();
 }

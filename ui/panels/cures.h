@@ -1,4 +1,4 @@
-// The search for what puts wrong pixels right: what it found, what its table wishes for.
+// Facts and requests of the search for fixes: changes of settings that make wrong pixels right.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,22 +10,24 @@ namespace si {
 
 struct FixTable;  // renderer/advise/fixes.h
 
-/// What is to be cured: a pixel, or nothing for the whole picture.
+/// Request for a search.
 struct FixRequest {
-    std::optional<glm::ivec2> pixel;
+    std::optional<glm::ivec2> pixel;  ///< pixel to make right; none: the whole picture
 };
 
-/// A search for what puts wrong pixels right.
+/// State and result of the search.
 struct FixSearch {
-    std::optional<SearchProgress> running;
-    const FixTable* table = nullptr;  ///< that was found last
-    std::optional<glm::ivec2> pixel;  ///< that it is about; none: the picture
-    bool current = false;             ///< it is about the present settings
+    std::optional<SearchProgress> running;  ///< none: no search is under way
+    const FixTable* table = nullptr;        ///< last result; null: none
+    std::optional<glm::ivec2> pixel;        ///< pixel of the last result; none: the picture
+    bool current = false;                   ///< the last result is about the present settings
 };
 
+/// Requests of the table of fixes.
 struct FixRequests {
-    std::optional<FixRequest> find_fixes;
-    bool cancel_fixes = false, forget_fixes = false;
+    std::optional<FixRequest> find_fixes;  ///< start a search
+    bool cancel_fixes = false;
+    bool forget_fixes = false;  ///< drop the last result
 };
 
 }  // namespace si

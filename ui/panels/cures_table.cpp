@@ -20,7 +20,8 @@ std::string about(const MeasuredFix& fix, const FixTable& table) {
     for (const auto& [key, value] : fix.settings) text += fmt::format("{} = {}\n", key, value);
     for (const ArtefactStyle& style : artefact_styles())
         if (const std::size_t all = table.wrong_of[std::size_t(style.artefact)]; all > 0)
-            text += fmt::format("{}: {} of {} cured\n", style.label, fix.cured_of[std::size_t(style.artefact)], all);
+            text +=
+                fmt::format("{}: {} of {} made right\n", style.label, fix.cured_of[std::size_t(style.artefact)], all);
     if (fix.ms)
         text += fmt::format("time {} ms, noise {} ms, of the passes that it changes\n", signed_text(fix.ms->value),
                             digits_text(fix.ms->noise));
@@ -66,12 +67,13 @@ void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<
         return;
     }
     ImGui::BeginDisabled(!ready || !wrong);
-    if (ImGui::Button("Find cures")) requests.find_fixes = FixRequest{pixel};
+    if (ImGui::Button("Find fixes")) requests.find_fixes = FixRequest{pixel};
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
         ImGui::SetTooltip(
-            "%s", wrong ? "Measures each change that may help: pixels cured, pixels broken, time and bytes of the maps."
-                        : "Nothing is wrong here.");
+            "%s",
+            wrong ? "Measures each change that may help: pixels made right, pixels broken, time and bytes of the maps."
+                  : "Nothing is wrong here.");
 }
 
 void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& requests,
@@ -86,8 +88,8 @@ void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& re
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
     if (!ImGui::BeginTable("cures", 5, flags)) return;
-    ImGui::TableSetupColumn("cure");
-    ImGui::TableSetupColumn("cured");
+    ImGui::TableSetupColumn("fix");
+    ImGui::TableSetupColumn("right");
     ImGui::TableSetupColumn("broken");
     ImGui::TableSetupColumn("time");
     ImGui::TableSetupColumn("maps");

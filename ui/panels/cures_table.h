@@ -1,4 +1,4 @@
-// What would put wrong pixels right, as a table whose rows are applied by a click.
+// Table of fixes. A click on a row applies it.
 #pragma once
 
 #include "renderer/settings/settings.h"
@@ -6,11 +6,11 @@
 
 namespace si {
 
-/// The button that searches, or the search's progress. @param pixel what is to be cured; none: the picture
-/// @param ready there is a picture @param wrong there is something to cure
+/// Draws the button that starts the search, or its progress. @param pixel pixel to make right; none: the picture
+/// @param ready there is a picture @param wrong some pixel is wrong
 void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
                   bool wrong);
-/// What was found for that, if anything was. @param settings that a click on a row changes
+/// Draws the fixes that were found for that pixel or picture, if any. @param settings changed by a click on a row
 void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& requests,
                     std::optional<glm::ivec2> pixel);
 

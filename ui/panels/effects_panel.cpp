@@ -34,10 +34,10 @@ std::string grouped(std::uint64_t n) {
     return text;
 }
 
-/// What there is room for beside reasons of a line or three.
+/// Columns that have room besides reasons of one to three lines.
 enum class Room {
     Least,   ///< reasons are tooltips of the names
-    Few,     ///< no savings: their menu has all that can be forced
+    Few,     ///< no column of optimisations: their menu has all that can be forced
     Narrow,  ///< states are shapes alone
     Usual,
     Wide,  ///< for what a pass draws and what the processor does for it
@@ -69,15 +69,16 @@ void saved_cell(const Spread* ms, std::size_t together, bool current) {
                   ms && current ? theme::text() : theme::muted());
     if (ms)
         wrapped_tooltip(fmt::format(
-            "{} ms, 95 % interval {} to {} ms, by {} pairs of frames in turns.{}{}", digits_text(ms->median),
+            "{} ms, 95 % interval {} to {} ms, by {} pairs of alternating frames.{}{}", digits_text(ms->median),
             digits_text(ms->median_low), digits_text(ms->median_high), ms->samples,
-            together > 1 ? fmt::format(" Of all {} effects with this saving together, not of each.", together) : "",
+            together > 1 ? fmt::format(" For all {} effects of this optimisation together, not for each.", together)
+                         : "",
             current ? "" : " Of other settings or another size: measure again."));
     else
-        wrapped_tooltip("Not measured, or nothing spares it. Times are never estimated.");
+        wrapped_tooltip("Not measured, or nothing skips it. Times are never estimated.");
 }
 
-/// Whether frames are to do what a saving spares.
+/// Draws the checkbox that switches an optimisation off.
 void force_box(OptimisationSet& forced, Optimisation saving, const char* label) {
     bool on = forced.contains(saving);
     if (ImGui::Checkbox(label, &on)) {
@@ -86,7 +87,7 @@ void force_box(OptimisationSet& forced, Optimisation saving, const char* label) 
             if (Optimisation(i) == saving ? on : forced.contains(Optimisation(i))) next.add(Optimisation(i));
         forced = next;
     }
-    wrapped_tooltip(fmt::format("Force: do the work that \"{}\" spares. The picture stays the same, byte by byte.\n{}",
+    wrapped_tooltip(fmt::format("Force: do the work that \"{}\" skips. The picture stays the same, byte by byte.\n{}",
                                 row_of(saving).label, row_of(saving).help));
 }
 
@@ -101,8 +102,8 @@ void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
     }
     if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
     wrapped_tooltip(
-        "Draws frames that make each saving and frames that do its work in turns, in the background, and tells the "
-        "difference in milliseconds with its interval.");
+        "Draws frames with and without each optimisation alternately, in the background, and prints the difference in "
+        "milliseconds with its interval.");
 }
 
 void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requests) {
@@ -113,7 +114,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
     flow(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
-    wrapped_tooltip("Savings that frames are not to make. A tool: no preset holds it.");
+    wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
         for (std::size_t i = 0; i < kOptimisations; ++i)
             force_box(forced, Optimisation(i), std::string(savings()[i].label).c_str());
@@ -123,9 +124,9 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
-    wrapped_tooltip("Make all savings again.");
-    flow(button_width("Hide what is not called for") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not called for", &panel.hide_uncalled);
+    wrapped_tooltip("Switches all optimisations on again.");
+    flow(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
+    ImGui::Checkbox("Hide what is not needed", &panel.hide_uncalled);
     if (!facts.saved || facts.saved_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
     flow(ImGui::CalcTextSize(kOld).x);
@@ -165,7 +166,7 @@ void header(Room room) {
     }
 }
 
-/// What passes cost, one or all.
+/// Cost of one pass, or the sum of all.
 struct PassCost {
     double gpu_ms = 0, cpu_ms = 0;
     std::uint64_t draws = 0, triangles = 0;
@@ -194,12 +195,12 @@ void time_bar(const FrameTimes& times, double ms) {
                                               theme::colours().done);
 }
 
-/// What a pass took when it was timed last, in grey.
+/// Draws the last time of a pass that this frame skips, in grey.
 void last_time_cell(const FrameTimes& times, const PassInfo& pass) {
     const auto last = times.pass_ms.find(pass.name);
     if (last == times.pass_ms.end() || !ImGui::TableSetColumnIndex(index_of(Column::Ms))) return;
     right_aligned(fmt::format("{:.2f}", last->second), theme::muted());
-    wrapped_tooltip("When it was drawn last; this frame spares it");
+    wrapped_tooltip("When it was drawn last; this frame skips it");
 }
 
 void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult& result, const EffectsFacts& facts,
@@ -240,7 +241,7 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         force_box(panel.forced, *effect.saving, "##force");
 }
 
-/// What is forced stays on view, so that its box can be taken back.
+/// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
     return panel.hide_uncalled && effect.state == EffectState::NotNeeded && !forced;

@@ -1,4 +1,4 @@
-// What the frame simulates and what it spares: what the panel is set to, shows and wishes for.
+// The panel Effects: each effect of the frame, drawn, cached or skipped, with its reason and cost.
 #pragma once
 
 #include <optional>
@@ -15,22 +15,25 @@ struct FrameTimes;
 struct Effect;      // renderer/inspect/effects.h
 struct SavedTimes;  // renderer/measure/optimisation_times.h
 
-/// A person's tool, no part of the settings: forcing changes no picture.
+/// State of the panel. Forcing is no setting, because it changes no picture.
 struct EffectsPanel {
-    OptimisationSet forced;      ///< savings that frames are not to make
-    bool hide_uncalled = false;  ///< list only what is simulated or kept
+    OptimisationSet forced;      ///< optimisations that are switched off
+    bool hide_uncalled = false;  ///< lists only what is drawn or cached
 };
 
+/// Facts of the panel.
 struct EffectsFacts {
-    std::span<const Effect> effects;                ///< empty unless asked for
-    const SavedTimes* saved = nullptr;              ///< that were measured last; null: none, or of another scene
-    bool saved_current = false;                     ///< they are of the present settings and picture
+    std::span<const Effect> effects;                ///< empty unless requested
+    const SavedTimes* saved = nullptr;              ///< last measured times; null: none, or of another scene
+    bool saved_current = false;                     ///< these times are of the present settings and size
     std::optional<SearchProgress> measuring_saved;  ///< under way
 };
 
+/// Requests of the panel.
 struct EffectsRequests {
-    bool want_effects = false;  ///< the panel is shown
-    bool measure_saved = false, cancel_saved = false;
+    bool want_effects = false;   ///< the panel is shown
+    bool measure_saved = false;  ///< measure the time that each optimisation saves
+    bool cancel_saved = false;   ///< cancel that measurement
 };
 
 /// Draws the panel Effects: a row an effect with its state, reason and cost, then the frame's sum.

@@ -1,4 +1,4 @@
-// How far the shown light's shadows are from the ray-traced truth: numbers that follow every setting at once, and
+// Errors of the shown light's shadows against the ray-traced reference: numbers that follow every setting at once, and
 // causes.
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,4 +1,4 @@
-// What accuracy costs: a sweep over settings, its cases on one plot, and what the frontier offers to the present ones.
+// Error against cost: a sweep over settings, its cases in one plot, and better cases than the present settings.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -48,7 +48,7 @@ Checked checked(const AxisText& axis) {
     return c;
 }
 
-/// What to type for a setting that has just been chosen.
+/// Returns proposed values for a setting that has just been chosen.
 std::string first_values(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
     if (p.choices || std::holds_alternative<bool>(default_value(ref))) return "*";
@@ -64,7 +64,7 @@ void choose_setting(EditorState& state, AxisText& axis) {
     }
     std::string_view group;
     for (const Param& p : params()) {
-        // What one looks with, and what things are called, is not measured.
+        // Settings of the view, and names, have no effect on errors and times.
         if (p.scope == Scope::Object || p.key.starts_with("view.") || is_text(p)) continue;
         const SettingRef ref{&p, 0, {}};
         const std::string_view prefix = p.key.substr(0, p.key.find('.'));
@@ -153,11 +153,11 @@ void draw_controls(EditorState& state, const SweepFacts& facts, EditorRequests& 
             requests.start_sweep = SweepRequest{axes, panel.width, panel.height, panel.area, panel.timed};
         ImGui::EndDisabled();
         wrapped_tooltip(
-            "Error against ray-traced truth and time of every combination, in the background. Settings without "
+            "Error against the ray-traced reference and time of every combination, in the background. Settings without "
             "effect in a combination collapse. An interrupted sweep goes on.");
     }
     ImGui::Checkbox("Measure the present settings", &panel.follow);
-    wrapped_tooltip("The diamond: measured anew when a setting, the camera or the scene changes");
+    wrapped_tooltip("The diamond: measured again when a setting, the camera or the scene changes");
     const float buttons =
         ImGui::CalcTextSize("SaveOpen").x + 4 * ImGui::GetStyle().FramePadding.x + 2 * ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - buttons);
@@ -272,7 +272,7 @@ std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& 
     return fmt::format("{} for {} {} {}", by_error, percent(price), price < 0 ? "less" : "more", what);
 }
 
-/// What was measured before beside the present settings, and which is worth it.
+/// Draws the earlier measurement next to the present one, and which of them is better.
 void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const MeasuredColumn& error) {
     const FrontierView& view = facts.view;
     if (!view.before || facts.measuring_present) return;
@@ -421,7 +421,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_advice(state, facts, *cost, *error);
         if (facts.view.marks.empty() && !facts.view.present) {
             ImGui::TextDisabled(facts.running ? "The first cases are being measured."
-                                              : "Sweep over settings to see which are worth their time.");
+                                              : "Sweep over settings to see which pay for their time.");
         } else {
             const ImVec2 size = ImGui::GetContentRegionAvail();
             const FrontierPlotResult r =

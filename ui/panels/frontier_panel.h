@@ -1,4 +1,4 @@
-// What the frontier panel shows and asks for: measured cases as plain numbers, and the sweep that a person describes.
+// The panel Frontier: error against cost of measured cases, and the sweep that measures them.
 #pragma once
 
 #include <optional>
@@ -11,58 +11,67 @@
 
 namespace si {
 
-/// A measured number. Smaller values are better where it may be an axis of the plot.
+/// A kind of measured number. On an axis of the plot smaller values are better.
 struct MeasuredColumn {
-    std::string key, label, unit, help;
-    bool error = false;  ///< of the picture; else of what it costs
+    std::string key;
+    std::string label;
+    std::string unit;
+    std::string help;
+    bool error = false;  ///< an error of the picture; else a cost
 };
 
 /// A case of a sweep, or the present settings.
 struct MeasuredCase {
-    int number = -1;
+    int number = -1;                                            ///< number in the sweep; -1: the present settings
     std::string name;                                           ///< "1024 · PCF 3×3"
-    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what is varied
+    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of the varied settings
     std::vector<std::string> setting_texts;                     ///< "Kernel: PCF 3×3", one a setting
     std::vector<double> values;                                 ///< one a column; NaN: not known
-    std::string failed;                                         ///< why there are none; empty: it did not fail
+    std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
 
 /// Cases on the two chosen axes.
 struct FrontierView {
+    /// A case in the plot.
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
-        bool on = false;    ///< nothing beats it
-        bool tied = false;  ///< within noise of one that is better
+        bool on = false;    ///< it lies on the frontier: no case is better in both
+        bool tied = false;  ///< a better case exists, but within noise
     };
     std::vector<Mark> marks;
-    std::optional<Dot> present, before;  ///< before: SweepFacts::before
-    Advice advice;                       ///< to the present settings; indices of marks
+    std::optional<Dot> present;  ///< SweepFacts::present
+    std::optional<Dot> before;   ///< SweepFacts::before
+    Advice advice;               ///< better cases than the present settings, as indices of marks
 };
 
+/// Facts of the panel.
 struct SweepFacts {
     std::vector<MeasuredColumn> columns;
     std::vector<MeasuredCase> cases;  ///< finished and failed
-    std::size_t total = 0;            ///< cases that the sweep has; 0: there is none
+    std::size_t total = 0;            ///< cases of the sweep; 0: there is no sweep
     std::size_t failed = 0;
     std::string about;      ///< "stage, 640 x 360 pixels, hard truth; llvmpipe"
     bool software = false;  ///< a CPU rasteriser took the times
     bool other_scene = false;
     std::vector<std::string>
         other_settings;  ///< "Slope bias: 0.5 -> 1 texels": differ from the sweep's, and not varied
-    bool running = false, timing = false;
-    double progress = 0, seconds_left = 0;  ///< of the whole; 0 s: not known yet
-    std::string current;                    ///< "round 2 of at most 10: filter.kernel=pcf3"
-    std::string problem;                    ///< why the last sweep ended early
-    std::optional<MeasuredCase> present;    ///< the shown settings, measured at the sweep's size
+    bool running = false;
+    bool timing = false;                  ///< the round of timings is under way
+    double progress = 0;                  ///< of the whole sweep, 0..1
+    double seconds_left = 0;              ///< of the whole sweep; 0: not known yet
+    std::string current;                  ///< "round 2 of at most 10: filter.kernel=pcf3"
+    std::string problem;                  ///< reason why the last sweep ended early; empty: it did not
+    std::optional<MeasuredCase> present;  ///< the shown settings, measured at the sweep's size
     bool measuring_present = false;
-    bool present_is_old = false;  ///< those numbers are of the settings before, while the shown ones are measured
+    bool present_is_old = false;         ///< its numbers are of earlier settings, until the shown ones are measured
     std::optional<MeasuredCase> before;  ///< other settings of the same picture: pinned A, else those measured last
     bool before_is_pinned = false;
-    std::string change;  ///< from those to the present ones: "Kernel: PCF 3×3 → Poisson disk"
+    std::string change;  ///< difference from `before` to the present settings: "Kernel: PCF 3×3 → Poisson disk"
     std::string present_problem;
-    std::string cost;   ///< column across: the chosen one, or, while that has no values, one that has; empty: chosen
-    FrontierView view;  ///< over `cost` and SweepPanel::error
+    std::string
+        cost;  ///< key of the cost axis; another one than chosen while that has no values; empty: the chosen one
+    FrontierView view;  ///< by `cost` and SweepPanel::error
 };
 
 /// "KEY=VALUES" as being typed.
@@ -71,19 +80,22 @@ struct AxisText {
     bool operator==(const AxisText&) const = default;
 };
 
-/// What the panel is set to.
+/// State of the panel.
 struct SweepPanel {
     std::vector<AxisText> axes = {
         {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
-    int width = 480, height = 270;  ///< of the picture that is measured, pixels
-    bool area = false;              ///< against a light that has its size
-    CostCase timed = kDefaultCost;  ///< of which frames times are taken
-    bool follow = true;             ///< measure the present settings while the panel is shown
-    std::string cost = "time.total_ms.median", error = "error.mae";  ///< keys of the axes
-    std::optional<int> chosen;                                       ///< number of the case that was clicked last
-    std::string folder = "sweep";                                    ///< that results are saved to and opened from
+    int width = 480;  ///< pixels of the picture that is measured
+    int height = 270;
+    bool area = false;                          ///< compares with an area light instead of a point
+    CostCase timed = kDefaultCost;              ///< kind of frames that are timed
+    bool follow = true;                         ///< measures the present settings while the panel is shown
+    std::string cost = "time.total_ms.median";  ///< key of the cost axis
+    std::string error = "error.mae";            ///< key of the error axis
+    std::optional<int> chosen;                  ///< number of the case that was clicked last
+    std::string folder = "sweep";               ///< folder that results are saved to and opened from
 };
 
+/// Description of a sweep.
 struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
@@ -91,12 +103,14 @@ struct SweepRequest {
     CostCase timed = kDefaultCost;
 };
 
+/// Requests of the panel.
 struct SweepRequests {
     std::optional<SweepRequest> start_sweep;
     bool cancel_sweep = false;
-    std::optional<std::string> save_sweep, open_sweep;  ///< folders
-    bool take_sweep_base = false;                       ///< the settings that the sweep's cases share
-    bool want_present = false;                          ///< the present settings are to be measured
+    std::optional<std::string> save_sweep;  ///< folder to save the sweep to
+    std::optional<std::string> open_sweep;  ///< folder to open a sweep from
+    bool take_sweep_base = false;           ///< apply the settings that the sweep's cases share
+    bool want_present = false;              ///< measure the present settings
 };
 
 }  // namespace si

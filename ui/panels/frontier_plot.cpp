@@ -15,7 +15,7 @@ constexpr ImU32 kBest = IM_COL32(86, 180, 233, 255), kBeaten = IM_COL32(120, 120
                 kStair = IM_COL32(86, 180, 233, 110);
 
 struct Area {
-    ImVec2 lo, hi;  ///< of what lies within the axes
+    ImVec2 lo, hi;  ///< corners of the area inside the axes, pixels
     LogAxis x, y;
     ImVec2 at(const Dot& dot) const {
         return {lo.x + float(x.at(dot.cost)) * (hi.x - lo.x), hi.y - float(y.at(dot.error)) * (hi.y - lo.y)};

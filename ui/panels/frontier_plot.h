@@ -1,4 +1,4 @@
-// Error over cost: every measured case a dot, the frontier as a stair, the present settings among them.
+// Plot of error over cost: a dot a case, the frontier as a stair, and the present settings.
 #pragma once
 
 #include <imgui.h>
@@ -9,13 +9,15 @@
 
 namespace si {
 
+/// Mouse input of the plot in this frame.
 struct FrontierPlotResult {
-    std::optional<std::size_t> hovered, clicked;  ///< index in SweepFacts::cases
+    std::optional<std::size_t> hovered;  ///< index in SweepFacts::cases
+    std::optional<std::size_t> clicked;  ///< index in SweepFacts::cases
     bool present_hovered = false;
 };
 
-/// Fills `size` pixels at the cursor; the caller names the axes. @param bytes what costs count @param chosen number of
-/// a case to ring
+/// Draws the plot, `size` pixels from the cursor, without names of its axes. @param bytes costs are bytes
+/// @param chosen number of the case that gets a ring
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

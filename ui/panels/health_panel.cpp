@@ -72,7 +72,7 @@ std::string count_text(std::size_t count) {
     return count == 1 ? "1 thing" : fmt::format("{} things", count);
 }
 
-/// What the process takes, in a line; opened, who holds it.
+/// Draws the process's memory in a line, which opens to a table of its owners.
 void draw_memory(const MemoryReport& memory) {
     const ProcessMemory& p = memory.process;
     const std::string head =

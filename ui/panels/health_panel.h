@@ -1,4 +1,4 @@
-// What the panel of the frame's numbers is told, wishes for and marks.
+// The panel Numbers: faulty values (NaN, infinite, out of range) of the frame, and the process's memory.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,9 +12,10 @@ namespace si {
 struct FrameResult;
 struct Settings;
 
+/// Facts of the panel.
 struct HealthFacts {
-    const NumericHealth* health = nullptr;  ///< of the frame shown; null: not asked for, or not there yet
-    const MemoryReport* memory = nullptr;   ///< of the process; null: not asked for, or not there yet
+    const NumericHealth* health = nullptr;  ///< of the shown frame; null: not requested, or not there yet
+    const MemoryReport* memory = nullptr;   ///< of the process; null: not requested, or not there yet
 };
 
 /// A texel that the map viewer outlines.
@@ -26,12 +27,13 @@ struct MarkedTexel {
     bool operator==(const MarkedTexel&) const = default;
 };
 
+/// Requests of the panel.
 struct HealthRequests {
-    bool want_health = false;               ///< the panel is shown: the frame's numbers are searched
-    bool want_memory = false;               ///< the panel is shown: memory and its holders are asked for
+    bool want_health = false;               ///< search the frame, while the panel is shown
+    bool want_memory = false;               ///< sample the memory, while the panel is shown
     std::optional<glm::ivec2> probe_pixel;  ///< probe this pixel of the scene picture
     std::optional<MarkedTexel> show_texel;  ///< outline this texel and bring it to the middle of the map viewer
-    bool search_all = false;                ///< no picture is left out, whatever is shown
+    bool search_all = false;                ///< search every frame, whatever is shown
 };
 
 /// Draws the panel Numbers: faulty values of the frame, and the process's memory.

@@ -1,5 +1,4 @@
-// The lab: where a scene is put, what single precision makes of it, and how much shadows crawl. What the panel is set
-// to, shows and wishes for.
+// The panel Lab: placement of the scene, error of single precision, shimmer of shadow edges.
 #pragma once
 
 #include <optional>
@@ -14,23 +13,29 @@ namespace si {
 struct FrameResult;
 struct Scene;
 
+/// State of the panel.
 struct LabPanel {
     ShimmerOptions shimmer;
 };
 
+/// Shimmer of one variant of the settings.
 struct ShimmerShown {
-    std::string_view label;  ///< of the variant
+    std::string_view label;  ///< name of the variant
     Shimmer shimmer;
 };
 
+/// Facts of the panel.
 struct LabFacts {
-    std::optional<SearchProgress> comparing_pipelines, measuring_shimmer;  ///< under way
-    std::span<const PipelineError> pipelines;  ///< measured last, of this scene; empty: none
-    std::span<const ShimmerShown> shimmer;
-    ShimmerOptions shimmer_of;                                ///< what `shimmer` was measured with
-    bool pipelines_current = false, shimmer_current = false;  ///< of the present settings and picture
+    std::optional<SearchProgress> comparing_pipelines;  ///< none: not under way
+    std::optional<SearchProgress> measuring_shimmer;    ///< none: not under way
+    std::span<const PipelineError> pipelines;           ///< last result for this scene; empty: none
+    std::span<const ShimmerShown> shimmer;              ///< last result for this scene; empty: none
+    ShimmerOptions shimmer_of;                          ///< options of `shimmer`
+    bool pipelines_current = false;                     ///< `pipelines` are of the present settings and size
+    bool shimmer_current = false;                       ///< `shimmer` is of the present settings and size
 };
 
+/// Requests of the panel.
 struct LabRequests {
     bool compare_pipelines = false;
     bool cancel_pipelines = false;

@@ -122,7 +122,7 @@ void light_row(EditorState& state, int i, bool intensities) {
     ImGui::PopID();
 }
 
-/// What can be done with the list of lights, in as many lines as it takes.
+/// Draws the buttons that change the list of lights, in as many lines as they need.
 void list_buttons(Settings& s) {
     const int shown = shown_light(s);
     bool first = true;

@@ -35,17 +35,17 @@ struct Row {
     const LostCaster* lost = nullptr;  ///< one of its objects leaves nothing in the shown light's map
 };
 
-/// Which column the list is sorted by; below 0: as the file has it.
+/// Order of the list.
 struct Order {
-    int column = -1;
+    int column = -1;  ///< column to sort by; below 0: the order of the file
     bool down = false;
-    bool fresh = false;  ///< asked for just now
+    bool fresh = false;  ///< chosen in this frame
 };
 
-/// What the search leaves of the tree.
+/// Part of the tree that matches the search.
 struct Tree {
     std::vector<Row> rows;                   ///< one a node of the scene
-    std::vector<std::vector<int>> children;  ///< that are in the list
+    std::vector<std::vector<int>> children;  ///< listed children by node
     std::vector<int> roots;
     std::size_t placed = 0;  ///< rows with settings
 };
@@ -85,7 +85,7 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     return tree;
 }
 
-/// What the columns of settings are sorted by: of nodes above others the most of them.
+/// Returns the sort keys of a settings' column. A node with children has the largest key of them.
 std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& settings, const Param& p) {
     std::vector<double> out(tree.rows.size(), -1);
     for (std::size_t i = out.size(); i-- > 0;) {
@@ -255,7 +255,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
                           key_text(Command::FrameSelection));
 }
 
-/// Of several chosen objects a change of one is a change of all.
+/// Draws the settings of an object. A change of a selected one changes all selected objects.
 void setting_cells(EditorState& state, Settings& alone, const Row& row, std::span<const Param* const> params) {
     for (const Param* p : params) {
         if (!ImGui::TableNextColumn() || !row.placed) continue;
@@ -271,7 +271,7 @@ void setting_cells(EditorState& state, Settings& alone, const Row& row, std::spa
     }
 }
 
-/// How many frames a row may take to come into view: where it will lie is an estimate at first.
+/// Frames in which the list scrolls to a row, because its place is an estimate at first.
 constexpr int kSeekFrames = 4;
 
 /// Opens what lies above an object that was chosen elsewhere.
@@ -296,7 +296,7 @@ void bring_into_view(EditorState& state) {
 struct BesideNames {
     std::string label;
     float width = 0;   ///< pixels
-    int given_up = 0;  ///< where there is little room: 1 first; 0 never
+    int given_up = 0;  ///< order in which columns are dropped without room: 1 first; 0 never
     bool shown = true;
 };
 
@@ -321,7 +321,7 @@ std::vector<BesideNames> columns_beside_names(std::span<const Param* const> para
     return all;
 }
 
-/// What the headers ask for.
+/// Returns the order that a click on a header has chosen.
 Order order_of() {
     ImGuiTableSortSpecs* specs = ImGui::TableGetSortSpecs();
     if (!specs || specs->SpecsCount == 0) return {};

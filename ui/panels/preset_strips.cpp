@@ -73,7 +73,7 @@ Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDr
     return {y + line, lines, false};
 }
 
-/// Where there is little room the buttons stand below the text.
+/// Returns true if a strip is so narrow that its buttons are below the text.
 bool buttons_below(float width, float buttons) {
     return width - buttons < ImGui::GetFontSize() * 24;
 }
@@ -84,7 +84,7 @@ float text_room(float width, float buttons) {
     return std::max(std::floor(width - 2 * kPadding * em - (buttons_below(width, buttons) ? 0 : buttons + em)), em * 8);
 }
 
-/// That the runs take in a strip.
+/// Returns the number of lines that the runs take in a strip.
 int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
     return flow(runs, {}, text_room(width, buttons), 0, nullptr).lines;
 }
@@ -147,7 +147,7 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const bool built_in = at != walk.end();
     const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
-    // As many lines for all of the walk: else the picture in which presets are compared would move and change its size.
+    // The number of lines is the same for all presets of the sequence, so that the picture keeps its place and size.
     constexpr int kLeastLines = 2, kMostLines = 3;
     int lines = kLeastLines;
     for (const PresetEntry& preset : walk) {

@@ -1,4 +1,4 @@
-// Presets and scenes as the editor lists, opens and saves them, and what a crash left.
+// Facts and requests about presets, scenes and the session that a crash has left.
 #pragma once
 
 #include <optional>
@@ -9,35 +9,44 @@ namespace si {
 
 /// A preset that ships with the program.
 struct PresetEntry {
-    std::string key, title, topic, about;
+    std::string key;
+    std::string title;
+    std::string topic;  ///< heading that it is listed under
+    std::string about;  ///< sentence on what to look at
 };
 
-/// What a crash left behind.
+/// Session that a crash has left.
 struct LostFacts {
-    std::string scene, when;  ///< "3 minutes ago"
+    std::string scene;
+    std::string when;  ///< age in words: "3 minutes ago"
 };
 
-/// A file that exists and is to be replaced, once a person agrees.
+/// An existing file that is replaced once a person agrees.
 struct Replacement {
     std::string path;
-    std::optional<std::string> about;
+    std::optional<std::string> about;  ///< sentence to save in the preset
 };
 
+/// Facts about presets and files.
 struct PresetsFacts {
-    std::span<const PresetEntry> presets, hard_cases;            ///< two walks, each in its order
+    std::span<const PresetEntry> presets, hard_cases;            ///< two sequences, each in its order
     std::span<const std::string> recent_scenes, recent_presets;  ///< paths, the newest first
     bool unsaved = false;  ///< state.files.preset_path does not hold the present settings
     std::optional<LostFacts> lost;
 };
 
+/// Requests about presets and scenes.
 struct PresetRequests {
-    std::optional<std::string> load_scene, load_preset, save_preset;
-    std::optional<std::string> open_file;   ///< a scene or a preset, by its extension
-    std::optional<std::string> save_about;  ///< the sentence to save along
-    bool replace = false;                   ///< save over a file that was neither opened nor saved before
-    bool restore_lost = false, discard_lost = false;
-    bool reset_all = false;    ///< to the scene's own settings
-    bool cancel_load = false;  ///< keep the scene that is shown
+    std::optional<std::string> load_scene;   ///< built-in key or path
+    std::optional<std::string> load_preset;  ///< built-in key or path
+    std::optional<std::string> save_preset;  ///< path
+    std::optional<std::string> open_file;    ///< path of a scene or a preset, by its extension
+    std::optional<std::string> save_about;   ///< sentence to save in the preset
+    bool replace = false;                    ///< save over a file that was neither opened nor saved before
+    bool restore_lost = false;               ///< show the session that a crash has left
+    bool discard_lost = false;               ///< delete it
+    bool reset_all = false;                  ///< go back to the scene's own settings
+    bool cancel_load = false;                ///< keep the scene that is shown
 };
 
 }  // namespace si

@@ -66,8 +66,8 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
             "Draw the texels around this one into the scene, each where its stored depth lies\n"
-            "(view.slabs, %d texels across); Q does so for the pixel under the mouse",
-            s.view.slabs_texels);
+            "(view.slabs, %d texels across); %s does so for the pixel under the mouse",
+            s.view.slabs_texels, key_text(Command::ToggleDepthQuads));
 }
 
 /// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
@@ -98,21 +98,18 @@ void bias_terms(const BiasBreakdown& a) {
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
     if (a.by_itself != 0)
-        amount_row("of itself", a.amount(a.by_itself), "What bias.kind gives whatever the numbers are");
+        amount_row("of itself", a.amount(a.by_itself), "Bias of bias.kind itself, whatever the numbers are");
     amount_row(
         "normal offset", a.amount(a.normal),
-        "What bias.normal is worth along the light: offset / cos(angle of light), as the look-up moves along the "
-        "plane");
+        "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
     if (a.raster != 0)
-        amount_row(
-            "while drawing", a.amount(a.raster),
-            "What bias.raster_* add to the stored depth of this plane: the least that a driver may make of them");
-    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()),
-               "Against acne: it has to be as much as is needed");
+        amount_row("while drawing", a.amount(a.raster),
+                   "Depth that bias.raster_* add to this plane in the map: the least that a driver may make of them");
+    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()), "Against acne: it has to be as much as is needed");
     amount_row("needed", a.amount(a.least.total()),
                "Less, and the triangle's plane shadows itself; the sum of the next");
     amount_row("  kernel", a.amount(a.least.kernel),
-               "The kernel compares texels beside the fragment, where the plane is higher");
+               "The kernel compares texels around the fragment, where the plane is nearer to the light");
     amount_row("  format", a.amount(a.least.quantum), "One step of the depth format");
     amount_row("  sub-pixel", a.amount(a.least.snapping), "The rasteriser snaps corners to parts of a texel");
     amount_row("  rounding", a.amount(a.least.rounding), "Shaders compute in single precision");
@@ -131,12 +128,12 @@ void depths(const Probe::PerLight& p) {
         p.account.per_texel
             ? "Own depth after bias and normal offset; each texel is compared with the plane at its centre"
             : "Own depth after bias and normal offset");
-    row("nearer by", metres_text(p.gap_m), "How much nearer to the light the stored surface is, along the light's ray");
-    row("visibility", fmt::format("{:.4f}", p.visibility), "What the renderer's filter computed: 1 lit, 0 in shadow");
+    row("nearer by", metres_text(p.gap_m), "Distance of the stored surface from this one, along the light's ray");
+    row("visibility", fmt::format("{:.4f}", p.visibility), "Result of the renderer's filter: 1 lit, 0 in shadow");
     const KernelFacts& k = p.kernel;
     if (!std::isnan(k.blocker_m))
         row("occluder", fmt::format("{} nearer", metres_text(k.blocker_m)),
-            "What the kernel's search found before the surface, on average, along the light's axis");
+            "Mean distance of the blockers that the kernel's search found, along the light's axis");
     if (!std::isnan(k.penumbra_texels))
         row("penumbra",
             fmt::format("{} wide   {}", texels_text(k.penumbra_texels), metres_text(k.penumbra_texels * p.texel_m)),
@@ -145,7 +142,7 @@ void depths(const Probe::PerLight& p) {
         row("variance", fmt::format("{:.3g} of the range squared", k.variance),
             "Of the depths about the texel, by the map's moments; the bound of the visibility comes from it");
     for (const std::string& line : k.lines)
-        row("moments", line, "What the kernel went by: the moments that it read, what they say, and the bound by them");
+        row("moments", line, "Moments that the kernel read, their meaning, and the bound by them");
     ImGui::EndTable();
 }
 
@@ -165,7 +162,7 @@ void space(const Probe::PerLight& p) {
     ImGui::EndTable();
 }
 
-/// Where the bias lies between what the surface needs and what its occluder allows, on a line of texels.
+/// Draws the bias on a line of texels, between the needed one and the largest one that keeps the shadow.
 void window_bar(const PixelDiagnosis& d) {
     const float em = ImGui::GetFontSize(), width = em * 20, high = em * 0.7f;
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -191,12 +188,12 @@ void reference_column(const PixelDiagnosis& d) {
     window_bar(d);
     if (begin_amounts("window")) {
         amount_row("needed", d.least, "The window of biases that are right begins here");
-        amount_row("have", d.has, "What all bias is worth against acne");
-        amount_row("shift towards the light", d.lifted, "How far bias moves the compared depth towards the light");
+        amount_row("have", d.has, "Equivalent depth bias of all bias, against acne");
+        amount_row("shift towards the light", d.lifted, "Shift of the compared depth towards the light by bias");
         amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
-    std::string reference = d.reference.lit ? "truth: lit" : "truth: in shadow";
+    std::string reference = d.reference.lit ? "reference: lit" : "reference: in shadow";
     if (d.reference.share > 0 && d.reference.share < 1)
         reference += fmt::format(", {:.1f} % of the light is seen (light.size)", 100 * d.reference.share);
     ImGui::TextUnformatted(reference.c_str());
@@ -215,7 +212,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
         ImGui::TextDisabled("%s", p.verdict.c_str());
         ImGui::PopTextWrapPos();
     } else if (tracing) {
-        ImGui::TextDisabled("tracing the truth...");
+        ImGui::TextDisabled("tracing the reference...");
     }
     if (!d || !d->fix) return;
     if (ImGui::SmallButton(fix_label(*d->fix, settings).c_str()))
@@ -248,7 +245,7 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// All that the verdict rests on. @param cures draws what puts the pixel right
+/// Draws all numbers that the verdict depends on. @param cures draws the fixes of the pixel
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
              Button&& fixes_button, Table&& fix_rows_table) {

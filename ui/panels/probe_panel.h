@@ -1,4 +1,4 @@
-// The probed pixel: what is known of it.
+// The panel Probe: facts about the probed pixel.
 #pragma once
 
 #include <memory>
@@ -16,17 +16,19 @@ struct PixelDiagnosis;
 /// Cross-sections of the probed pixel, one for each of its lights.
 using Sections = std::shared_ptr<const std::vector<Section>>;
 
+/// Facts about the probed pixel.
 struct ProbeFacts {
-    const Probe* probe = nullptr;  ///< of state.probe_pixel
+    const Probe* probe = nullptr;  ///< shadow test of state.probe_pixel; null: not known
     AnchorPlace anchor_place = AnchorPlace::Seen;
-    std::span<const PixelDiagnosis> diagnoses;  ///< one for each light of the probe, once the truth is there
+    std::span<const PixelDiagnosis> diagnoses;  ///< one a light of the probe, once the reference is there
     Sections sections;                          ///< null: the panel is hidden
-    bool tracing_probe = false;                 ///< dossiers will follow
-    bool verdict_follows = false;               ///< all of this is of an earlier picture: the next one is being drawn
+    bool tracing_probe = false;                 ///< the diagnoses will follow
+    bool verdict_follows = false;               ///< all facts are of an earlier picture; the next one is being drawn
 };
 
-/// Their drawings, kept until the pixel or the room for them changes.
+/// Drawings of the cross-sections, kept until the pixel or their size changes.
 struct SectionViews {
+    /// Drawing of one light's section for one size.
     struct View {
         std::size_t light = 0;
         double width = 0, height = 0, em = 0;
@@ -34,7 +36,7 @@ struct SectionViews {
     };
     Sections of;
     std::vector<View> views;
-    int drawn = 0;  ///< how often one was made
+    int drawn = 0;  ///< number of drawings made so far
 };
 
 /// State of the panel Probe.

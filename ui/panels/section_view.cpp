@@ -103,7 +103,7 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     return views.views.back().drawing;
 }
 
-/// Of the legend's window.
+/// Place and columns of the legend's window.
 struct LegendPlace {
     ImVec2 at;
     std::size_t columns = 1;
@@ -138,7 +138,7 @@ LegendPlace place_of(const std::vector<LegendRow>& legend) {
     return place;
 }
 
-/// What the marks of the drawing mean that is the last item; strong: what is under the mouse.
+/// Draws the meaning of the marks of the last item's drawing. The mark under the mouse is strong.
 void legend_tooltip(const SectionDrawing& drawing) {
     if (drawing.legend.empty() || !ImGui::IsItemHovered()) return;
     const ImVec2 mouse = ImGui::GetMousePos(), at = ImGui::GetItemRectMin();

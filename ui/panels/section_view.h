@@ -1,4 +1,4 @@
-// The cross-section of a probed pixel's shadow test, drawn into a panel, and alone for a picture.
+// The cross-section of a probed pixel's shadow test, in a panel and as a picture of its own.
 #pragma once
 
 #include <imgui.h>
@@ -9,18 +9,19 @@
 
 namespace si {
 
-/// Draws the section of that light of the probe at the cursor, `size` pixels large, as one item that tells under the
-/// mouse what its marks mean. Nothing where there is none.
+/// Draws one light's section as an item, `size` pixels from the cursor, with tooltips on its marks. Does nothing
+/// without a section.
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size);
 
-/// What ImGui's backend makes a picture of: places are pixels, from the upper left corner.
+/// Draw list of a picture. Coordinates are pixels from the upper left corner.
 struct SectionSheet {
     std::unique_ptr<ImDrawList> list;
-    int width = 0, height = 0;
+    int width = 0;   ///< pixels
+    int height = 0;  ///< pixels
 };
 
-/// All that an SVG of the section holds, verdict and legend too, in the editor's letters and colours. Between
-/// NewFrame() and the next, in any place.
+/// Returns the section with verdict and legend, in the editor's fonts and colours. Call between ImGui::NewFrame() and
+/// the next, in any window.
 SectionSheet section_sheet(const Section& section);
 
 }  // namespace si

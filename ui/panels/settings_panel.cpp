@@ -42,7 +42,7 @@ constexpr Group kGroups[] = {
     {"scene", "Scene, time and place", false},
     {"shading", "Shading", false},
     {"view", "View", false},
-    {"truth", "Truth", false},
+    {"truth", "Reference", false},
 };
 
 // Turned seldom: while they are as at first, their groups keep them back until they are asked for or searched.
@@ -69,7 +69,7 @@ std::vector<Group> groups() {
     return list;
 }
 
-/// Of a group what is listed, and what waits until more of it is asked for.
+/// Rows of a group: listed ones, and rarely used ones that are folded away.
 struct Rows {
     std::vector<SettingRef> shown, folded;
 };
@@ -94,8 +94,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
     return rows;
 }
 
-/// What is searched for may be mentioned in many a sentence: groups that are called by it come first, then those with a
-/// setting that is.
+/// Sorts groups for a search: those whose label matches first, then those with a setting whose label matches.
 void nearest_first(std::vector<Group>& list, const EditorState& state) {
     if (state.settings_panel.search.empty()) return;
     const auto rank = [&](const Group& group) {

@@ -15,7 +15,7 @@
 namespace si {
 namespace {
 
-/// What the frame that was timed last took (the tab Effects has frames timed).
+/// Returns the times of the last timed frame. Frames are timed while the tab Effects is shown.
 std::string cost_text(const FrameTimes& times) {
     if (times.frames.empty()) return {};
     const auto text = [](double t) { return fmt::format("{:.{}f} ms", t, t < 10 ? 2 : t < 100 ? 1 : 0); };

@@ -73,8 +73,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     }
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "A PNG beside the preset, under a name that no file has (the log tells which), and in the clipboard to "
-            "paste");
+            "A PNG in the preset's folder under a free name, which the log prints, and in the clipboard to paste");
     ImGui::Separator();
     item("Quit", Command::Quit);
     ImGui::EndPopup();
@@ -106,20 +105,20 @@ void guided_presets(EditorState& state, const EditorFrame& frame, EditorRequests
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset before", Command::PreviousPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    menu_button("Guided presets", "guided presets", "Artefacts and remedies, each with a sentence on what to look at",
-                presets_menu_width());
+    menu_button("Guided presets", "guided presets",
+                "Artefacts and their fixes, each with a sentence on what to look at", presets_menu_width());
     draw_presets_menu("guided presets", frame.presets, state, requests);
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (ImGui::ArrowButton("next preset", ImGuiDir_Right) && after) requests.load_preset = after;
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("%s", with_key("The guided preset after", Command::NextPreset).c_str());
     ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-    menu_button("Hard cases", "hard cases", "Corners in which shadow maps break, with and without what mends them",
+    menu_button("Hard cases", "hard cases", "Scenes in which shadow maps fail, each with and without the fix",
                 presets_menu_width());
     draw_presets_menu("hard cases", frame.hard_cases, state, requests);
 }
 
-/// How the window looks.
+/// Draws the menu of theme and layout.
 void view_menu(EditorState& state, const char* label) {
     menu_button(label, "view", "Theme and panels", ImGui::GetFontSize() * 18);
     if (!ImGui::BeginPopup("view")) return;
@@ -189,14 +188,6 @@ void preset_name(const EditorState& state, const EditorFrame& frame, float width
 }
 
 }  // namespace
-
-std::string scene_label(const std::string& name) {
-    if (name.empty()) return "No scene";
-    for (const BuiltinScene& scene : builtin_scenes())
-        if (scene.key == name) return std::string(scene.label);
-    if (is_builtin_scene(name)) return name;
-    return last_part(name);
-}
 
 void draw_top_bar(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     const float em = ImGui::GetFontSize(), close = ImGui::GetStyle().ItemInnerSpacing.x;

@@ -1,4 +1,4 @@
-// The ray-traced truth and the errors by it: what is known, what the error panel wishes for.
+// Facts and requests about the ray-traced reference and the errors against it.
 #pragma once
 
 #include <cstdint>
@@ -7,23 +7,28 @@
 
 namespace si {
 
-/// What is known of the ray-traced truth about the frame.
+/// State of the reference of the shown frame.
 struct ReferenceFacts {
-    bool current = false;                             ///< the frame shown has all that it asks for
-    bool wanted = false;                              ///< something that is shown asks for it
-    bool lacks_light_map = false;                     ///< what is missing is a light map, or that too
-    std::string doing;                                ///< what runs in the background: "Tracing rays"; empty: nothing
-    double progress = 0;                              ///< 0..1, of that
-    std::string problem;                              ///< why there is none
-    double build_ms = 0, place_ms = 0, trace_ms = 0;  ///< wall time of the last trace; 0 where it was known
+    bool current = false;          ///< the shown frame has all references that it needs
+    bool wanted = false;           ///< a panel, overlay or light source needs it
+    bool lacks_light_map = false;  ///< a light map is missing
+    std::string doing;             ///< work in the background: "Tracing rays"; empty: none
+    double progress = 0;           ///< of that work, 0..1
+    std::string problem;           ///< reason why there is no reference; empty: no problem
+    // Wall times of the last trace; 0: the result was cached.
+    double build_ms = 0;
+    double place_ms = 0;
+    double trace_ms = 0;
     std::uint64_t rays = 0;
-    std::string noise;          ///< noise_text() of a light of size
-    int width = 0, height = 0;  ///< in pixels
+    std::string noise;  ///< noise_text() of an area light; else empty
+    int width = 0;      ///< pixels
+    int height = 0;     ///< pixels
 };
 
-struct ReferenceActions {
-    bool want_error = false;  ///< the error panel is shown
-    bool cancel_reference = false;
+/// Requests of the error panel.
+struct ReferenceRequests {
+    bool want_error = false;                ///< the error panel is shown
+    bool cancel_reference = false;          ///< stop tracing until something changes
     std::optional<std::string> save_error;  ///< all metrics as JSON into this file
 };
 

@@ -1,4 +1,4 @@
-// The search for the least bias: what its controls are set to, what it found, what they wish for.
+// State, facts and requests of the search for the smallest bias.
 #pragma once
 
 #include <cstddef>
@@ -11,41 +11,50 @@
 
 namespace si {
 
-/// The limits of a search, as they are being typed.
+/// Limits of a search, as typed.
 struct TunePanel {
-    bool bound_error = true, bound_ms = false, area = false;
-    double most_error = 0.01, most_ms = 10;
-    CostCase cost = kDefaultCost;
+    bool bound_error = true;
+    bool bound_ms = false;
+    bool area = false;             ///< compares with an area light instead of a point
+    double most_error = 0.01;      ///< largest mean error of visibility
+    double most_ms = 10;           ///< longest time of a frame
+    CostCase cost = kDefaultCost;  ///< kind of frames that most_ms bounds
 };
 
-/// A search for the least bias, under way.
+/// Progress of a background search or measurement.
 struct SearchProgress {
-    std::string about;    ///< what is being tried
+    std::string about;    ///< attempt under way
     double progress = 0;  ///< 0..1
 };
 
-/// What a search is to find: without limits the least bias that leaves no acne.
+/// Request for a search. Without limits it finds the smallest bias without acne.
 struct TuneRequest {
-    std::optional<double> most_error, most_ms;  ///< then kernel and resolution are searched, too
-    bool area = false;                          ///< against a light of its size
-    CostCase cost = kDefaultCost;               ///< which frames most_ms bounds
+    std::optional<double> most_error, most_ms;  ///< limits; with one, kernel and resolution are searched, too
+    bool area = false;                          ///< compares with an area light instead of a point
+    CostCase cost = kDefaultCost;               ///< kind of frames that most_ms bounds
 };
 
-/// What a search for the least bias found of one way to spend it.
+/// Result of a search for one kind of bias (constant, slope, normal offset).
 struct TunedFamily {
-    std::string name, bias_text;
+    std::string name;
+    std::string bias_text;
     BiasSettings bias;
-    std::size_t acne = 0, wrong = 0, lost = 0;  ///< pixels; lost: wrong by the price of bias
-    double gap_p95_m = 0, shift_p95_m = 0;      ///< lit strip at contacts; how far edges are moved
-    bool chosen = false;
+    std::size_t acne = 0;    ///< pixels of acne
+    std::size_t wrong = 0;   ///< wrong pixels
+    std::size_t lost = 0;    ///< pixels that the bias itself makes wrong
+    double gap_p95_m = 0;    ///< width of the lit strip at contacts, 95th percentile
+    double shift_p95_m = 0;  ///< shift of shadow edges, 95th percentile
+    bool chosen = false;     ///< the fewest lost pixels
 };
 
+/// Facts of the search.
 struct TunePanelFacts {
-    std::optional<SearchProgress> tuning;
-    std::span<const TunedFamily> tuned;  ///< all that the last search for the least bias tried, for this scene
-    bool tuned_current = false;          ///< the present settings, whatever their bias, would give the same
+    std::optional<SearchProgress> tuning;  ///< none: not under way
+    std::span<const TunedFamily> tuned;    ///< results of the last search for this scene
+    bool tuned_current = false;            ///< a search from the present settings would give the same
 };
 
+/// Requests of the controls.
 struct TuneRequests {
     std::optional<TuneRequest> tune;
     bool cancel_tune = false;

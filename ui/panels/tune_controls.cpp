@@ -116,7 +116,7 @@ void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFac
     if (ImGui::Button("Auto bias", {narrow ? room : room - others, 0})) requests.tune = TuneRequest{};
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "Measures this picture against the ray-traced truth and sets the least constant bias, slope bias or\n"
+            "Compares this picture with the ray-traced reference and sets the smallest constant bias, slope bias or\n"
             "normal offset under which nothing in it shadows itself: the one that makes the fewest pixels wrong.\n"
             "One step of undo; the log says what it costs.");
     if (!narrow) ImGui::SameLine();

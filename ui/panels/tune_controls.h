@@ -1,4 +1,4 @@
-// The button that finds the least bias, its limits, and how far a search is.
+// Controls of the search for the smallest bias: buttons, limits, progress, results.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// @param settings that a click on a row changes @param why_not nothing can be searched, in words; empty: it can
+/// Draws the controls. @param settings changed by a click on a result
+/// @param why_not reason why no search is possible; empty: it is
 void draw_tune_controls(TunePanel& panel, Settings& settings, const TunePanelFacts& shown, const std::string& why_not,
                         TuneRequests& requests);
 

@@ -1,4 +1,4 @@
-// What a person sees first, once.
+// The welcome of the first start.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -11,7 +11,7 @@ namespace si {
 void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     constexpr const char* kTitle = "Welcome";
     constexpr const char* kSentences[] = {
-        "Here a scene stands beside its live shadow map, and every setting of the shadow is a slider.",
+        "Here a scene is shown next to its live shadow map, and every setting of the shadow is a slider.",
         "Click a pixel: it says why it is lit or in shadow, and whether that is right.",
         "Begin with a model of your own, with the guided presets from acne to cascades, or with the stage, a scene "
         "that has something of everything."};

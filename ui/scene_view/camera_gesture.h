@@ -1,4 +1,4 @@
-// What mouse movements do to the camera and the light: pure functions of Settings.
+// Changes of camera and light by mouse movements: pure functions of settings.
 #pragma once
 
 #include "renderer/projection/camera.h"
@@ -8,23 +8,23 @@
 
 namespace si {
 
-/// Turns the camera about its target; pixels of mouse movement, y down.
+/// Turns the camera about its target. @param dx, dy mouse movement, pixels, y down
 void orbit(CameraSettings& camera, double dx, double dy);
-/// Moves the target so that the point at the focus stays under the cursor; `height` is the picture's, in pixels.
+/// Moves camera and target so that the point at the focus stays under the mouse. @param height of the picture, pixels
 void pan(CameraSettings& camera, const Camera& seen, double dx, double dy, int height);
-/// Moves closer (positive steps of the wheel) or away; the point at the focus that `towards` shows stays where it is in
+/// Moves closer (positive steps of the wheel) or away. The point at the focus on the ray `towards` stays in place in
 /// the picture.
 void zoom(CameraSettings& camera, const Camera& seen, const Ray& towards, double steps);
-/// Turns the camera about its own eye; pixels of mouse movement, y down.
+/// Turns the camera about its own eye. @param dx, dy mouse movement, pixels, y down
 void look_around(CameraSettings& camera, double dx, double dy);
-/// Moves the camera to its right, upwards (world y) and forwards, metres. An orthographic camera, which sees no nearer
-/// for being nearer, shows less instead.
+/// Moves the camera to its right, upwards (world y) and forwards, metres. An orthographic camera narrows its view
+/// instead of moving forwards, because distance does not change its picture.
 void fly(CameraSettings& camera, const glm::dvec3& right_up_forward);
-/// Looks along an axis at what the camera looks at: 0 x, 1 y, 2 z; from its positive or negative side.
+/// Looks at the camera's target along an axis (0 x, 1 y, 2 z), from its positive or negative side.
 void look_along(CameraSettings& camera, int axis, bool positive);
-/// Keeps the direction of view and moves until `bounds` fill the picture.
+/// Moves the camera along its direction of view until `bounds` fill the picture.
 void look_at_bounds(CameraSettings& camera, const Bounds& bounds, double aspect);
-/// Turns a light about its target: right moves it to the right of the picture, up lifts it.
+/// Turns a light about its target, to the right of the picture and upwards with the mouse.
 void turn_light(LightSettings& light, const Camera& seen, double dx, double dy);
 
 }  // namespace si

@@ -10,14 +10,13 @@
 
 namespace si {
 
-/// The twelve edges of what a camera sees, world: four of the near plane, four of the far plane, four between. A far
-/// plane farther than twenty times the focus is drawn there.
+/// Returns the twelve edges of a camera's frustum, world. A far plane beyond twenty times the focus is drawn there.
 std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera);
 
-/// The parts of those edges that lie in front of a light and inside its map, in map coordinates (0..1, v up).
+/// Returns the parts of these edges inside a light's map, in map coordinates (0..1, v up).
 std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camera& camera, const LightView& view);
 
-/// The rim of all that the camera can see, in the same coordinates; of a map in perspective or a warped one its edges.
+/// Returns the outline of the camera's frustum in map coordinates; for perspective and warped maps all edges instead.
 std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera& camera, const LightView& view);
 
 }  // namespace si

@@ -19,10 +19,10 @@ namespace {
 constexpr double kWheelSeconds = 0.4;    ///< turns of the wheel closer than this are one step of undo
 constexpr double kRadiiPerSecond = 0.4;  ///< a flight's speed at factor 1, in radii of the scene
 constexpr double kFast = 4;              ///< with Shift
-constexpr double kSpeedPerStep = 1.25;   ///< of the wheel
+constexpr double kSpeedPerStep = 1.25;   ///< factor of the speed per step of the wheel
 constexpr double kLongestStep = 0.5;     ///< s; a frame that took longer does not leap
 
-/// How far the held keys want to go: right, up, forward.
+/// Returns the direction of the held keys: right, up, forward.
 glm::dvec3 wanted_way() {
     const auto held = [](Command command) { return is_held(command) ? 1.0 : 0.0; };
     return {held(Command::FlyRight) - held(Command::FlyLeft), held(Command::FlyUp) - held(Command::FlyDown),

@@ -6,25 +6,25 @@
 
 namespace si {
 
-inline constexpr float kClickPixels = 3;  ///< a press that moves further is a drag
+inline constexpr float kClickPixels = 3;  ///< movement beyond which a press is a drag, pixels
 
-/// Call right after the picture's item, when nothing in the picture took the press. Sets state.viewport.press_moved and
-/// state.viewport.dragging.
+/// Moves the camera by mouse and keys. Call right after the picture's item, if no mark in the picture has taken the
+/// press. Sets state.viewport.press_moved and state.viewport.dragging.
 void steer_camera(EditorState& state, const EditorFrame& frame, const PictureView& view);
 
-/// The camera by hand, so that it can be moved.
+/// Sets camera.source to manual with the present camera, so that it can be moved.
 void take_camera(EditorState& state, const EditorFrame& frame);
-/// Frames the selected object, or all of the scene when none is.
+/// Moves the camera until the selected objects fill the picture; without a selection the scene.
 void frame_selection(EditorState& state, const EditorFrame& frame);
-/// Frames all of the scene and a light that stands at `position`.
+/// Moves the camera until the scene and a light at `position` fill the picture.
 void frame_light(EditorState& state, const EditorFrame& frame, const glm::dvec3& position);
-/// The scene's own camera, or the one that the scene suggests.
+/// Goes back to the scene's own camera, or the one that the scene suggests.
 void reset_camera(EditorState& state, const EditorFrame& frame);
-/// Looks through the shown light; a second call goes back to the camera before.
+/// Looks through the shown light, or goes back to the camera before.
 void toggle_light_camera(EditorState& state);
-/// The camera of a frame, as settings that no light and no other camera moves.
+/// Returns the camera of a frame as manual settings.
 FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings);
-/// Keeps the present camera as the frozen one, or lets go of it.
+/// Freezes the present camera, or releases the frozen one.
 void toggle_frozen_camera(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Cameras that a person flies, freezes, and lets time run before.
+// State of flying, of the frozen camera, and of the playing animation.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -12,23 +12,24 @@ namespace si {
 
 /// Flying with the right mouse button held.
 struct Flight {
-    bool on = false, moving = false;  ///< the button, and a key of movement, were down in the last frame
-    double speed = 1;                 ///< factor
+    bool on = false;      ///< the button was down in the last frame
+    bool moving = false;  ///< a key of movement was down in the last frame
+    double speed = 1;     ///< factor of the usual speed
 };
 
-/// The camera that maps are made for, and whose view of them is kept, while another one flies about.
+/// Camera that maps are made for while another one moves.
 struct FrozenCamera {
     Camera camera;
-    CameraSettings settings;          ///< that make this camera
-    glm::ivec2 pixels{1};             ///< of its picture
-    std::optional<DepthSpan> seen_m;  ///< FrameResult::seen_m of it
+    CameraSettings settings;          ///< manual settings with this camera
+    glm::ivec2 pixels{1};             ///< size of its picture
+    std::optional<DepthSpan> seen_m;  ///< FrameResult::seen_m of its frame
 };
 
-/// How scene.time runs while it plays.
+/// Options of the playing animation.
 struct Playback {
     bool playing = false;
     bool loop = true;
-    double speed = 1;  ///< seconds of the animation in a second
+    double speed = 1;  ///< seconds of the animation per second of the clock
 };
 
 }  // namespace si

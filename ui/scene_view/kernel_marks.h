@@ -1,4 +1,4 @@
-// The taps of a probed pixel's kernel: as a grid of coloured squares, and as cells on the receiver's plane.
+// Taps of a probed pixel's kernel, as a grid of coloured squares and as cells on the receiver's plane.
 #pragma once
 
 #include <imgui.h>
@@ -8,19 +8,19 @@
 
 namespace si {
 
-/// Lit, dark by another surface, dark by the surface itself; fainter for taps that weigh less.
+/// Returns the colour of a tap: lit, shadowed by another surface, or by the surface itself. Small weights are faint.
 ImU32 tap_colour(const KernelTap& tap, double heaviest);
-/// The largest weight of a kernel's taps.
+/// Returns the largest weight of a kernel's taps.
 double heaviest_tap(const Probe::PerLight& light);
 
-/// The kernel as a square grid, the map's top row first, `side` pixels wide, at the cursor. Hovering a cell shows its
-/// numbers and returns it.
+/// Draws the kernel as a square grid at the cursor, the map's top row first. Returns the tap under the mouse, whose
+/// numbers are its tooltip; null: none. @param side width, pixels
 const KernelTap* draw_tap_grid(const Probe::PerLight& light, float side);
 
-/// What the colours mean, one below the other.
+/// Draws the colours with their meaning, one a line.
 void draw_tap_key();
 
-/// Outlines each texel that the kernel compares on the plane of the probed surface, in its colour.
+/// Outlines each texel of the kernel on the plane of the probed surface, in its tap's colour.
 void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& light);
 
 }  // namespace si

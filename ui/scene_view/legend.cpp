@@ -28,9 +28,9 @@ Stops stops_of(const Overlay& overlay) {
 }
 
 constexpr float kSmall = 14;        ///< ems that a picture is high at least to have room for the overlay's name
-constexpr float kRounding = 0.25f;  ///< of corners, ems
+constexpr float kRounding = 0.25f;  ///< radius of corners, ems
 
-/// Of the shown light's views, where it has several.
+/// Returns the legend of the shown light's views; empty if it has one only.
 std::vector<std::string> view_labels(const FittedLight* light) {
     std::vector<std::string> labels;
     if (!light || !light->casts || light->views.size() < 2) return labels;
@@ -43,7 +43,7 @@ struct LegendWidget {
     float ems;  ///< width of the widget
 };
 
-/// What can be turned of the overlays' look.
+/// Returns the settings of the overlay's look that have a widget in the legend.
 std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& pane) {
     std::vector<LegendWidget> out = {{"Opacity", "view.overlay_opacity", 4.5f}};
     if (!overlays()[std::size_t(pane.overlay - 1)].scalar) return out;
@@ -54,7 +54,7 @@ std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& p
     return out;
 }
 
-/// Of their box, pixels.
+/// Returns the width of their box, pixels.
 float width_of(const std::vector<LegendWidget>& widgets) {
     const float em = ImGui::GetFontSize(), gap = em * 0.5f;
     float width = gap;

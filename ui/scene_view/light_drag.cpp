@@ -207,7 +207,7 @@ double snap_step(double scene_radius) {
 
 std::string handle_numbers(const LightPose& pose, LightHandle h) {
     const LightSettings& s = pose.settings;
-    // What is nothing at the light's distance is 0, not a picometre.
+    // Lengths that are negligible at the light's distance become 0.
     const auto metres = [&](double v) { return metres_text(std::abs(v) < 1e-9 * pose.distance ? 0 : v); };
     const auto place = [&](const glm::dvec3& p) {
         return fmt::format("x {}   y {}   z {}", metres(p.x), metres(p.y), metres(p.z));

@@ -1,4 +1,4 @@
-// What a light's settings become when one of its handles is dragged over the screen. No drawing.
+// A light's settings while one of its handles is dragged over the screen. No drawing.
 #pragma once
 
 #include <optional>
@@ -8,40 +8,40 @@
 
 namespace si {
 
-/// A pose to start a drag from: what the fit chose is written into the settings as far as the handle calls for it, so
-/// that it stays. Extent, near, far and a directional light's place and target turn light.fit to manual; place,
-/// direction, cone and target of another only hold the distance, and its map is fitted anew; a range changes nothing
-/// else; a directional light turns under its fit.
+/// Returns the pose that a drag starts from. Values chosen by the fit become settings as far as the handle needs it:
+/// - extent, near, far, and a directional light's place and target set light.fit to manual;
+/// - place, direction, cone and target of other lights keep the distance, and the map is fitted again;
+/// - a range, and a directional light's direction, change nothing else.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
-/// The light after `handle`, grabbed in the pose `start`, was dragged so that it appears at `to` (pixels); nothing when
-/// no place of it can appear there.
-/// @param step 0, or lengths go in steps of so many metres and angles in steps of 5 degrees
+/// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if it cannot appear there.
+/// @param start pose at the press @param step step of lengths, metres, with steps of 5 degrees for angles; 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,
                                         const glm::dvec2& to, double step = 0);
 
-/// What of the lights a point of the picture shows: a handle of the shown one, the mark of another, or the pointer to
-/// the shown one when it is outside the picture.
+/// A light's mark in the picture: a handle of the shown light, or (without a handle) another light's mark or the
+/// pointer to the shown light outside the picture.
 struct LightHit {
     int light = 0;
     std::optional<LightHandle> handle;
 };
 
-/// A drag under way.
+/// A drag of a handle that is under way.
 struct HandleDrag {
     int light = 0;
     LightHandle handle = LightHandle::Position;
     LightPose start;
-    LightSettings before;                    ///< what Escape restores
-    glm::dvec2 handle_at{0}, pressed_at{0};  ///< pixels: the handle's place and the mouse's, at the press
-    bool moved = false;                      ///< farther than a click wavers
-    bool over = false;                       ///< ended by Escape; the button is still held
+    LightSettings before;      ///< light to go back to when the drag is cancelled
+    glm::dvec2 handle_at{0};   ///< place of the handle at the press, pixels
+    glm::dvec2 pressed_at{0};  ///< place of the mouse at the press, pixels
+    bool moved = false;        ///< the mouse has moved farther than in a click
+    bool over = false;         ///< cancelled, while the button is still held
 };
 
-/// 1, 2 or 5 times a power of ten, about a fiftieth of the scene's radius; metres.
+/// Returns a round step for lengths, metres: 1, 2 or 5 times a power of ten, about a fiftieth of the scene's radius.
 double snap_step(double scene_radius);
 
-/// The numbers that the handle changes, with units. `pose` as the light is now.
+/// Returns the numbers that the handle changes, with units. @param pose of the light as it is now
 std::string handle_numbers(const LightPose& pose, LightHandle handle);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The lights in the scene picture: frusta and marks of all, handles of the shown one.
+// Lights in the scene picture: frusta and marks of all lights, handles of the shown one.
 #pragma once
 
 #include "ui/scene_view/picture_painter.h"
@@ -6,12 +6,13 @@
 
 namespace si {
 
-/// Lets the mouse drag a handle of the shown light, or choose another light by its mark. Call right after the picture's
-/// item; takes a press (state.viewport.press_taken) that is on either.
+/// Drags handles of the shown light, and chooses another light by a click on its mark. Call right after the picture's
+/// item. Takes a press (state.viewport.press_taken) on either.
 void steer_lights(EditorState& state, const EditorFrame& frame, const PictureView& view);
-/// Gives the light back as it was before the drag, which is under way. The button may stay down.
+/// Cancels the drag under way and restores the light. The button may stay down.
 void cancel_handle_drag(EditorState& state);
 
+/// Draws all lights into the scene picture.
 void draw_lights(const EditorState& state, const EditorFrame& frame, const PicturePainter& painter);
 
 }  // namespace si

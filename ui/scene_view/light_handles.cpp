@@ -15,7 +15,7 @@ constexpr double kArrowPixels = 58, kBallPixels = 92;  // at scale 1
 constexpr double kRim = 0.7;                           // of the distance to the target
 constexpr double kLeastSine = 0.12;                    // between the line of sight and the way a handle moves
 
-/// Whether a movement of the mouse moves the handle by a sensible amount in this view.
+/// Returns true if the handle does not move along the line of sight, where small movements would become large.
 bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureView& view) {
     const LightHandle h = placed.handle;
     const glm::dvec3 sight = view.ray(placed.on_screen).direction;
@@ -88,7 +88,7 @@ LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, i
 
 std::vector<LightHandle> handles_of(const LightPose& pose) {
     using enum LightHandle;
-    // Where the light stands and what its maps hold is the fit's, for any place and width would end the cascades.
+    // The fit chooses place and extent of cascades. A manual place or extent would end them.
     if (pose.cascaded()) return {Direction};
     std::vector<LightHandle> all{Position, AxisX, AxisY, AxisZ};
     if (pose.type != LightType::Point) all.push_back(Direction);

@@ -1,4 +1,4 @@
-// The handles of a light as geometry: which there are and where they stand. No drawing.
+// Handles of a light as geometry: kinds and places. No drawing.
 #pragma once
 
 #include <string_view>
@@ -9,6 +9,7 @@
 
 namespace si {
 
+/// Kind of a handle.
 enum class LightHandle {
     Position,
     AxisX,
@@ -33,56 +34,57 @@ bool is_axis(LightHandle handle);
 bool is_extent(LightHandle handle);
 bool is_cone(LightHandle handle);
 
-/// "Near plane"; for tooltips.
+/// Returns the name for tooltips: "Near plane".
 std::string_view handle_name(LightHandle handle);
 
-/// One light as its handles see it.
+/// Light with the values that its handles show.
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
-    LightView view;                   ///< the shown one: near, far and extent act on it
-    std::vector<LightView> cascades;  ///< all of them where the light has some, or a warped map; they are the fit's
-    glm::dvec3 centre{0};             ///< world; what settings.target_x, y, z count from
-    glm::dvec3 target{0};             ///< world; what the light turns about or looks at
-    glm::dvec3 position{0};           ///< world; where the light's mark stands
-    glm::dvec3 to_light{0, 1, 0};
-    double distance = 1;  ///< m, from target to position
-    bool has_map = true;  ///< near, far and extent mean something
+    LightView view;                   ///< shown view, which near, far and extent act on
+    std::vector<LightView> cascades;  ///< all views of a cascaded or warped light, which only the fit changes
+    glm::dvec3 centre{0};             ///< world; origin of settings.target_x, y, z
+    glm::dvec3 target{0};             ///< world; point that the light turns about or looks at
+    glm::dvec3 position{0};           ///< world; place of the light's mark
+    glm::dvec3 to_light{0, 1, 0};     ///< world; unit vector from the target
+    double distance = 1;              ///< m, from target to position
+    bool has_map = true;              ///< the light has near, far and extent
     bool cascaded() const { return !cascades.empty(); }
     bool orthographic() const { return !view.curve.perspective; }
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
-/// @param face of a light with several views
+/// Returns the pose of a light. @param face index of its shown view
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
-/// The handles that the light has, whatever the view.
+/// Returns all handles of the light, visible or not.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
-/// Where a handle stands, world. Arrows and the direction's ball have a size on the screen, so that depends on the
-/// view.
+/// Returns the place of a handle, world. Arrows and the direction's ball have a constant size on the screen, so that
+/// their places depend on the view.
 glm::dvec3 handle_place(const LightPose& pose, LightHandle handle, const PictureView& view);
 
-/// Radius of the ball on whose surface the direction's handle moves, about the target (directional) or the light
-/// (spot).
+/// Returns the radius of the ball on which the direction's handle moves, about the target (directional) or the light
+/// (spot); metres.
 double direction_ball(const LightPose& pose, const PictureView& view);
-/// Distance from the light at which the rim of a spot light's cone is drawn.
+/// Returns the distance from the light at which the rim of a spot light's cone is drawn; metres.
 double cone_reach(const LightPose& pose);
-/// Unit vector along which an arrow, an extent or a cone handle lies.
+/// Returns the unit vector along which an arrow, extent or cone handle moves; world.
 glm::dvec3 handle_way(const LightPose& pose, LightHandle handle);
-/// Unit vector from a spot or point light to the handle of its range: on the cone's rim, between two of its handles, or
-/// across the line to the target.
+/// Returns the unit vector from a light to the handle of its range: on the cone's rim between two handles (spot), or
+/// across the line to the target (point).
 glm::dvec3 range_way(const LightPose& pose);
-/// Half a spot light's cone.
+/// Returns half the angle of a spot light's cone.
 double half_cone_rad(const LightSettings& settings);
 
+/// A handle and its place.
 struct PlacedHandle {
     LightHandle handle = LightHandle::Position;
     glm::dvec3 at{0};         ///< world
     glm::dvec2 on_screen{0};  ///< pixels
 };
 
-/// The handles that can be dragged in this view: in the picture, and moving across the line of sight.
+/// Returns the handles that can be dragged in this view: inside the picture and not along the line of sight.
 std::vector<PlacedHandle> place_handles(const LightPose& pose, const PictureView& view);
 
 }  // namespace si

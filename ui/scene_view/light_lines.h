@@ -1,4 +1,4 @@
-// Outlines of the lights' frusta as lines of the scene picture.
+// Frusta of lights as line segments.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,17 @@
 
 namespace si {
 
+/// A line segment.
 struct Segment {
-    glm::dvec3 from{0}, to{0};  ///< world
-    bool far = false;           ///< belongs to the far plane
+    glm::dvec3 from{0};  ///< world
+    glm::dvec3 to{0};    ///< world
+    bool far = false;    ///< edge of the far plane
 };
 
-/// The twelve edges of what a light's view covers, near plane to far plane.
+/// Returns the twelve edges of a light view's frustum.
 std::vector<Segment> frustum_edges(const LightView& view);
 
-/// The part of a segment in front of the camera, in pixels (0,0 at the top left); nothing when all is behind it.
+/// Returns the part of a segment in front of the camera, in pixels (0, 0 at the top left); nothing if all is behind it.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> project_segment(const Camera& camera, glm::dvec3 from, glm::dvec3 to,
                                                                  int width, int height);
 

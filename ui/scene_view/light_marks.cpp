@@ -21,7 +21,7 @@ namespace {
 constexpr ImU32 kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
 constexpr int kRest = 70;  ///< opacity of lines while nobody reaches for the light, of 255
-// How far the pointer to a light outside stays from the picture's edges, pixels at scale 1.
+// Distance of the pointer to a light outside from the picture's edges, pixels at scale 1.
 constexpr double kEdge = 12, kCaptionEdge = 42;
 
 std::string_view help(LightHandle h, LightType type) {
@@ -80,7 +80,7 @@ void draw_circle(const PicturePainter& p, const glm::dvec3& centre, const glm::d
     for (int i = 0; i < kRimSegments; ++i) p.line(at(i), at(i + 1), colour, 1.2);
 }
 
-/// Where a spot light's cone leaves the sphere of this radius.
+/// Draws the circle in which a spot light's cone leaves the sphere of this radius.
 void draw_rim(const PicturePainter& p, const LightPose& pose, double radius, ImU32 colour) {
     const double half = half_cone_rad(pose.settings);
     const glm::dmat3 axes = orthonormal_basis(pose.to_light) * (radius * std::sin(half));

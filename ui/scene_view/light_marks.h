@@ -1,4 +1,4 @@
-// How lights and their handles look in the scene picture.
+// Drawing of lights and their handles in the scene picture.
 #pragma once
 
 #include "ui/scene_view/light_drag.h"
@@ -6,18 +6,19 @@
 
 namespace si {
 
-/// Frustum, place, cone and aim of the light whose handles are shown; at the picture's edge a pointer to a light
-/// outside.
-/// @param busy it is hovered or dragged: else its lines are faint
+/// Draws frustum, place, cone and target of the shown light. A light outside gets a pointer at the picture's edge.
+/// @param busy the light is hovered or dragged; else its lines are faint
 void draw_shown_light(const PicturePainter& painter, const LightPose& pose, bool busy, bool pointer_hovered);
-/// Where that pointer stands; nothing when the light is in the picture.
+/// Returns the place of that pointer, pixels; nothing if the light is in the picture.
 std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView& view);
-/// A faint frustum and a mark where the light stands.
+/// Draws a faint frustum and a mark at the light's place.
 void draw_other_light(const PicturePainter& painter, const LightPose& pose, const FittedLight& fitted, bool hovered);
 
+/// Draws the handles of the shown light.
 void draw_handles(const PicturePainter& painter, const LightPose& pose, std::optional<LightHandle> hovered);
-/// What a drag changes, beside the handle.
+/// Draws the numbers that a drag changes, next to the handle.
 void draw_numbers(const PicturePainter& painter, const LightPose& pose, LightHandle handle, int map_resolution);
+/// Draws the tooltip of a hovered handle.
 void handle_tooltip(const LightPose& pose, LightHandle handle);
 
 }  // namespace si

@@ -9,7 +9,7 @@ namespace si {
 namespace {
 
 struct LocalRay {
-    glm::dvec3 origin, direction;  ///< of any length: what is measured along it is the same in all coordinates
+    glm::dvec3 origin, direction;  ///< of any length, so that distances along it are the same in all coordinates
     double begin;
 };
 

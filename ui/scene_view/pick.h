@@ -1,4 +1,4 @@
-// What of the scene lies under the mouse.
+// Picking of scene objects by rays.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// The path of the node whose triangle the ray meets first, whichever side it shows; holes of masked materials count as
-/// solid. Empty when it meets none. Takes time in proportion to the triangles of the objects whose boxes it meets.
+/// Returns the path of the node whose triangle the ray hits first; empty: none. Both sides count, and holes of masked
+/// materials are solid. The time is proportional to the triangles of objects whose boxes the ray hits.
 std::string object_at(const Scene& scene, const Ray& ray);
 
 }  // namespace si

@@ -26,13 +26,13 @@ bool is_pinned(const EditorState& state) {
     return !state.comparison.reference && state.compare.kind == CompareKind::Pinned;
 }
 
-/// What stands at each side: what was pinned was there first.
+/// Returns the name of the shown settings' side. Pinned settings are A, because they were first.
 std::string visible_side(const EditorState& state) {
     return is_pinned(state) ? "B: shown settings" : "A: shown settings";
 }
 
 std::string other_label(const EditorState& state, const EditorFrame& frame) {
-    if (state.comparison.reference) return "ray-traced truth";
+    if (state.comparison.reference) return "ray-traced reference";
     if (state.compare.kind == CompareKind::Pinned) return "pinned A";
     if (state.compare.kind == CompareKind::Scene) return "the scene's own settings";
     if (state.compare.kind == CompareKind::Defaults) return "the program's defaults";
@@ -87,7 +87,7 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
     ImGui::BeginDisabled(state.flicker.has_value());
     if (begin_combo("##against what", other_label(state, frame))) {
         bool picked = false;
-        if (ImGui::Selectable("ray-traced truth", a.reference)) a.reference = picked = true;
+        if (ImGui::Selectable("ray-traced reference", a.reference)) a.reference = picked = true;
         const auto other = [&](const char* text, const CompareWith& with) {
             if (!ImGui::Selectable(text, !a.reference && state.compare == with)) return;
             a.reference = false;
@@ -107,7 +107,7 @@ void comparison_other_widget(EditorState& state, const EditorFrame& frame, float
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
-            "The other side: light, maps, bias, filter and shading of a preset, or the traced truth of the\n"
+            "The other side: light, maps, bias, filter and shading of a preset, or the traced reference of the\n"
             "shown light, under the same camera. Choosing one begins to compare");
 }
 

@@ -1,4 +1,4 @@
-// What the picture shown is held against: how, and what is known of it.
+// Comparison of the shown picture with another one.
 #pragma once
 
 #include <string>
@@ -7,21 +7,23 @@
 
 namespace si {
 
-/// What the picture shown is held against, and how. Alone: the other one is all that is seen, while a key is held.
+/// Arrangement of both pictures. Alone: only the other picture, while a key is held.
 enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
+/// State of the comparison.
 struct PictureComparison {
     ComparisonView view = ComparisonView::Off;
-    bool reference = true;  ///< the ray-traced truth; else what EditorState::compare names
-    float at = 0.5f;        ///< where the swipe's line stands: share of the picture's width, what is shown on its left
-    bool held = false;      ///< the line is being dragged
+    bool reference = true;  ///< compares with the ray-traced reference; else with the settings of PictureState::compare
+    float at = 0.5f;    ///< place of the swipe's line, share of the picture's width; the shown picture is left of it
+    bool held = false;  ///< the line is being dragged
 };
 
-/// The picture that the one shown is held against.
+/// The other picture.
 struct PictureComparisonFacts {
-    Image picture, difference;  ///< without a texture: not there yet
-    std::string label;          ///< what it shows: "Truth", "PCF 5x5"
-    std::string problem;        ///< why there is none
-    double mae = 0;             ///< mean |A - B| of the pictures' channels, 0..1; with the difference
+    Image picture;        ///< without a texture: not there yet
+    Image difference;     ///< without a texture: not there yet
+    std::string label;    ///< name of the other side: "Truth", "PCF 5x5"
+    std::string problem;  ///< reason why there is no picture
+    double mae = 0;       ///< mean |A - B| of the pictures' channels, 0..1; valid with `difference`
 };
 
 }  // namespace si

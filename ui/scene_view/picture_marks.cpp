@@ -16,7 +16,7 @@
 namespace si {
 namespace {
 
-constexpr float kLoupeFactor = 8;  ///< of a pixel, at scale 1
+constexpr float kLoupeFactor = 8;  ///< size of an enlarged pixel at scale 1
 constexpr ImU32 kLoupeGrid = IM_COL32(0, 0, 0, 70);
 
 }  // namespace
@@ -104,7 +104,7 @@ void veiled_text(ImVec2 at, const std::string& text, ImU32 colour) {
     list.AddText(at, colour, text.c_str());
 }
 
-/// What a colour of artefacts stands for.
+/// Returns the cause that a colour of the artefact overlay stands for.
 std::string artefact_of(const glm::vec3& colour) {
     constexpr float kAlike = 0.01f;
     for (const ArtefactStyle& style : artefact_styles()) {

@@ -1,4 +1,4 @@
-// Marks over one scene picture: the probed pixel, the pixels that read a texel, numbers under the mouse.
+// Marks over one scene picture: the probed pixel, readers of a texel, numbers under the mouse.
 #pragma once
 
 #include <imgui.h>
@@ -12,18 +12,19 @@ namespace si {
 
 // `origin` and `size` are the picture's place on the screen.
 
+/// Draws a cross at the probed pixel.
 void draw_probe_mark(const EditorState& state, const FrameResult& result, ImVec2 origin, ImVec2 size);
 
-/// The pixels whose kernels read the texel under the mouse in the map viewer.
+/// Marks the pixels whose kernels read the texel under the mouse in the map viewer.
 void draw_readers(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
-/// The pixel under the mouse and the value of the pane's overlay there.
+/// Draws the coordinates of the pixel under the mouse and the overlay's value there.
 void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel);
 
-/// The pixels around state.loupe_pixel, large, with a grid, the middle one's colour and visibility, in a corner.
+/// Draws the enlarged pixels around state.loupe_pixel in a corner, with colour and visibility of the middle one.
 void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size);
 
-/// Text on a picture, readable over anything.
+/// Draws text on a dark veil, readable over any picture.
 void veiled_text(ImVec2 at, const std::string& text, ImU32 colour = theme::kOnPicture);
 
 }  // namespace si

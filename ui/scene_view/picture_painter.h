@@ -9,28 +9,31 @@
 
 namespace si {
 
+/// Painter of one scene picture.
 class PicturePainter {
 public:
-    /// Both must outlive the painter.
+    /// The arguments outlive the painter.
     PicturePainter(const PictureView& view, ImDrawList& list) : view_(view), list_(list) {}
 
     const PictureView& view() const { return view_; }
     ImDrawList& list() const { return list_; }
-    /// Pixels of the screen that are `units` at scale 1.
+    /// Returns `units` of scale 1 in pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }
 
-    /// A line with a dark edge, so that it shows on any picture; `width` at scale 1.
+    /// Draws a line with a dark edge, visible on any picture. @param width at scale 1
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.4) const;
-    /// A line without an edge: for many, or for faint ones.
+    /// Draws a line without an edge, for many or faint lines.
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
+    /// Draws a dashed line. @param width at scale 1
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
+    /// Draws a filled circle. @param at pixels @param radius at scale 1
     void dot(const glm::dvec2& at, double radius, ImU32 colour) const;
 
-    /// Text on a dark veil with its upper left corner at `at`, moved as far as it takes to stay in the picture.
+    /// Draws text on a dark veil with its upper left corner at `at`, moved into the picture if it would leave it.
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 
 private:
-    /// The part of a segment that is seen, pixels.
+    /// Returns the part of a segment inside the picture, pixels.
     std::optional<std::pair<glm::dvec2, glm::dvec2>> visible(const glm::dvec3& from, const glm::dvec3& to) const;
 
     const PictureView& view_;
@@ -41,7 +44,7 @@ inline ImVec2 to_imgui(const glm::dvec2& p) {
     return {float(p.x), float(p.y)};
 }
 
-/// The same hue, `alpha` of 255 as opaque.
+/// Returns the colour with another alpha, 0..255.
 constexpr ImU32 faded(ImU32 colour, unsigned alpha) {
     return (colour & ~IM_COL32_A_MASK) | (alpha << IM_COL32_A_SHIFT);
 }

@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-constexpr double kNearerShare = 1e-3;  ///< of the distance: a surface so much nearer is another one
+constexpr double kNearerShare = 1e-3;  ///< share of the distance by which another surface is nearer
 constexpr double kNearerPixels = 2;    ///< or by so many of the picture's pixels there
 
 }  // namespace

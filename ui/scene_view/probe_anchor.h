@@ -1,4 +1,4 @@
-// A probe sticks to the surface that was probed, wherever a camera that moves takes it; what a loupe shows of it.
+// Surface point that a probe follows while the camera moves, and the pixels that the loupe shows.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,31 +14,33 @@ struct Probe;
 
 /// A probed point of a surface.
 struct ProbeAnchor {
-    glm::dvec3 position_ws{0}, normal_ws{0, 1, 0};
+    glm::dvec3 position_ws{0};
+    glm::dvec3 normal_ws{0, 1, 0};
     std::string scene;    ///< EditorState::scene_name
-    glm::ivec2 pixel{0};  ///< where it was seen last: that is the probed pixel, or another one was chosen since
+    glm::ivec2 pixel{0};  ///< pixel of the point in the last frame; another probed pixel was chosen by hand
 };
 
-/// Where a camera sees it.
+/// Visibility of an anchor in the picture.
 enum class AnchorPlace {
     Seen,
     Hidden,   ///< behind another surface, which is probed in its place
-    Outside,  ///< beside the picture or behind the camera: nothing is probed
+    Outside,  ///< outside the picture or behind the camera; nothing is probed
 };
 
-/// The pixel of a picture of this size, row 0 at the top, that the point lies in; none where it is not in the picture.
+/// Returns the point's pixel in a picture of this size, row 0 at the top; nothing if it is outside.
 std::optional<glm::ivec2> anchored_pixel(const ProbeAnchor& anchor, const Camera& camera, int width, int height);
 
-/// Whether a probe of that pixel found a surface before the point.
+/// Returns true if the probe of its pixel has hit a nearer surface than the point's.
 bool hides(const Probe& probe, const ProbeAnchor& anchor);
 
-/// Pixels of a picture as the renderer drew them.
+/// Pixels of the renderer's picture for the loupe.
 struct LoupeFacts {
-    glm::ivec2 at{0};                 ///< in the middle
-    ByteImage pixels;                 ///< kLoupeReach on each side of it; what is outside of the picture has alpha 0
-    std::optional<float> visibility;  ///< of the shown light; none: there is no surface
+    glm::ivec2 at{0};                 ///< pixel in the middle
+    ByteImage pixels;                 ///< kLoupeReach pixels on each side of it; alpha is 0 outside the picture
+    std::optional<float> visibility;  ///< visibility of the shown light; none: no surface
 };
 
+/// Pixels of the loupe on each side of its middle.
 inline constexpr int kLoupeReach = 8;
 
 }  // namespace si

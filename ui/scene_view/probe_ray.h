@@ -1,4 +1,4 @@
-// The way of light to the probed pixel, as the shadow test sees it.
+// Ray from the light to the probed pixel, as the shadow test sees it.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,14 +8,15 @@
 
 namespace si {
 
+/// Ray of a shadow test.
 struct ProbeRay {
     glm::dvec3 from{0};      ///< world; the light, or for parallel rays a point of the near plane
-    glm::dvec3 occluder{0};  ///< at the stored depth of the texel; `to` when nothing is stored before the surface
-    glm::dvec3 to{0};        ///< the surface
+    glm::dvec3 occluder{0};  ///< world; point at the texel's stored depth; `to` if nothing nearer is stored
+    glm::dvec3 to{0};        ///< world; point of the surface
     bool blocked = false;    ///< the stored depth keeps light from the surface
 };
 
-/// Nothing when the light has no map or the surface lies behind it.
+/// Returns the ray of one light; nothing if the light has no map, or the surface is behind it.
 std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& light, const FittedLight& fitted);
 
 }  // namespace si

@@ -45,7 +45,7 @@ std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& f
     return {};
 }
 
-/// Whether the step from a surface along its normal is long enough on the screen to be drawn.
+/// Returns true if the normal offset is long enough on the screen to be drawn.
 bool shows_offset(const PictureView& view, const ProbeRay& ray, const Probe::PerLight& p) {
     const auto surface = view.point(ray.to), moved = view.point(p.offset_position_ws);
     return p.normal_offset_m > 0 && surface && moved && glm::distance(*surface, *moved) > kLeastTick * view.ui_scale;

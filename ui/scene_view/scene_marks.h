@@ -1,5 +1,4 @@
-// What is drawn over the scene picture besides the lights: boxes, the frozen camera, the ray to the probed pixel,
-// words.
+// Marks over the scene picture: boxes, the frozen camera, the ray to the probed pixel, captions.
 #pragma once
 
 #include "ui/scene_view/picture_painter.h"
@@ -7,23 +6,22 @@
 
 namespace si {
 
-/// All marks that belong over a picture of the scene: those below and the lights.
+/// Draws all marks of this file and the lights.
 void draw_scene_marks(const PicturePainter& painter, const EditorState& state, const EditorFrame& frame);
 
-/// The boxes of the selected objects with the first one's name, and of the row of the list under the mouse.
+/// Draws the boxes of the selected objects, with the first one's name, and of the hovered row of the list.
 void draw_selection(const PicturePainter& painter, const EditorState& state, const Scene& scene);
-/// The boxes of what casts, as the light fit sees them; at most kMostBoxes.
+/// Draws the boxes of casters that the light fit uses; at most kMostBoxes.
 void draw_caster_bounds(const PicturePainter& painter, const Scene& scene, const Settings& settings);
 inline constexpr int kMostBoxes = 2000;
 
-/// The frustum of the frozen camera, unless the view is still the same.
+/// Draws the frustum of the frozen camera, unless the view is the same.
 void draw_frozen_camera(const PicturePainter& painter, const Camera& frozen);
 
-/// The ray from the shown light to the probed pixel: lit up to the occluder, shadowed behind it.
+/// Draws the ray from the shown light to the probed pixel: lit up to the occluder, shadowed behind it.
 void draw_probe_ray(const PicturePainter& painter, const EditorState& state, const EditorFrame& frame);
 
-/// What is out of the ordinary about the picture, in its upper right corner: a frozen camera, the view through a light,
-/// the colours of the ray.
+/// Draws captions in the upper right corner: a frozen camera, the view through a light, the colours of the ray.
 void draw_captions(const PicturePainter& painter, const EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The menu of the object under the mouse in the scene picture.
+// Context menu of the object under the mouse in the scene picture.
 #pragma once
 
 #include "ui/scene_view/picture_view.h"
@@ -6,10 +6,9 @@
 
 namespace si {
 
-/// A right button that was pressed and released in one place over the picture, which is the item drawn last, opens the
-/// menu; a drag with it flies.
+/// Opens the menu on a right click. Call right after the picture's item. A drag with the right button flies instead.
 void open_scene_menu(EditorState& state, const EditorFrame& frame, const PictureView& view);
-/// While it is open. What it changes it changes of all chosen objects.
+/// Draws the menu while it is open. Its items act on all selected objects.
 void draw_scene_menu(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

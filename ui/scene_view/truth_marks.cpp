@@ -1,4 +1,4 @@
-// What the panels say of the ray-traced truth: how far it is, and what the colours of the artefact overlay mean.
+// Progress of the ray-traced reference, and the legend of the artefact overlay.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -19,7 +19,7 @@ std::string reference_status(const EditorFrame& frame) {
     if (!t.doing.empty()) return fmt::format("{} … {} %", t.doing, int(t.progress * 100));
     if (!t.problem.empty()) return t.problem;
     if (t.lacks_light_map) return "The light map of this scene and light is not baked yet.";
-    if (!t.current) return "The truth about this view is not traced yet.";
+    if (!t.current) return "The reference of this view is not traced yet.";
     std::string text = fmt::format("{} × {} pixels, {:.2f} million rays", t.width, t.height, double(t.rays) * 1e-6);
     if (t.trace_ms > 0) text += fmt::format(", traced in {:.0f} ms", t.build_ms + t.place_ms + t.trace_ms);
     if (!t.noise.empty()) text += ", " + t.noise;
@@ -37,7 +37,7 @@ void draw_artefact_legend(const LiveError* error, float left, float bottom, floa
         const std::size_t n = error->metrics.counted;
         return n == 0 ? std::string("0") : fmt::format("{}   {:.2f} %", pixels, 100.0 * double(pixels) / double(n));
     };
-    // Those that no pixel has are left out: fourteen lines would hide a quarter of a small picture.
+    // Causes without a pixel are left out, because fourteen lines would hide a quarter of a small picture.
     for (const ArtefactStyle& style : artefact_styles())
         if (!error || error->metrics.artefacts[std::size_t(style.artefact)] > 0)
             lines.push_back({theme::rgb(style.rgb), std::string(style.label),

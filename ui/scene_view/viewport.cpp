@@ -95,7 +95,7 @@ void select_probed(EditorState& state, const EditorFrame& frame) {
     state.viewport.select_probed = false;
 }
 
-/// What stands where there is no picture.
+/// Draws the reason in place of a missing picture.
 void no_picture(const EditorState& state, const EditorFrame& frame, ImVec2 origin, ImVec2 size) {
     const float em = ImGui::GetFontSize();
     if (frame.drawing) {
@@ -117,7 +117,7 @@ void no_picture(const EditorState& state, const EditorFrame& frame, ImVec2 origi
 struct Panorama {
     PaneGrid grid;  ///< in pixels of the pictures
     ImVec2 origin;
-    float pixels;  ///< of a picture per unit of the screen
+    float pixels;  ///< pixels of a picture per unit of the screen
     ImVec2 lo(int pane) const {
         const glm::vec2 corner = glm::vec2(grid.corner(pane)) / pixels;
         return {origin.x + corner.x, origin.y + corner.y};
@@ -174,7 +174,7 @@ void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wante
     if (state.probe_anchor &&
         (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
         state.probe_anchor.reset();
-    // As probes are: one that was told for another picture lies within this one.
+    // A pixel chosen in a picture of another size is clamped into this one, as probes are.
     if (state.probe_pixel && !state.probe_anchor && settled)
         state.probe_pixel = glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::max(wanted, 1) - 1);
     if (!state.probe_pixel || !frame.probe) return;
@@ -195,7 +195,7 @@ std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFram
     return frame.anchor_place == AnchorPlace::Outside ? std::nullopt : state.probe_pixel;
 }
 
-/// What the shown light was fitted, or null.
+/// Returns the shown light's fit; null: there is none.
 const FittedLight* shown_fit(const EditorState& state, const FrameResult& result) {
     const int light = shown_light(state.settings);
     return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
@@ -268,7 +268,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         "scene picture", size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
-    // What was clicked last has the arrow keys.
+    // The picture or panel that was clicked last has the arrow keys.
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.keyboard.probe_has_arrows = ImGui::IsItemHovered();
     follow_probe(state, frame, {panes.grid.width, panes.grid.height});
     steer(state, frame, requests, panes);

@@ -27,11 +27,11 @@ namespace {
 
 constexpr float kPictures = 10;        ///< least height of the pictures that the tabs below leave, ems
 constexpr float kTabs = 13;            ///< height of the tabs below, ems
-constexpr float kHighTabs = 18;        ///< of those with a drawing, a plot or many numbers
+constexpr float kHighTabs = 18;        ///< height of tabs with a drawing, a plot or many numbers, ems
 constexpr float kAllTabs = 40;         ///< width in which all of them have room, ems
 constexpr float kEveryday = 24.6f;     ///< height in which the settings of every day need no scrolling, ems
 constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
-constexpr float kMapPlots = 6.5f;      ///< of its plots
+constexpr float kMapPlots = 6.5f;      ///< height of the plots under the map, ems
 constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
 constexpr float kFindingTexels = 24;   ///< width of the map viewer about a texel of a finding, texels
 constexpr float kSplitter = 5;         ///< at scale 1, pixels
@@ -128,7 +128,9 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     tab(state, BottomTab::Probe, "Probe", [&] { draw_probe(state, frame, requests); });
     tab(state, BottomTab::Error, "Error", [&] { draw_error(state, frame, requests); });
     tab(state, BottomTab::Objects, "Objects", [&] { draw_objects(state, frame); });
-    tab(state, BottomTab::Compare, "Compare", [&] { draw_compare(state, frame, requests); });
+    tab(state, BottomTab::Compare, "Compare", [&] {
+        draw_compare(state.compare, state.settings, state.pinned, state.scene_name, frame.comparison, frame, requests);
+    });
     tab(state, BottomTab::Frontier, "Frontier", [&] { draw_frontier(state, frame, requests); });
     tab(state, BottomTab::Advice, "Advice",
         [&] { draw_advice_panel(state.advice, state.settings, frame.scene != nullptr, frame, requests); });
@@ -251,12 +253,12 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::EndGroup();
 }
 
-/// How much of that width the settings may have: half of it, but of a narrow window a third.
+/// Returns the largest width of the settings' column: half of the window, a third of a narrow one.
 float most_settings(float width) {
     return std::clamp(width - kBesideSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
 
-/// What a tab needs, ems. Never less than others, so that a click on a pixel, which opens one, finds room for it.
+/// Returns the height that a tab needs, ems. Tabs that a click in the picture opens have the same height.
 float needed_height(BottomTab tab) {
     constexpr BottomTab kHigh[] = {BottomTab::Probe, BottomTab::Error, BottomTab::Frontier};
     return std::ranges::find(kHigh, tab) != std::end(kHigh) ? kHighTabs : kTabs;
@@ -278,7 +280,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     ImGui::BeginGroup();
     draw_strips(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
-    // Where there is little room the tabs below give way to the pictures.
+    // In a small window the tabs below give way to the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
     const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.window.fitted_tab);
     const float bottom = std::clamp(wanted * em, em * 4, most);
@@ -325,7 +327,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     use_result(frame.result);
     if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
     play_on(state, frame, double(ImGui::GetIO().DeltaTime));
-    // What is clicked in this very frame, as where frames are slow, may be a field that the letters are for.
+    // A click in this frame may enter a text field that the letters are for, if frames are slow.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
     state.lights.listed = false;

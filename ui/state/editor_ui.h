@@ -13,7 +13,7 @@
 #include "ui/map_view/map_panel.h"
 #include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
-#include "ui/panels/compare.h"
+#include "ui/panels/compare_panel.h"
 #include "ui/panels/cures.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/error_panel.h"
@@ -145,7 +145,7 @@ struct EditorFrame : ProbeFacts,
 
 /// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
-                        ReferenceActions,
+                        ReferenceRequests,
                         PresetRequests,
                         SweepRequests,
                         TuneRequests,

@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// Which of several a change is of: "Tower: ", "Light 2: ".
+/// Returns the owner of a changed setting: "Tower: ", "Light 2: ".
 std::string whose(const Settings& settings, const SettingRef& ref) {
     if (!ref.object.empty()) return ref.object.substr(ref.object.rfind('/') + 1) + ": ";
     if (ref.param->scope == Scope::Light && settings.light_count > 1) return light_title(settings, ref.light) + ": ";

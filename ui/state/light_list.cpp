@@ -22,7 +22,7 @@ double clearance(const Settings& s, double azimuth) {
     return least;
 }
 
-/// Where a light stands apart from the others: the first of some turns that is, else the best of them.
+/// Returns a direction apart from all other lights: the first of some turns that is far enough, else the best one.
 double free_azimuth(const Settings& s, double from) {
     double best = from, most = -1;
     for (int turn = 1; turn < kTurns; ++turn) {

@@ -6,6 +6,7 @@
 #include "renderer/base/lengths_text.h"
 #include "ui/scene_view/picture_view.h"
 #include "ui/state/editor_ui.h"
+#include "ui/state/scene_label.h"
 #include "ui/state/shown_light.h"
 #include "ui/widgets/progress_bar.h"
 
@@ -25,8 +26,6 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
 void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the tree of the scene's nodes with their settings.
 void draw_objects(EditorState& state, const EditorFrame& frame);
-/// Draws the settings that differ from the compared ones.
-void draw_compare(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the frontier of error against time, and the sweep that measures it.
 void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 /// Draws the overview of mouse and keyboard, while state.window.show_shortcuts.
@@ -102,8 +101,5 @@ void maximise(EditorState& state, Panel panel);
 void draw_status_bar(EditorState& state, const EditorFrame& frame);
 /// Returns the height of that line, pixels.
 float status_bar_height();
-
-/// Returns a built-in scene's label, or a file's name without its folders; "No scene" for an empty name.
-std::string scene_label(const std::string& name_or_path);
 
 }  // namespace si

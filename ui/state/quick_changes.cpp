@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// The middle of the texel that holds it.
+/// Returns the centre of the texel that contains `at`, 0..1.
 double middle(double at, int texels) {
     return (std::floor(at * texels) + 0.5) / texels;
 }
@@ -60,7 +60,7 @@ void scale_resolution(Settings& settings, bool twice) {
 
 namespace {
 
-/// The verdict of the probed pixel is of an earlier picture, or not there yet, or a pixel is being looked for.
+/// Returns true while the probed pixel's verdict is of an earlier picture or not there yet, or a pixel is searched.
 bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
     if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
     if (!state.probe_pixel) return false;

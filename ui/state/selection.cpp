@@ -15,7 +15,7 @@ int node_of(const Scene& scene, const std::string& path) {
     return -1;
 }
 
-/// What a node places, in its own coordinates; mesh bounds are local.
+/// Returns the bounds of a node's mesh in the node's own coordinates.
 Bounds local_bounds(const Scene& scene, int node) {
     Bounds all;
     for (const Object* o : all_objects(scene))
@@ -48,7 +48,7 @@ void set_switch(Settings& s, const std::string& path, const char* key, bool on) 
     if (const auto ref = find_setting("object." + path + "." + key)) set_value(s, *ref, on);
 }
 
-/// Of the settings as they were, since setting them changes their list.
+/// Returns the objects with this setting off, as a copy, because setting them changes the list.
 std::vector<std::string> paths_where(const Settings& settings, bool ObjectSettings::*off) {
     std::vector<std::string> paths;
     for (const auto& [path, own] : settings.objects)

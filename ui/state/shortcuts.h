@@ -13,7 +13,7 @@ struct EditorRequests;
 
 /// Something that a person triggers by a key. Most have a menu item or a button, too.
 enum class Command {
-    MouseGesture,  ///< of rows without a key, which only the overview reads
+    MouseGesture,  ///< row without a key, for the overview only
     FlyForwards,
     FlyBackwards,
     FlyLeft,
@@ -94,8 +94,8 @@ enum class Modifier { Up, Down, Any };
 struct Chord {
     const char* name = "";  ///< "F11", "1 to 9"
     bool mapped = false;    ///< the codes are ImGuiKey values; else codes of the window (GLFW), which equal ASCII
-    int first = 0;          ///< code of the first key; 0: no key, a mouse gesture
-    int last = 0;           ///< code of the last key of the range
+    int first = -1;         ///< code of the first key; -1: no key, a mouse gesture
+    int last = -1;          ///< code of the last key of the range
     Modifier ctrl = Modifier::Up;
     Modifier shift = Modifier::Any;
     Modifier alt = Modifier::Any;
@@ -114,7 +114,7 @@ struct Shortcut {
     Command command = Command::MouseGesture;
     Chord chord;
     When when = When::Ready;
-    const char* label = "";                           ///< what the key does; empty: as the row before
+    const char* label = "";                           ///< effect of the key; empty: as in the row before
     void (*action)(const CommandContext&) = nullptr;  ///< null: is_held() is polled, or a mouse gesture
     bool repeats = false;                             ///< acts again while the key is held
     bool joined = false;                              ///< shares its line of the overview with the row before

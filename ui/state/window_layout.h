@@ -20,8 +20,8 @@ inline constexpr int kBottomTabs = index_of(BottomTab::Log) + 1;
 /// Places of the splitters, and the theme. The workspace keeps them. Sizes are in ems (heights of the font), so that
 /// they survive a change of scale.
 struct EditorLayout {
-    float settings_width = 24;  ///< of the settings' column
-    float bottom_height = 0;    ///< of the tabs below; 0: as high as the tab needs that was chosen by hand
+    float settings_width = 24;  ///< width of the settings' column
+    float bottom_height = 0;    ///< height of the tabs below; 0: the need of the tab that was chosen by hand last
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;      ///< share of the settings' column, for AboveSettings
     float map_share = 0.40f;      ///< share of the width left of the settings, for BesideScene

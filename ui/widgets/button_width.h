@@ -1,11 +1,11 @@
-// How wide buttons are, before they are drawn.
+// Width of buttons before they are drawn.
 #pragma once
 
 #include <imgui.h>
 
 namespace si {
 
-/// Of a button with that label, pixels.
+/// Returns the width of a button with that label, pixels.
 inline float button_width(const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }

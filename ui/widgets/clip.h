@@ -1,4 +1,4 @@
-// Segments cut to a rectangle.
+// Clipping of segments to a rectangle.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +8,8 @@
 
 namespace si {
 
-/// The part of a segment inside a rectangle; nothing when all is outside. Liang and Barsky, A New Concept and Method
-/// for Line Clipping, ACM TOG 3(1), 1984.
+/// Returns the part of a segment inside a rectangle; nothing if all is outside. Liang and Barsky, A New Concept and
+/// Method for Line Clipping, ACM TOG 3(1), 1984.
 inline std::optional<std::pair<glm::dvec2, glm::dvec2>> clip_to_box(const glm::dvec2& from, const glm::dvec2& to,
                                                                     const glm::dvec2& lo, const glm::dvec2& hi) {
     const glm::dvec2 way = to - from;

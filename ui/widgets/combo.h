@@ -1,4 +1,4 @@
-// Combos that a press opens at once, and whose text ends in an ellipsis where its room does.
+// Combos that open at the first press, with an ellipsis in texts that do not fit.
 #pragma once
 
 #include <imgui.h>
@@ -10,15 +10,15 @@
 
 namespace si {
 
-/// The press is on the last item, but closes a menu or a list that is open elsewhere: ImGui lets it do nothing else.
+/// Returns true if a press on the last item only closes a popup elsewhere. ImGui ignores such a press otherwise.
 inline bool pressed_beside_popup() {
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) &&
            !ImGui::GetTopMostPopupModal() && !ImGui::IsItemHovered() &&
            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
 }
 
-/// ImGui::BeginCombo(), which `EndCombo()` follows where it returns true. The press that closes another list opens this
-/// one.
+/// Draws a combo as ImGui::BeginCombo() does; if it returns true, call ImGui::EndCombo(). A press that closes another
+/// list opens this one.
 inline bool begin_combo(const char* label, const std::string& shown, ImGuiComboFlags flags = 0) {
     const float room = ImGui::CalcItemWidth() - ImGui::GetFrameHeight() - ImGui::GetStyle().FramePadding.x;
     if (ImGui::BeginCombo(label, beginning_that_fits(shown, room, ImGui::GetFont()).c_str(), flags)) return true;

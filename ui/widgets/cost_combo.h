@@ -1,11 +1,11 @@
-// Chooses of which frames a time is.
+// Choice of the kind of frames that are timed.
 #pragma once
 
 #include "renderer/measure/frame_costs.h"
 
 namespace si {
 
-/// A combo on a line of its own. @param label before it, such as "Times"
+/// Draws a combo on a line of its own. @param label text before it, such as "Times"
 void choose_cost(const char* label, CostCase& cost);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Texts cut to a width, with an ellipsis where something is missing.
+// Texts cut to a width, with an ellipsis for the missing part.
 #pragma once
 
 #include <imgui.h>
@@ -8,16 +8,17 @@
 
 namespace si {
 
+/// Returns the width of a text, pixels.
 inline float text_width(const std::string& text, const ImFont* font) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
 }
 
-/// Inside a character of UTF-8.
+/// Returns true for the second and later bytes of a UTF-8 character.
 inline bool is_continuation(char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
 }
 
-/// Of a sentence its beginning matters most. @param width pixels
+/// Returns a text cut at its end, as for sentences. @param width pixels
 inline std::string beginning_that_fits(std::string text, float width, const ImFont* font) {
     if (text_width(text, font) <= width) return text;
     while (!text.empty() && text_width(text + "…", font) > width) {
@@ -27,7 +28,7 @@ inline std::string beginning_that_fits(std::string text, float width, const ImFo
     return text + "…";
 }
 
-/// Of a path the file's name matters most. @param width pixels
+/// Returns a text cut at its beginning, as for paths. @param width pixels
 inline std::string end_that_fits(std::string text, float width, const ImFont* font) {
     if (text_width(text, font) <= width) return text;
     for (std::size_t at = 1; at < text.size(); ++at)

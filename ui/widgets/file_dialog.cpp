@@ -123,7 +123,7 @@ std::vector<std::string> recent_folders(const EditorFrame& frame) {
     return folders;
 }
 
-/// Where to look, and for what.
+/// Draws the folder and the kind of files.
 void draw_places(FileDialog& d, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     if (ImGui::Button("Up")) read_folder(d, d.folder.parent_path());

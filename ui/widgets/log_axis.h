@@ -7,22 +7,26 @@
 
 namespace si {
 
+/// Ends and ticks of the axis.
 struct LogAxis {
-    double low = 0.1, high = 10;  ///< ends of the logarithmic part, 0 < low < high
-    bool zero = false;            ///< values of zero (or less) have a place before `low`
+    double low = 0.1;   ///< lower end of the logarithmic part, above 0
+    double high = 10;   ///< upper end of the logarithmic part, above `low`
+    bool zero = false;  ///< values of zero (or less) have a place before `low`
+    /// A line across the plot.
     struct Tick {
         double value = 0;
         std::string text;  ///< empty: a line without a number
     };
-    std::vector<Tick> ticks;  ///< within low..high, rising; zero first where it has a place
+    std::vector<Tick> ticks;  ///< within low..high, rising; zero first if it has a place
 
-    /// 0..1 along the axis; zero at 0, the logarithmic part from kZeroShare where zero has a place.
+    /// Returns the place of a value, 0..1. With a place for zero, that is 0, and the logarithmic part starts at
+    /// kZeroShare.
     double at(double value) const;
     static constexpr double kZeroShare = 0.07;
 };
 
-/// Values that are not finite do not count; without any the axis is that of the default. @param bytes they are: numbers
-/// are powers of two and parts of them, "512 KiB", "1.5 MiB"
+/// Returns an axis that holds all finite values; the default axis without any. @param bytes values are bytes: ticks are
+/// at powers of two, "512 KiB"
 LogAxis log_axis(std::span<const double> values, bool bytes = false);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The choice of an overlay, by what it is looked at for.
+// Choice of an overlay, grouped by purpose, and its keys.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace si {
 
-/// A combo for a row whose choices are the overlays. @param width of it, pixels. Returns whether it changed.
+/// Draws a combo for a setting whose values are overlays. Returns true if the value has changed. @param width pixels
 bool overlay_widget(Settings& settings, std::string_view key, float width);
 
-/// What is held while a digit is pressed.
+/// Modifier keys that are held with a digit.
 struct HeldKeys {
     bool shift = false, alt = false, ctrl = false;
 };
-/// The overlay that a digit of 1 to 9 stands for: its row + 1; of several keys held, or where there is none: 0.
+/// Returns the overlay of a digit, 1 to 9, as its row + 1; 0: none, or several modifiers are held.
 int overlay_of_digit(int digit, const HeldKeys& held);
-/// "4", "Shift+4": what is pressed for that row + 1; 0 for none.
+/// Returns the key of an overlay, given as its row + 1: "4", "Shift+4". "0" for none.
 std::string overlay_key(int number);
 
-/// The setting that holds the overlay of a pane, from the first on.
+/// Returns the key of the setting that holds a pane's overlay. @param pane index from 0
 std::string_view overlay_setting(int pane);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Text at the right end of what room there is, as numbers in tables stand.
+// Right-aligned text, for numbers in tables.
 #pragma once
 
 #include <imgui.h>
@@ -9,6 +9,7 @@
 
 namespace si {
 
+/// Draws text at the right end of the free width.
 inline void right_aligned(const std::string& text, ImU32 colour = theme::text()) {
     const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
     if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
@@ -17,7 +18,7 @@ inline void right_aligned(const std::string& text, ImU32 colour = theme::text())
     ImGui::PopStyleColor();
 }
 
-/// The same in the table's next column.
+/// Draws right-aligned text in the table's next column.
 inline void right_cell(const std::string& text, ImU32 colour = theme::text()) {
     ImGui::TableNextColumn();
     right_aligned(text, colour);

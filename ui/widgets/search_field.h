@@ -1,4 +1,4 @@
-// A field to search a list by.
+// Text field to search a list.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace si {
 
-/// A text field with a button that clears it while something is in it. Width: all that is left, less `leave` pixels.
-/// @param about what its tooltip says besides, such as "; other engines' names count too"
+/// Draws a text field over the free width, with a button that clears it. @param leave free pixels right of it
+/// @param about addition to its tooltip, such as "; other engines' names count too"
 void search_field(const char* id, const char* hint, std::string& text, float leave = 0, const char* about = "");
 
 }  // namespace si

@@ -39,7 +39,7 @@ std::string one_of(const std::string& unit) {
     return unit.size() > 3 && unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
 }
 
-/// As part of a printf format.
+/// Returns a text escaped for a printf format.
 std::string escaped(const std::string& text) {
     std::string out;
     for (const char c : text) out += c == '%' ? std::string("%%") : std::string(1, c);
@@ -156,7 +156,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     return true;
 }
 
-/// What the last frame took where the setting is 0 and that is automatic; NaN: not known.
+/// Returns the last frame's value of a setting that is 0 for automatic; NaN: not known.
 double automatic_value(const SettingRef& ref) {
     constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
     if (!result_in_use) return kUnknown;
@@ -172,7 +172,7 @@ double automatic_value(const SettingRef& ref) {
     return field == "near" ? light.views[0].curve.near : field == "far" ? light.views[0].curve.far : kUnknown;
 }
 
-/// Of depths and metres six digits after the point count: those that would need an exponent have them all written.
+/// Returns true for depths and metres that need an exponent, but have a digit within six decimals.
 bool is_tiny(double value) {
     return std::abs(value) >= 5e-7 && std::abs(value) < 1e-4;
 }
@@ -199,7 +199,7 @@ bool real(const SettingRef& ref, double& value, const std::string& unit, std::st
     const bool of_texels = counted_in == "texels";
     const std::string format = number_format(ref, value, unit, of_texels);
     if (p.slider_max > 0) {
-        // Of all depths or metres there are a bias takes a small part.
+        // Useful biases are a small part of the range of depths or metres.
         const double most = counted_in == "depth" ? 1 : p.slider_max;
         const ImGuiSliderFlags flags =
             p.logarithmic || !of_texels ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
@@ -232,7 +232,7 @@ bool text_input(const SettingRef& ref, std::string& value) {
     }
 }
 
-/// Whether the setting is without effect, and moving it by itself would not change that.
+/// Returns true if the setting has no effect, and changing it alone would not give it one.
 bool dead(Settings& settings, const SettingRef& ref) {
     if (without_effect(settings, ref).empty()) return false;
     const Param& p = *ref.param;

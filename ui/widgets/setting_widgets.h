@@ -10,43 +10,43 @@
 
 namespace si {
 
-/// The driver by which the widgets drawn from now on judge what has an effect; null: as if it could everything. The
-/// pointer has to last until the next call.
+/// Sets the driver by which widgets decide which settings have an effect; null: a driver that can do everything. The
+/// pointer has to be valid until the next call.
 void use_driver(const DriverInfo* driver);
 
-/// Likewise the scene, of which only is kept whether it has animations; null: as if it had.
+/// Sets the scene, of which only the presence of animations is kept; null: it has some.
 void use_scene(const Scene* scene);
 
-/// Likewise the frame, whose light and camera say what automatic values came to; null: not known.
+/// Sets the frame whose light and camera give the numbers of automatic values; null: not known. The pointer has to be
+/// valid until the next call.
 void use_result(const FrameResult* result);
 
-/// Why turning the setting changes nothing: for what that driver or scene lacks, or under the other settings. Empty
-/// when it acts.
+/// Returns the reason why a setting has no effect with this driver, scene or other settings; empty: it has one.
 std::string_view without_effect(const Settings& settings, const SettingRef& ref);
 
-/// What belongs to the widget that was drawn last and edits this setting: tooltip, and a menu on a right click. Returns
-/// whether the value changed.
+/// Adds tooltip and context menu of a setting to the last widget. Returns true if the value has changed.
 bool setting_menu(Settings& settings, const SettingRef& ref);
 
-/// The widget alone, `width` pixels wide (0: what is left). Returns whether the value changed.
-/// @param names what to choose from in place of a bare number; empty: nothing
+/// Draws the widget of a setting without its label. Returns true if the value has changed.
+/// @param width pixels; 0: the free width @param names choices in place of a plain number; empty: a number
 bool setting_widget(Settings& settings, const SettingRef& ref, float width = 0, const NamedValues& names = {});
-/// By dotted key; asserts that the key exists.
+/// Draws the widget of the setting with this dotted key, which has to exist.
 bool setting_widget(Settings& settings, std::string_view key, float width = 0);
 
-/// Label and widget in the two columns of the present table row.
+/// Draws label and widget of a setting in two table columns. Returns true if the value has changed.
 bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& names = {});
 
-/// What a group of settings is called, by the first part of its keys; the prefix itself where it has no name.
+/// Returns the label of a group of settings, given by the first part of its keys; without a label that prefix.
 std::string_view setting_group_label(std::string_view prefix);
 
-/// Whether the setting differs from its default.
+/// Returns true if the setting differs from its default.
 bool setting_changed(const Settings& settings, const SettingRef& ref);
 
-/// Goes on in the line when `width` more pixels fit, else starts the next one.
+/// Continues the line if `width` more pixels fit, else starts the next one.
 void flow(float width);
 
-/// A button that opens a popup below itself; BeginPopup(`popup`) has to follow. `width` is what the popup needs.
+/// Draws a button that opens a popup below itself; ImGui::BeginPopup(popup) has to follow. @param width of the popup,
+/// pixels
 void menu_button(const char* label, const char* popup, const char* hint, float width);
 
 }  // namespace si

@@ -1,11 +1,11 @@
-// A slider whose mark lies below its number, where ImGui's knob would stand over it.
+// Slider with its mark below the number, which ImGui's knob would cover.
 #pragma once
 
 #include <imgui.h>
 
 namespace si {
 
-/// As ImGui::SliderScalar(): dragged, or typed into after Ctrl+click.
+/// Draws a slider with the arguments of ImGui::SliderScalar(). Returns true if the value has changed.
 bool slider(const char* label, ImGuiDataType type, void* value, const void* least, const void* most, const char* format,
             ImGuiSliderFlags flags);
 

@@ -9,7 +9,7 @@
 
 namespace si::theme {
 
-/// What a theme is made of, but the states of widgets. Every text reads on every ground that it stands on
+/// Colours of a theme without those of widget states. Every text is readable on its background
 /// (tests/ui/theme_test.cpp).
 struct Colours {
     ImU32 text, muted, faint;
@@ -18,11 +18,12 @@ struct Colours {
     ImU32 accent;  ///< changed values
     ImU32 error, warning;
     ImU32 note;  ///< behind remarks to the person
-    ImU32 done;  ///< of a progress bar
-    ImU32 bar;   ///< of a plot
+    ImU32 done;  ///< filled part of a progress bar
+    ImU32 bar;   ///< bars of a plot
 };
+/// Returns the colours of the light or the dark theme.
 const Colours& colours(bool light);
-/// Of the theme in use.
+/// Returns the colours of the theme in use.
 const Colours& colours();
 
 inline ImU32 text() {
@@ -53,7 +54,7 @@ inline ImU32 warning() {
     return colours().warning;
 }
 
-// On pictures, whatever the theme: text over kVeil.
+// Text over kVeil on pictures, in both themes.
 inline constexpr ImU32 kOnPicture = IM_COL32(222, 222, 220, 255);
 inline constexpr ImU32 kMutedOnPicture = IM_COL32(170, 170, 168, 255);
 inline constexpr ImU32 kWarningOnPicture = IM_COL32(226, 180, 92, 255);
@@ -62,8 +63,8 @@ inline constexpr ImU32 kAxes[3] = {IM_COL32(222, 110, 98, 255), IM_COL32(126, 18
 
 // Marks in the scene picture and the map: one hue a thing, the same in both (tests/ui/theme_test.cpp keeps them apart).
 inline constexpr ImU32 kLight = IM_COL32(236, 186, 96, 255);     ///< frusta and handles
-inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< what light reaches
-inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< what is kept from it
+inline constexpr ImU32 kLit = IM_COL32(255, 244, 190, 255);      ///< lit parts
+inline constexpr ImU32 kShadowed = IM_COL32(92, 146, 236, 255);  ///< shadowed parts
 inline constexpr ImU32 kOffset = IM_COL32(240, 120, 170, 255);   ///< the normal offset
 inline constexpr ImU32 kLinked = IM_COL32(88, 218, 224, 255);    ///< under the mouse in the other picture
 inline constexpr ImU32 kProbed = IM_COL32(170, 226, 90, 255);    ///< the probed pixel and its texels

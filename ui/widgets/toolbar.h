@@ -1,4 +1,4 @@
-// A row of widgets that never wraps: what has no room waits in a menu at its end.
+// Row of widgets that never wraps. Widgets without room move into a menu at its end.
 #pragma once
 
 #include <functional>
@@ -7,20 +7,20 @@
 
 namespace si {
 
+/// Layout of one row.
 class Toolbar {
 public:
-    /// In what is left of the present line. @param id of the menu
-    /// @param kept_free at its right end, for others
+    /// Starts a row in the free part of the line. @param id of the menu @param kept_free pixels at its right end
     explicit Toolbar(const char* id, float kept_free = 0);
-    /// The next widget stands that far from the one before.
+    /// Sets the gap before the next widget, pixels.
     void space(float width) { space_ = width; }
-    /// A widget as wide as told, in the row or, from the first on that has no room, in the menu.
-    /// @param label stands before it; empty: it has one of its own
-    /// @param draw draws it in the width that is given; 0: its own
+    /// Adds a widget to the row; after the first one without room all go into the menu.
+    /// @param label text before it; empty: none @param width pixels
+    /// @param draw draws the widget in a given width; 0: in its own
     void item(const char* label, float width, std::function<void(float)> draw);
-    /// A line of text, left out where it has no room.
+    /// Draws a title, unless it has no room.
     void title(const char* text);
-    /// The menu's button, where something waits in it.
+    /// Draws the menu's button, if there is something in the menu.
     void end();
 
 private:
@@ -32,9 +32,9 @@ private:
     bool fits(float width);
 
     const char* id_;
-    float right_;  ///< of the row, on the screen
+    float right_;  ///< right end of the row, pixels of the screen
     bool first_ = true;
-    float space_ = -1;  ///< below 0: as usual
+    float space_ = -1;  ///< gap before the next widget, pixels; below 0: the usual one
     std::vector<Waiting> waiting_;
 };
 

@@ -1,4 +1,4 @@
-// What an item says while the mouse is over it.
+// Tooltips that cover no neighbour of their item.
 #pragma once
 
 #include <imgui.h>
@@ -9,10 +9,11 @@
 
 namespace si {
 
-inline constexpr float kTooltipGap = 0.3f, kTooltipWidth = 31;  ///< beside its item, and at most, ems
+inline constexpr float kTooltipGap = 0.3f;  ///< distance from the item, ems
+inline constexpr float kTooltipWidth = 31;  ///< largest width, ems
 
-/// Places the next tooltip so that it hides no neighbour of the last item: beside a narrow window as a list or a column
-/// of settings, below or above the item in a wide one as a toolbar. Where there is no room for either: as ImGui does.
+/// Places the next tooltip so that it covers no neighbour of the last item: next to a narrow window (a list, a column
+/// of settings), below or above the item in a wide one (a toolbar). Without room for either ImGui places it.
 inline void place_tooltip() {
     const float em = ImGui::GetFontSize(), gap = em * kTooltipGap, wide = em * kTooltipWidth;
     const ImVec2 screen = ImGui::GetIO().DisplaySize, lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
@@ -30,7 +31,8 @@ inline void place_tooltip() {
     }
 }
 
-/// In lines of at most so many pixels where words allow it. ImGui would break after points, too: in "map.resolution".
+/// Returns the text with line breaks at spaces. ImGui would break after points, too, as in "map.resolution".
+/// @param width largest width of a line, pixels
 inline std::string broken_at_spaces(std::string_view text, float width) {
     std::string out;
     std::size_t line = 0, word = 0;  // where in `out` the last line and the last word begin
@@ -50,7 +52,7 @@ inline std::string broken_at_spaces(std::string_view text, float width) {
     return out;
 }
 
-/// Of the last item, in lines of readable length; also where it is disabled.
+/// Draws the tooltip of the last item, in lines of readable length, also if it is disabled.
 inline void wrapped_tooltip(const std::string& text) {
     if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
     place_tooltip();
