@@ -346,7 +346,8 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     docs->add_option("WHAT", o.docs.what, "settings (the default), presets, metrics, hard-cases or techniques (draws)");
     auto* page =
         docs->add_option("-o,--output", o.docs.output, "The file (default: standard output)")->type_name("FILE");
-    docs->add_option("--only", o.docs.only, "Of techniques: write the row of one choice alone, the others stay")
+    docs->add_option("--only", o.docs.only,
+                     "Write the rows of one choice alone; the other rows of the page of techniques stay")
         ->type_name("KEY=CHOICE")
         ->needs(page);
     docs->add_flag("--check", o.docs.check, "Compare instead of writing; fails when the file is out of date")

@@ -55,7 +55,7 @@ struct Entry {
     std::string_view help, paper;
     Settings settings;
     std::string sets = {};     ///< KEY=VALUE of a row whose setting is not the section's; then `key` is empty
-    std::string_view of = {};  ///< key of the table's row where `key` is one of its sizes: "pcf" of "pcf5"
+    std::string_view of = {};  ///< key of the table's row where `key` is one of its sizes
     std::string shown_key() const { return sets.empty() ? std::string(key) : sets; }
 };
 

@@ -9,6 +9,11 @@
 #include <vector>
 
 #include "app/base/output.h"
+#include "app/commands/commands.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/filters.h"
+#include "renderer/settings/fits.h"
+#include "renderer/settings/sources.h"
 #include "tests/support/golden.h"
 #include "tests/support/process.h"
 #include "tests/support/source_tree.h"
@@ -85,6 +90,25 @@ TEST(DocsTechniques, ARowDrawnAgainIsTheRowOfThePage) {
     check.push_back("--check");
     const ProcessResult again = run_program(check, folder);
     EXPECT_EQ(again.code, 0) << again.err;
+}
+
+// Without drawing: the page's words are those of the tables.
+TEST(DocsTechniques, HasTheTextsOfTheTables) {
+    const std::string page = file_bytes(test::source_tree() / "docs/techniques.md");
+    const auto expect_text = [&](std::string_view key, std::string_view help, std::string_view paper) {
+        const std::string text =
+            fmt::format("`{}`<br>{}{} | ", key, cell(help), paper.empty() ? "" : fmt::format("<br>*{}*", cell(paper)));
+        EXPECT_NE(page.find(text), std::string::npos)
+            << text << "\nwrite it with: shadow-inspector docs techniques -o docs/techniques.md";
+    };
+    for (const std::string_view name : swept_kernels()) {
+        Settings s;
+        set_setting(s, "filter.kernel", name);
+        expect_text(name, filter_of(s).help, filter_of(s).paper);
+    }
+    for (const Bias& row : biases()) expect_text(row.key, row.help, row.paper);
+    for (const Source& row : sources()) expect_text(row.key, row.help, row.paper);
+    for (const FitRow& row : fits()) expect_text(row.key, row.help, row.paper);
 }
 
 TEST(DocsTechniques, RefusesUnknownRows) {

@@ -35,7 +35,8 @@ endforeach()
 file(WRITE ${TREE}/shaders/${file} "${shader}")
 
 file(READ ${ROOT}/${table} text)
-string(REGEX MATCH "constexpr Filter [A-Za-z]+\\[\\] = {" head "${text}")
+# The first table whose rows have keys.
+string(REGEX MATCH "constexpr [A-Za-z]+ [A-Za-z]+\\[\\] = {\n +{\\.key = " head "${text}")
 if(NOT head)
   message(FATAL_ERROR "${table} has no table of kernels")
 endif()
