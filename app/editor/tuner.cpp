@@ -69,7 +69,8 @@ std::optional<TuningOutcome> EditorTuner::end() {
     if (outcome->value) return std::move(outcome->value);
     TuningOutcome none = about_;
     none.failed = !outcome->cancelled;
-    none.text = outcome->cancelled ? "The search for the smallest bias was cancelled" : exception_message(outcome->problem);
+    none.text =
+        outcome->cancelled ? "The search for the smallest bias was cancelled" : exception_message(outcome->problem);
     return none;
 }
 

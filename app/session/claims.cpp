@@ -17,6 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 5> kOperators = {"<", "<=", "==", ">=", ">"};
+constexpr int kMaxSide = 4096;
 
 /// Reads a member of type T. @throws Error
 template <class T>
@@ -26,6 +27,13 @@ void read(const Json& value, const std::string& place, T& out) {
     } catch (const Json::exception&) {
         throw Error(place + ": has the wrong type");
     }
+}
+
+std::vector<int> read_size(const Json& value, const std::string& place) {
+    const auto is_side = [](const Json& side) { return side.is_number_unsigned() && side >= 1 && side <= kMaxSide; };
+    if (!value.is_array() || value.size() != 2 || !std::ranges::all_of(value, is_side))
+        throw Error(fmt::format("{}: must be [width, height] of 1 to {} pixels", place, kMaxSide));
+    return value.get<std::vector<int>>();
 }
 
 void read_object(const Json& object, const std::string& place, ClaimSubject& subject, PresetClaim* claim) {
@@ -41,14 +49,13 @@ void read_object(const Json& object, const std::string& place, ClaimSubject& sub
         if (key == "set") read(value, member, subject.set);
         if (key == "receivers") read(value, member, subject.receivers);
         if (key == "casters") read(value, member, subject.casters);
-        if (key == "size") read(value, member, subject.size);
+        if (key == "size") subject.size = read_size(value, member);
         if (key == "op") read(value, member, claim->op);
         if (key == "value") read(value, member, claim->value);
         if (key == "times") read(value, member, claim->times);
         if (key == "why") read(value, member, claim->why);
     }
     if (subject.metric.empty()) throw Error(place + ": names no \"metric\"");
-    if (subject.size.size() != 2) throw Error(place + ".size: must be [width, height]");
     if (!claim) return;
     if (std::ranges::find(kOperators, claim->op) == kOperators.end())
         throw Error(fmt::format("{}.op: must be one of {}", place, fmt::join(kOperators, ", ")));

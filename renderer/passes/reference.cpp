@@ -1,4 +1,6 @@
 // The traced truth on the GPU: uploaded, each pixel judged by it, the judgements summed up.
+#include "renderer/passes/reference.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,7 +12,6 @@
 #include "renderer/frame/causes.h"
 #include "renderer/passes/camera_pass.h"
 #include "renderer/passes/moments.h"
-#include "renderer/passes/reference.h"
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
 #include "renderer/reference/reference_picture.h"

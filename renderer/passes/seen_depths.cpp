@@ -46,7 +46,8 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
                                      metres_text(span->from_m), metres_text(span->to_m))
                        : "light.depth_bounds asks, but the camera sees nothing";
     if (f.request.timing) {
-        info.cpu_ms = info.gpu_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        info.cpu_ms = info.gpu_ms =
+            std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
     return span;
 }

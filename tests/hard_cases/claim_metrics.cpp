@@ -102,15 +102,15 @@ double width_per_distance(const Guided& g, std::size_t i) {
     return g.shot.view(i).half_width / spans_of(g).at(i).ends;
 }
 
-/// Frames of one renderer, the second right after the first.
+/// Second of two frames of a renderer of their own, so that nothing is cached but by the first.
 /// @param changes of the second, made to the first's settings with its camera as a manual one
-FrameResult frame_after(const Guided& first, const std::vector<std::string>& changes) {
+FrameResult frame_after(Renderer& renderer, const Guided& first, const std::vector<std::string>& changes) {
     const FrameRequest request{.width = first.shot.width, .height = first.shot.height};
-    hard_renderer().render(first.scene, first.settings, request);
+    renderer.render(first.scene, first.settings, request);
     Settings s = first.settings;
     s.camera = manual_camera(first.scene, s, double(first.shot.width) / first.shot.height);
     for (const std::string& change : changes) apply_set(s, change);
-    return hard_renderer().render(first.scene, s, request);
+    return renderer.render(first.scene, s, request);
 }
 
 double changes_but_light_direction(const Guided& g) {
@@ -247,11 +247,15 @@ const std::map<std::string, double (*)(S, G, G)> kOfTwo = {
     // A frame with the claim's settings right after one with the other's
     {"cached_page_share",
      [](S s, G, G than) {
-         const PageFacts pages = frame_after(than, s.set).pages.value();
+         Renderer renderer;
+         const PageFacts pages = frame_after(renderer, than, s.set).pages.value();
          return double(pages.kept) / double(pages.kept + pages.drawn);
      }},
     {"moments_drawn",
-     [](S s, G, G than) { return double(frame_after(than, s.set).pass("moments")->state != PassState::Cached); }},
+     [](S s, G, G than) {
+         Renderer renderer;
+         return double(frame_after(renderer, than, s.set).pass("moments")->state != PassState::Cached);
+     }},
 };
 
 /// Value of a metric of the program, or share of the counted pixels that a cause has ("cause.acne").

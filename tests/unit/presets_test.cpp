@@ -154,6 +154,7 @@ TEST(Presets, WrongFilesAreRefusedWithThePlace) {
          "claims[1].metrik: unknown member; did you mean metric?"},
         {with_claims(R"([{"metric":"mae","op":"<","set":"a=1"}])"), "claims[0].set: has the wrong type"},
         {with_claims(R"([{"metric":"mae","op":"<","size":[3]}])"), "claims[0].size: must be [width, height]"},
+        {with_claims(R"([{"metric":"mae","op":"<","size":[1e300,3]}])"), "of 1 to 4096 pixels"},
         {with_claims(R"([{"metric":"mae","op":"<","than":{"op":"<"}}])"), "claims[0].than.op: unknown member"},
         {"{\"format\":\"\xff\"}", "not JSON"},
         {std::string(200000, '['), "it nests 200000 levels deep, at most 32 are read"},

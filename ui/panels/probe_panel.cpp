@@ -105,7 +105,8 @@ void bias_terms(const BiasBreakdown& a) {
     if (a.raster != 0)
         amount_row("while drawing", a.amount(a.raster),
                    "Depth that bias.raster_* add to this plane in the map: the least that a driver may make of them");
-    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()), "Against acne: it has to be as much as is needed");
+    amount_row("equivalent bias in all", a.amount(a.equivalent_depth()),
+               "Against acne: it has to be as much as is needed");
     amount_row("needed", a.amount(a.least.total()),
                "Less, and the triangle's plane shadows itself; the sum of the next");
     amount_row("  kernel", a.amount(a.least.kernel),
@@ -201,8 +202,9 @@ void reference_column(const PixelDiagnosis& d) {
 
 /// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
-    const std::string fix = "Fix: " + fix_text(fix, settings), whole = fix + fix_worth_text(fix);
-    return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : fix;
+    const std::string brief = "Fix: " + fix_text(fix, settings);
+    const std::string whole = brief + fix_worth_text(fix);
+    return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : brief;
 }
 
 void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {

@@ -247,9 +247,9 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     const ImVec2 size(std::floor(std::max(available.x, 16.0f)), std::floor(std::max(available.y, 16.0f)));
     const float pixels = ImGui::GetIO().DisplayFramebufferScale.x;
     const ComparisonView picture_comparison = state.comparison.view;
-    const int shown_panes = picture_comparison == ComparisonView::Off          ? state.settings.view.panes
-                            : picture_comparison == ComparisonView::SideBySide ? Panes::Two
-                                                                               : Panes::One;
+    const Panes shown_panes = picture_comparison == ComparisonView::Off          ? state.settings.view.panes
+                              : picture_comparison == ComparisonView::SideBySide ? Panes::Two
+                                                                                 : Panes::One;
     const Panorama panes{pane_grid(shown_panes, int(size.x * pixels), int(size.y * pixels), int(em * pixels * 0.2f)),
                          origin, pixels};
     requests.scene_width = panes.grid.width;

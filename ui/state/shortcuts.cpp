@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "renderer/base/index_of.h"
 #include "renderer/settings/overlays.h"
 #include "ui/panels/lights_panel.h"
 #include "ui/scene_view/camera_steering.h"
@@ -195,7 +196,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::NextMapView,
      .chord = letter("M"),
      .label = "map: raw, linear, bands",
-     .action = [](C c) { c.state.settings.view.map = (c.state.settings.view.map + 1) % 3; }},
+     .action = [](C c) { c.state.settings.view.map = next_of(c.state.settings.view.map, 3); }},
     {.chord = gesture("wheel, drag, double-click"), .label = "zoom, move, fit", .joined = true},
 
     {.chord = gesture("Click"), .label = "probe a pixel", .section = "Why"},
