@@ -8,8 +8,8 @@
 namespace si {
 namespace {
 
-constexpr double kViewBegins = 1e-4;         // of the farthest corner's distance: a perspective view begins there
-constexpr double kEdgeOn = 1e-6;             // cosine up to which rounding decides which side of a plane is lit
+constexpr double kViewBegins = 1e-4;              // of the farthest corner's distance: a perspective view begins there
+constexpr double kEdgeOn = 1e-6;                  // cosine up to which rounding decides which side of a plane is lit
 constexpr std::size_t kMaxShadowPairs = 1 << 18;  // of casters and receivers that are held against each other
 constexpr std::size_t kMostTriangles = 1 << 19;
 constexpr double kLarge = 0.25;             // of what receives shadows, across: it is worth a closer look
