@@ -45,7 +45,7 @@ Json advice_json(const TriedAdvice& t) {
 }
 
 Json finding_json(const Finding& f) {
-    return {{"severity", severity_word(f.severity)},
+    return {{"severity", severity_key(f.severity)},
             {"text", f.text},
             {"cure", f.fix.empty() ? Json() : Json(f.fix)},
             {"settings", changes_json(f.settings)}};
@@ -109,7 +109,7 @@ void print_report(const AdviceReport& r) {
     fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
-        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
+        fmt::print("{}: {}{}{}{}\n", severity_key(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
                    f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
@@ -146,14 +146,14 @@ public:
     void fly(const Metric& error) {
         std::vector<SweepAxis> axes;
         for (const std::string& axis : o_.vary) axes.push_back(parse_axis(axis));
-        const AutopilotGoals goals{.most_error = o_.most_error,
-                                   .most_ms = o_.most_ms,
+        const AutopilotGoals goals{.max_error = o_.max_error,
+                                   .max_ms = o_.max_ms,
                                    .error = &error,
                                    .cost = o_.cost,
-                                   .most_seconds = o_.most_seconds};
+                                   .max_seconds = o_.max_seconds};
         const AutopilotResult r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
-            return fly_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height, goals,
-                                 axes, cache_, workers, report);
+            return run_rendered_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
+                                          goals, axes, cache_, workers, report);
         });
         if (o_.json)
             fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
@@ -186,7 +186,7 @@ private:
 }  // namespace
 
 void run_advise(const AdviseOptions& options) {
-    const bool flies = options.most_error || options.most_ms;
+    const bool flies = options.max_error || options.max_ms;
     if (!flies && !(options.output.empty() && options.vary.empty()))
         throw UsageError("--output and --vary are of the autopilot: give it --max-error or --max-ms");
     if (!options.output.empty() && lower_extension(options.output) != ".json")

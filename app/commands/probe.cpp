@@ -10,7 +10,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"
@@ -92,15 +92,15 @@ void print_amount(const char* name, const DepthShift& a, const char* about = "",
 void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Settings& settings) {
     fmt::print("  verdict: {}\n", d.verdict);
     if (d.fix)
-        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), fix_worth_text(*d.fix),
+        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), equivalent_bias_text(*d.fix),
                    set_options_text(d.fix->settings));
     if (!p.casts) return;
     const BiasBreakdown& a = p.account;
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
-    if (a.by_itself != 0)
-        print_amount("of itself", a.amount(a.by_itself), "what bias.kind gives whatever the numbers are");
+    if (a.bias_of_kind != 0)
+        print_amount("of itself", a.amount(a.bias_of_kind), "what bias.kind gives whatever the numbers are");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
@@ -150,7 +150,7 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
         out.push_back(
-            explain(probe, light, fragment_reference(casters, probe, light, settings, traits), settings, driver));
+            explain(probe, light, trace_fragment_reference(casters, probe, light, settings, traits), settings, driver));
     return out;
 }
 
@@ -160,7 +160,7 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
     FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
-    if (const auto& fix = found[light].fix) options.more.push_back(idea_of(*fix, session.settings));
+    if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
     return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
@@ -170,7 +170,7 @@ std::string drawing_of(const Session& session, const Probe& probe, const std::ve
                        const ReferenceScene* casters) {
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
     if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
-    const Section section = section_of(probe, i, found, session.settings, casters);
+    const Section section = pixel_section(probe, i, found, session.settings, casters);
     return section_svg(section);
 }
 

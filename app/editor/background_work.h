@@ -6,12 +6,12 @@
 #include <span>
 
 #include "app/editor/advice.h"
-#include "app/editor/cures.h"
+#include "app/editor/bias_search.h"
+#include "app/editor/fixes.h"
 #include "app/editor/lab.h"
-#include "app/editor/saved.h"
+#include "app/editor/optimisation_times.h"
 #include "app/editor/scene_loader.h"
 #include "app/editor/sweep.h"
-#include "app/editor/tuner.h"
 #include "ui/state/editor_ui.h"
 
 namespace si {
@@ -31,7 +31,8 @@ public:
                 const EditorRequests& requests);
     /// Starts or cancels the measurement of optimisations as requested. Returns true if there was a request.
     /// @param request of the frame that is shown
-    bool fulfil_saved(const SceneLoader& scenes, const FrameRequest& request, const EditorRequests& requests);
+    bool fulfil_optimisation_times(const SceneLoader& scenes, const FrameRequest& request,
+                                   const EditorRequests& requests);
     /// Takes news of the sweep, and measures the present settings while a panel shows them. Returns true if the facts
     /// have changed.
     bool follow(const Scene* scene, const EditorRequests& requests);
@@ -43,20 +44,20 @@ public:
 
     /// Returns true while something is being measured.
     bool busy() const {
-        return sweep_.busy() || tuner_.running() || fixes_.running() || saved_.running() || advice_.running() ||
-               pipelines_.running() || shimmer_.running();
+        return sweep_.busy() || bias_search_.running() || fixes_.running() || optimisation_times_.running() ||
+               advice_.running() || pipelines_.running() || shimmer_.running();
     }
     /// Returns true if results or progress have changed since the last poll() and follow().
     bool moved() const {
-        return sweep_.moved() || tuner_.moved() || fixes_.moved() || saved_.moved() || advice_.moved() ||
-               pipelines_.moved() || shimmer_.moved();
+        return sweep_.moved() || bias_search_.moved() || fixes_.moved() || optimisation_times_.moved() ||
+               advice_.moved() || pipelines_.moved() || shimmer_.moved();
     }
     /// Waits until nothing is being measured.
     void finish() const {
         sweep_.wait();
-        tuner_.wait();
+        bias_search_.wait();
         fixes_.wait();
-        saved_.wait();
+        optimisation_times_.wait();
         advice_.wait();
         pipelines_.wait();
         shimmer_.wait();
@@ -68,14 +69,14 @@ private:
     bool poll_found(auto& search);
     void start_fixes(const Scene& scene, glm::ivec2 size, std::span<const PixelDiagnosis> diagnoses,
                      const FixRequest& request);
-    void take_sweep_base();
+    void apply_sweep_base();
 
     EditorState& state_;
     EditorSweep sweep_;
-    EditorTuner tuner_;
-    std::optional<TuningOutcome> tuned_;  ///< result of the last search that compared kinds of bias
+    EditorBiasSearch bias_search_;
+    std::optional<BiasSearchResult> tuning_;  ///< result of the last search that compared kinds of bias
     EditorFixes fixes_;
-    EditorSaved saved_;
+    EditorOptimisationTimes optimisation_times_;
     EditorAdvice advice_;
     EditorPipelines pipelines_;
     EditorShimmer shimmer_;

@@ -208,7 +208,7 @@ bool FrameLoader::poll() {
         else
             state_.log.add(line.kind, line.text);
     }
-    if (news_.thaw) state_.frozen.reset();
+    if (news_.release_frozen_camera) state_.frozen.reset();
     return std::exchange(news_, {}).changed;
 }
 
@@ -225,7 +225,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
     progress_.set({}, 0, 0);
     draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
                          known = comparison ? std::optional(*comparison) : std::nullopt] {
-        const WatchPasses watch(progress_);
+        const PassProgressScope watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
         if (copies_) show_copies(shown);

@@ -55,7 +55,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
         news_.changed |= read_back_.update_frozen(renderer_, scene, state, requests);
     } catch (const std::exception& e) {
         report(e.what());
-        news_.thaw = true;
+        news_.release_frozen_camera = true;
     }
     const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
@@ -151,7 +151,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
         driver_reset_ = false;
         problem_.clear();
         if (requests.search_all) require_sound_numbers(scene);
-        foresee_programs(scene);
+        queue_likely_shaders(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
         driver_reset_ = dynamic_cast<const gl::ContextLost*>(&e) != nullptr;
@@ -176,7 +176,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
 
 bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
-    if (!drawn_ || !requests.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
+    if (!drawn_ || !requests.at_rest || smoothed_ >= kMaxSmoothedShadings || !view.smooth) return false;
     if (view.slabs != Slabs::None || state.comparison.view != ComparisonView::Off || state.pinned) return false;
     if (std::ranges::none_of(result_.panes, [](const Pane& pane) { return pane.overlay == 0; })) return false;
     FrameRequest request = request_;
@@ -184,12 +184,12 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
     request.smoothed = ++smoothed_;
     try {
         const FrameResult more = renderer_.render(scene, drawn_settings_, request);
-        if (more.smooth.texture == 0) return smoothed_ = kSmoothedMost, false;
+        if (more.smooth.texture == 0) return smoothed_ = kMaxSmoothedShadings, false;
         result_.smooth = more.smooth;
         report_smoothing(more);
         return true;
     } catch (const std::exception& e) {
-        smoothed_ = kSmoothedMost;
+        smoothed_ = kMaxSmoothedShadings;
         result_.smooth = {};
         report(e.what());
         return true;
@@ -205,7 +205,7 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
     frame_effects_.clear();
 }
 
-void FrameLoop::foresee_programs(const Scene& scene) {
+void FrameLoop::queue_likely_shaders(const Scene& scene) {
     if (!warmup_) return;
     if (!foreseen_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
     // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.

@@ -9,8 +9,8 @@
 #include "app/editor/frame_facts.h"
 #include "app/editor/picture_comparison.h"
 #include "app/editor/read_back.h"
+#include "app/editor/reference.h"
 #include "app/editor/shader_warmup.h"
-#include "app/editor/truth.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/render/renderer.h"
 #include "ui/state/editor_ui.h"
@@ -19,10 +19,10 @@ namespace si {
 
 /// Events of an update, besides the facts.
 struct FrameNews {
-    bool changed = false;             ///< the editor now shows something else
-    std::vector<LogLine> remarks;     ///< for the log
-    bool thaw = false;                ///< the frozen camera cannot be drawn and has to be given up
-    std::vector<std::string> driver;  ///< messages of the OpenGL driver
+    bool changed = false;                ///< the editor now shows something else
+    std::vector<LogLine> remarks;        ///< for the log
+    bool release_frozen_camera = false;  ///< the frozen camera cannot be drawn and has to be given up
+    std::vector<std::string> driver;     ///< messages of the OpenGL driver
     std::string unsound;  ///< faulty numbers (NaN, infinite, out of range) of the frame; empty: none, or not searched
 };
 
@@ -44,7 +44,7 @@ public:
     /// Releases memory that only further drawing would need.
     void rest() {
         reference_.rest();
-        renderer_.give_back_memory();
+        renderer_.release_unused_memory();
     }
     FrameFacts facts() const;
 
@@ -75,7 +75,7 @@ private:
     /// Copies the state of the smoothing pass into the shown frame's effects.
     void report_smoothing(const FrameResult& more);
     /// Queues shaders that a hover, a click or the map viewer would need next.
-    void foresee_programs(const Scene& scene);
+    void queue_likely_shaders(const Scene& scene);
     /// Updates the numbers that panels show. Returns true if they have changed.
     bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
     /// Traces the reference of the shown picture and compares with it. Returns true if facts have changed.

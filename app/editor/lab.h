@@ -7,7 +7,7 @@
 namespace si {
 
 /// Scene, settings and size that a measurement is about.
-struct LabOf {
+struct LabSubject {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
     int width = 0;   ///< pixels of the picture
@@ -17,7 +17,7 @@ struct LabOf {
 /// Result of a comparison of pipelines.
 struct PipelinesFound {
     std::vector<PipelineError> errors;
-    LabOf of;
+    LabSubject of;
 };
 
 /// One comparison of single-precision matrix pipelines at a time, on a thread of its own.
@@ -25,16 +25,16 @@ class EditorPipelines : public EditorSearch<PipelinesFound> {
 public:
     EditorPipelines() : EditorSearch("The comparison of precision was cancelled") {}
     /// Starts a comparison and cancels the one under way.
-    void start(const Scene& scene, const LabOf& of);
+    void start(const Scene& scene, const LabSubject& of);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.
-    void fill(LabFacts& shown, const LabOf& present) const;
+    void fill(LabFacts& shown, const LabSubject& present) const;
 };
 
 /// Result of a measurement of shimmer.
 struct ShimmerFound {
     std::vector<ShimmerShown> variants;
     ShimmerOptions options;
-    LabOf of;
+    LabSubject of;
 };
 
 /// One measurement of shimmer at a time, on a thread of its own.
@@ -42,9 +42,9 @@ class EditorShimmer : public EditorSearch<ShimmerFound> {
 public:
     EditorShimmer() : EditorSearch("The measurement of shimmer was cancelled") {}
     /// Starts a measurement and cancels the one under way.
-    void start(const Scene& scene, const LabOf& of, const ShimmerOptions& options);
+    void start(const Scene& scene, const LabSubject& of, const ShimmerOptions& options);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.
-    void fill(LabFacts& shown, const LabOf& present) const;
+    void fill(LabFacts& shown, const LabSubject& present) const;
 };
 
 }  // namespace si

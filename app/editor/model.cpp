@@ -82,7 +82,7 @@ EditorFrame EditorModel::facts() const {
     presets_.fill(f);
     persistence_.fill(f);
     f.memory = held_ ? &*held_ : nullptr;
-    f.desktop_dialogs = asks_desktop;
+    f.desktop_dialogs = has_desktop_dialog;
     f.problem = scenes_.scene() ? frames_.facts().problem : scenes_.problem();
     const SceneLoading& loading = scenes_.loading();
     if (const std::string name = loading.wanted(); !name.empty())
@@ -190,7 +190,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
     request(scenes_.has_step(), [&] { scenes_.follow_step(); });
     changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, requests);
-    changed |= work_.fulfil_saved(scenes_, frames_.facts().request, requests);
+    changed |= work_.fulfil_optimisation_times(scenes_, frames_.facts().request, requests);
     request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
     request(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });

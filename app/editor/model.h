@@ -27,8 +27,9 @@ public:
     explicit EditorModel(const EditorOptions& options, SceneReader read = {}, FrameThread thread = {});
 
     EditorState state;
-    bool asks_desktop = false;  ///< the caller can show the desktop's file dialog (EditorRequests::ask_desktop)
-    bool smooths = true;        ///< static pictures get more samples per pixel, if view.smooth is on
+    bool has_desktop_dialog =
+        false;            ///< the caller can show the desktop's file dialog (EditorRequests::open_desktop_dialog)
+    bool smooths = true;  ///< static pictures get more samples per pixel, if view.smooth is on
 
     /// Returns the facts for draw_editor(). Its pointers are valid until the next fulfil().
     EditorFrame facts() const;
@@ -94,9 +95,9 @@ public:
     /// Writes the autosave and the session report, when they are due. Call regularly, also while nothing is drawn.
     void keep();
     /// Writes the autosave at once, before an unclean end.
-    void keep_now() { persistence_.follow(state, std::numeric_limits<double>::infinity()); }
+    void save_autosave_now() { persistence_.follow(state, std::numeric_limits<double>::infinity()); }
     /// Remembers the window's size (screen coordinates at scale 1).
-    void keep_window(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
+    void note_window_size(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
     /// Writes workspace and report at the end. Settings that no preset holds are offered at the next start.
     void end() {
         persistence_.end(state, presets_.would_be_lost());

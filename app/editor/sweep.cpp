@@ -75,7 +75,7 @@ std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
 
 /// Without what has no effect and what a person looks with.
 Settings comparable(const Settings& settings) {
-    return without_idle(measured_settings(settings));
+    return without_ineffective_settings(measured_settings(settings));
 }
 
 }  // namespace
@@ -169,7 +169,7 @@ void EditorSweep::follow(const Scene& scene, const std::string& scene_name, cons
     thread().start_measurement(*followed_);
 }
 
-void EditorSweep::unfollow() {
+void EditorSweep::stop_measuring_present() {
     if (!followed_) return;
     followed_.reset();
     thread_->cancel_measurement();

@@ -31,7 +31,7 @@ public:
     /// Measures these settings unless they are measured already. Other settings cancel a measurement under way.
     void follow(const Scene& scene, const std::string& scene_name, const Settings& settings, const SweepPanel& panel);
     /// Stops measuring the present settings, when no panel shows them.
-    void unfollow();
+    void stop_measuring_present();
     /// Shows the results in a sweep's folder, and sets the panel to its axes. @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
     /// Writes journal, pictures, tables and report of the sweep that is shown. @throws Error

@@ -18,7 +18,7 @@ Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) 
     const FrameResult frame = renderer.render(
         scene, s, {.width = job.width, .height = job.height, .outputs = {.colour = false, .visibility = true}});
     s.map.resolution = frame.map_resolution;
-    if (const std::string why = why_nothing_to_tune(frame.lights, s.view.light); !why.empty()) throw Error(why);
+    if (const std::string why = reason_not_tunable(frame.lights, s.view.light); !why.empty()) throw Error(why);
     return s;
 }
 
@@ -39,7 +39,7 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
         if (workers.stop.stop_requested()) throw Cancelled();
         const Settings s = tuner.settings();
         if (tuner.ask() == Tuner::Ask::Time) {
-            tuner.timed(clock.time(scene, s, goals.cost, {.bursts = kLeastBursts, .over_s = 0.3}).total_ms.median);
+            tuner.timed(clock.time(scene, s, goals.cost, {.bursts = kMinBursts, .over_s = 0.3}).total_ms.median);
             continue;
         }
         const MeasuredError measured =

@@ -113,10 +113,11 @@ double TriedAdvice::tolerance() const {
     return std::max({kSameErrorShare * before.error, kSameError, noise / 10});
 }
 
-std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<AdviceIdea> ideas, const AdviceMeter& meter,
-                                    const std::function<void(double, const std::string&)>& report) {
+std::vector<TriedAdvice> measure_ideas(const Settings& settings, std::vector<AdviceIdea> ideas,
+                                       const AdviceMeter& meter,
+                                       const std::function<void(double, const std::string&)>& report) {
     std::vector<TriedAdvice> tried;
-    std::map<int, JudgedSettings> before;  // by light
+    std::map<int, MeasuredSettings> before;  // by light
     for (std::size_t i = 0; i < ideas.size(); ++i) {
         if (report) report(double(i) / double(ideas.size()), ideas[i].sentence);
         const int light = ideas[i].light;
@@ -146,12 +147,12 @@ std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<Advice
     return tried;
 }
 
-std::string_view severity_word(Severity severity) {
+std::string_view severity_key(Severity severity) {
     static constexpr std::string_view kWords[] = {"error", "warning", "hint"};
     return kWords[std::size_t(severity)];
 }
 
-std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes) {
+std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes) {
     std::vector<Finding> out;
     if (facts.pixels == 0)
         out.push_back({Severity::Warning,
@@ -181,8 +182,8 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes
     return out;
 }
 
-AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, int height, const AdviceOptions& options,
-                           ReferenceCache& cache, const Workers& workers) {
+AdviceMeter renderer_advice_meter(Renderer& renderer, const Scene& scene, int width, int height,
+                                  const AdviceOptions& options, ReferenceCache& cache, const Workers& workers) {
     const auto stop = [&] {
         if (workers.stop.stop_requested()) throw Cancelled();
     };
@@ -195,8 +196,8 @@ AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, in
         const MeasuredError m = measure_error(renderer, scene, s, own, light, reference_options(s), cache, workers);
         own.force = true;
         const Metric& metric = *options.error;
-        return JudgedSettings{distance_from_best(metric.better, metric.value(m.metrics)), m.traced.reference->noise,
-                              work_cost(s, renderer.render(scene, s, own)), m.camera};
+        return MeasuredSettings{distance_from_best(metric.better, metric.value(m.metrics)), m.traced.reference->noise,
+                                work_cost(s, renderer.render(scene, s, own)), m.camera};
     };
     meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
         const auto frames = [&](const Settings& s) {
@@ -221,19 +222,19 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
     out.options = options;
     tell(0, "the present settings");
     out.facts = advice_facts(renderer, scene, base, width, height, cache, quiet);
-    const AdviceMeter meter = rendered_meter(renderer, scene, width, height, options, cache, quiet);
+    const AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, options, cache, quiet);
     out.before = meter.judge(base, base.view.light);
     out.time = Measurer(renderer, width, height, quiet)
-                   .time(scene, base, options.cost, {.most = 15, .bursts = kLeastBursts, .over_s = 0.3});
+                   .time(scene, base, options.cost, {.most = 15, .bursts = kMinBursts, .over_s = 0.3});
     FixTable fixes;
     if (options.fixes)
         fixes = find_fixes(renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
                            [&](double share, const std::string& what) { tell(kLooking + kCuring * share, what); });
-    out.findings = findings_of(out.facts, fixes);
+    out.findings = list_findings(out.facts, fixes);
     const double begun = kLooking + (options.fixes ? kCuring : 0);
     for (TriedAdvice& t :
-         try_advice(base, advice_ideas(base, out.facts), meter,
-                    [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))
+         measure_ideas(base, advice_ideas(base, out.facts), meter,
+                       [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))
         (t.why_not.empty() ? out.holds : out.fails).push_back(std::move(t));
     return out;
 }

@@ -39,7 +39,7 @@ std::span<const AdviceRule> advice_rules();
 std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts& facts);
 
 /// Settings as they were measured.
-struct JudgedSettings {
+struct MeasuredSettings {
     double error = 0;  ///< shortfall() of the metric
     double noise = 0;  ///< of the truth
     WorkCost work;
@@ -48,7 +48,7 @@ struct JudgedSettings {
 
 /// What measures: the renderer's (find_advice()), or a test's own.
 struct AdviceMeter {
-    std::function<JudgedSettings(const Settings&, int light)> judge;
+    std::function<MeasuredSettings(const Settings&, int light)> judge;
     /// Milliseconds a frame that the second takes more than the first, by alternating rounds.
     std::function<CostChange(const Settings& before, const Settings& with)> time;
 };
@@ -57,7 +57,7 @@ struct AdviceMeter {
 struct TriedAdvice {
     AdviceIdea idea;
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value of what changes
-    JudgedSettings before, after;
+    MeasuredSettings before, after;
     CostChange ms;        ///< after - before
     std::string why_not;  ///< why it does not hold; empty: it does
     double added_error() const { return after.error - before.error; }
@@ -73,11 +73,12 @@ inline constexpr double kSameErrorShare = 0.02, kSameError = 5e-5;
 /// nothing and save time by what they save, then by milliseconds saved per error added, then those that put pixels
 /// right, then those that save memory alone; last what does not hold.
 /// @param report hears of the share done and what is tried; may throw Cancelled
-std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<AdviceIdea> ideas, const AdviceMeter& meter,
-                                    const std::function<void(double, const std::string&)>& report = {});
+std::vector<TriedAdvice> measure_ideas(const Settings& settings, std::vector<AdviceIdea> ideas,
+                                       const AdviceMeter& meter,
+                                       const std::function<void(double, const std::string&)>& report = {});
 
 enum class Severity { Error, Warning, Hint };
-std::string_view severity_word(Severity severity);
+std::string_view severity_key(Severity severity);
 
 /// What is wrong by rule, whether or not anybody advises on it.
 struct Finding {
@@ -88,7 +89,7 @@ struct Finding {
 };
 /// Returns remarks of the renderer, limits of the maps, and wrong pixels by cause, the worst first. A cause comes with
 /// the fix that puts most of its pixels right, among fixes that put more pixels right in all than they break. Pure.
-std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes);
+std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes);
 
 struct AdviceOptions {
     const Metric* error = &metrics().front();  ///< one that has a better
@@ -101,13 +102,13 @@ struct AdviceReport {
     std::vector<TriedAdvice> holds, fails;  ///< ranked; fails: tried, does not hold
     std::vector<Finding> findings;
     AdviceOptions options;
-    JudgedSettings before;
+    MeasuredSettings before;
     TimeMeasurement time;  ///< of the present settings
 };
 
 /// Measures as the renderer draws. Lives as long as what it is given.
-AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, int height, const AdviceOptions& options,
-                           ReferenceCache& cache, const Workers& workers);
+AdviceMeter renderer_advice_meter(Renderer& renderer, const Scene& scene, int width, int height,
+                                  const AdviceOptions& options, ReferenceCache& cache, const Workers& workers);
 
 /// On the renderer's thread. @throws Cancelled; Error when there is no light to judge
 AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,

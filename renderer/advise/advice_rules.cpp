@@ -42,7 +42,7 @@ bool is_wider(const Settings& s, std::string_view kernel) {
 /// Kernels that compare depths over a square of texels, the narrowest first: `count` of them from `first` on.
 std::vector<std::string_view> plain_kernels(const Settings& s, std::size_t first, std::size_t count) {
     std::vector<std::pair<double, std::string_view>> all;
-    for (const std::string_view kernel : swept_kernels()) {
+    for (const std::string_view kernel : sweep_kernels()) {
         const Settings with = with_kernel(s, kernel);
         const Filter& row = filter_of(with);
         if (row.square && row.linear && row.samples == Samples::Depth && !row.reads_light_size)
@@ -97,14 +97,14 @@ void cascade_overlap(const Settings& s, const AdviceFacts& f, const Offer& offer
 }
 
 void measured_depths(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || !fit_reads_depths(s, f.light)) return;
+    if (!has_map(f) || !fit_reads_measured_depths(s, f.light)) return;
     Settings boxes = s;
     shown(boxes, f).depth_bounds = DepthBounds::Boxes;
     offer("the depths that cascades go by are measured in every frame: the boxes of what is seen say nearly the same",
           std::move(boxes), f.light);
 }
 
-void unread_texels(const Settings& s, const AdviceFacts& f, const Offer& offer) {
+void unread_texels_part(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.fitted()->views.size() != 1 || f.read_share > 0.25 || f.read_share <= 0) return;
     if ((f.fitted()->type == LightType::Directional) == f.fitted()->is_perspective()) return;
     const double halvings = std::floor(std::log2(std::sqrt(1 / f.read_share)) + 1e-9);
@@ -134,7 +134,8 @@ void beyond_the_picture(const Settings& s, const AdviceFacts& f, const Offer& of
 
 void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    const double reach = reach_under(s, *f.fitted(), f.map_resolution).edge, width_px = 2 * reach * f.texel_px;
+    const double reach = kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge,
+                 width_px = 2 * reach * f.texel_px;
     if (!(width_px < 1.5)) return;
     const bool moments = filter_of(s).samples == Samples::Moments;
     for (const std::string_view kernel : plain_kernels(s, 0, 2))
@@ -147,7 +148,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
-    const double width_px = 2 * reach_under(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
+    const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
         offer(fmt::format("{} prepares the map to blur {} pixels: comparing depths directly may do", kernel_label(s),
                           digits_text(width_px)),
@@ -179,11 +180,11 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
         if (!(need < most_of(family))) continue;  // none that there is clears them
         if (acne > 0)
-            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_word(family),
+            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_label(family),
                               texels_text(need)),
                   std::move(least), f.light);
         else if (in_use && now > 1.1 * need)
-            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_word(family),
+            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_label(family),
                               texels_text(now), texels_text(need)),
                   std::move(least), f.light);
     }
@@ -279,7 +280,7 @@ void fewer_taps(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void narrower_kernel(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    for (const std::string_view kernel : {neighbour_kernels(s).first, plain_kernels(s, 0, 1).front()})
+    for (const std::string_view kernel : {adjacent_kernels(s).first, plain_kernels(s, 0, 1).front()})
         if (!kernel.empty() && is_wider(s, kernel))
             offer(fmt::format("{} is narrower and cheaper", kernel_label(with_kernel(s, kernel))),
                   with_kernel(s, kernel), f.light);
@@ -300,7 +301,8 @@ constexpr AdviceRule kRules[] = {
     {"cascades", "Fewer cascades", "There are several; measured down to one.", Claim::Same, one_cascade},
     {"cascade-overlap", "Cascades that overlap", "light.cascade_blend is above 0.", Claim::Same, cascade_overlap},
     {"depth-bounds", "Depths that are measured", "light.depth_bounds is sdsm.", Claim::Same, measured_depths},
-    {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same, unread_texels},
+    {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same,
+     unread_texels_part},
     {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same,
      beyond_the_picture},
     {"unseen-blur", "A kernel wider than visible", "The kernel blurs over less than 1.5 pixels.", Claim::Same,

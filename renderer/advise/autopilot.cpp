@@ -42,7 +42,7 @@ public:
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
             known_[at_] = {.at = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
-        if (out.combinations <= goals_.most_combinations) {
+        if (out.combinations <= goals_.max_combinations) {
             search_block(all_axes());
         } else {
             search_by_parts();
@@ -67,13 +67,13 @@ private:
     std::size_t untimed_ = 0;
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
-    bool late() const { return spent_s() > goals_.most_seconds; }
+    bool late() const { return spent_s() > goals_.max_seconds; }
     /// What is left is for pricing what was dropped.
-    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.most_seconds; }
+    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.max_seconds; }
     /// What is left is for timing what was judged.
-    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.most_seconds; }
+    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.max_seconds; }
     void tell(const std::string& what) const {
-        if (report_) report_(std::min(spent_s() / goals_.most_seconds, 0.99), what);
+        if (report_) report_(std::min(spent_s() / goals_.max_seconds, 0.99), what);
     }
 
     Settings settings_at(const AxisChoice& at) const {
@@ -108,9 +108,7 @@ private:
         return &known_.emplace(at, std::move(c)).first->second;
     }
 
-    bool accurate(const AutopilotCase& c) const {
-        return !goals_.most_error || c.classified.error <= *goals_.most_error;
-    }
+    bool accurate(const AutopilotCase& c) const { return !goals_.max_error || c.classified.error <= *goals_.max_error; }
     /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
     bool time_it(AutopilotCase& c) {
         if (!c.ms) {
@@ -118,7 +116,7 @@ private:
             tell(name_of(c.at) + ", timing");
             c.ms = meter_.ms(c.settings);
         }
-        c.holds = accurate(c) && (!goals_.most_ms || *c.ms <= *goals_.most_ms);
+        c.holds = accurate(c) && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
         return c.holds;
     }
 
@@ -142,25 +140,25 @@ private:
         return stride;
     }
 
-    double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.classified.error; }
+    double cost_of_case(const AutopilotCase& c) const { return goals_.max_error ? *c.ms : c.classified.error; }
 
     /// Of these the best that holds the bounds; null: none does.
     AutopilotCase* best_of(std::vector<AutopilotCase*> cases) {
         std::erase_if(cases, [&](const AutopilotCase* c) { return !accurate(*c); });
         // Without a bound on the error the first that is fast enough is the most accurate.
         const auto order = [&](const AutopilotCase* a, const AutopilotCase* b) {
-            return goals_.most_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
-                                     : a->classified.error < b->classified.error;
+            return goals_.max_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
+                                    : a->classified.error < b->classified.error;
         };
         std::stable_sort(cases.begin(), cases.end(), order);
         AutopilotCase* best = nullptr;
         for (AutopilotCase* c : cases) {
-            if (goals_.most_error && outdone(*c, cases)) continue;
+            if (goals_.max_error && outdone(*c, cases)) continue;
             if (!time_it(*c)) continue;
             if (!best || cost_of_case(*c) < cost_of_case(*best)) best = c;
-            if (!goals_.most_error) break;
+            if (!goals_.max_error) break;
         }
-        return goals_.most_error ? settle(best, cases) : best;
+        return goals_.max_error ? settle(best, cases) : best;
     }
 
     /// Those that are about as fast are timed against each other: times taken apart err by more.
@@ -213,10 +211,10 @@ private:
     /// What comes nearest to the bounds, where nothing holds them.
     const AutopilotCase* nearest(const std::vector<AutopilotCase*>& cases) const {
         const auto missed = [&](const AutopilotCase* c) {
-            const double error = goals_.most_error ? std::max(c->classified.error / *goals_.most_error, 1.0) : 1;
-            const double ms = goals_.most_ms && c->ms ? std::max(*c->ms / *goals_.most_ms, 1.0) : 1;
+            const double error = goals_.max_error ? std::max(c->classified.error / *goals_.max_error, 1.0) : 1;
+            const double ms = goals_.max_ms && c->ms ? std::max(*c->ms / *goals_.max_ms, 1.0) : 1;
             // One that was not timed, as it is too far off, is nearer than none.
-            return std::pair(goals_.most_ms && !c->ms ? 1 : 0, error * ms);
+            return std::pair(goals_.max_ms && !c->ms ? 1 : 0, error * ms);
         };
         return *std::min_element(cases.begin(), cases.end(),
                                  [&](const auto* a, const auto* b) { return missed(a) < missed(b); });
@@ -291,9 +289,9 @@ private:
 
     std::string bounds() const {
         std::string text;
-        if (goals_.most_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.most_error);
-        if (goals_.most_ms)
-            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.most_ms,
+        if (goals_.max_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.max_error);
+        if (goals_.max_ms)
+            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.max_ms,
                                 row_of(goals_.cost).when);
         return text;
     }
@@ -326,7 +324,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     if (s.lights[std::size_t(f.light)].contact > 0) offer(light + "contact", {"0"});
     const FittedLight* fitted = f.fitted();
     if (!fitted || !fitted->casts) return axes;
-    offer("filter.kernel", {swept_kernels().begin(), swept_kernels().end()});
+    offer("filter.kernel", {sweep_kernels().begin(), sweep_kernels().end()});
     std::vector<std::string> sizes;
     for (int n = 256; n <= std::min(most_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
     offer("map.resolution", sizes);
@@ -347,9 +345,10 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
     return Flight(settings, axes, goals, meter, report).fly();
 }
 
-AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
-                              const Workers& workers, const std::function<void(double, const std::string&)>& report) {
+AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
+                                       int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
+                                       ReferenceCache& cache, const Workers& workers,
+                                       const std::function<void(double, const std::string&)>& report) {
     const auto tell = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
@@ -361,7 +360,7 @@ AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Sett
         axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
                               renderer.driver().max_texture_size);
     const AdviceOptions options{.error = goals.error, .cost = goals.cost};
-    AutopilotMeter meter{rendered_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
+    AutopilotMeter meter{renderer_advice_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
     Measurer measurer(renderer, width, height, quiet);
     meter.ms = [&](const Settings& s) {
         return measurer.time(scene, s, goals.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})

@@ -1,7 +1,7 @@
 // The cheapest set of effects that keeps an error, or the most accurate within a time: kernels, resolutions and what
 // else the facts of a scene leave to choose, judged by truth and clock.
 //
-//     AutopilotResult r = run_autopilot(settings, autopilot_axes(settings, facts), {.most_error = 0.01}, meter);
+//     AutopilotResult r = run_autopilot(settings, autopilot_axes(settings, facts), {.max_error = 0.01}, meter);
 //     if (r.held) use(r.best.settings); else tell(r.summary);
 #pragma once
 
@@ -13,11 +13,11 @@
 namespace si {
 
 struct AutopilotGoals {
-    std::optional<double> most_error, most_ms;  ///< one of them at least
-    const Metric* error = &metrics().front();   ///< one that has a better
-    CostCase cost = kDefaultCost;               ///< which frames most_ms bounds
-    double most_seconds = 100;                  ///< from then on nothing more is tried or priced
-    std::size_t most_combinations = 160;        ///< more are not all tried, but searched by parts
+    std::optional<double> max_error, max_ms;   ///< one of them at least
+    const Metric* error = &metrics().front();  ///< one that has a better
+    CostCase cost = kDefaultCost;              ///< which frames max_ms bounds
+    double max_seconds = 100;                  ///< from then on nothing more is tried or priced
+    std::size_t max_combinations = 160;        ///< more are not all tried, but searched by parts
 };
 
 /// An empty value: as the settings are. The first of each axis is that.
@@ -31,7 +31,7 @@ struct AutopilotMeter : AdviceMeter {
 struct AutopilotCase {
     std::vector<std::size_t> at;  ///< a value of each axis
     Settings settings;
-    JudgedSettings classified;
+    MeasuredSettings classified;
     std::optional<double> ms;  ///< of a frame, where it was needed
     bool holds = false;        ///< the bounds, as far as it was timed
 };
@@ -46,7 +46,7 @@ struct DroppedEffect {
 struct AutopilotResult {
     bool held = false;
     AutopilotCase best;  ///< where nothing holds the bounds: what came nearest
-    JudgedSettings before;
+    MeasuredSettings before;
     double before_ms = 0;
     std::vector<AutopilotCase> cases;    ///< all that were judged
     std::vector<DroppedEffect> dropped;  ///< those that there was time to price
@@ -63,9 +63,9 @@ AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepA
 
 /// As the renderer draws, on its thread, with axes of the facts unless some are given. @throws Cancelled; Error when
 /// there is no light to judge
-AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
-                              const Workers& workers = {},
-                              const std::function<void(double, const std::string&)>& report = {});
+AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
+                                       int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
+                                       ReferenceCache& cache, const Workers& workers = {},
+                                       const std::function<void(double, const std::string&)>& report = {});
 
 }  // namespace si

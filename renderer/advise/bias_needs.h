@@ -17,7 +17,7 @@ enum class BiasFamily {
     Normal,    ///< bias.normal over a constant for the format's steps
 };
 inline constexpr std::size_t kBiasFamilies = 3;
-std::string_view family_word(BiasFamily family);
+std::string_view family_label(BiasFamily family);
 
 struct BiasNeeds {
     std::size_t pixels = 0;  ///< that the light reaches, inside the map
@@ -39,8 +39,8 @@ struct BiasNeeds {
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
 /// What of bias a receiver of the picture that was measured gets and needs under the settings.
-BiasBreakdown account_of(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
-                         const RasterTraits& driver);
+BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
+                                      const RasterTraits& driver);
 
 /// The row that a family spends.
 const Bias& row_of(BiasFamily family);
@@ -48,8 +48,8 @@ const Bias& row_of(BiasFamily family);
 /// The least settings under which a row clears 999 of 1000 of the pixels of bias_needs() by its own account, in texels
 /// where it counts in bias.unit: those settings of the row that are worth anything, the last of them for what grows
 /// with no slope. A row that needs no numbers gets none; nothing where the settings' limits do not let it.
-std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& measured, const Settings& settings,
-                                          const RasterTraits& driver);
+std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
+                                              const RasterTraits& driver);
 
 /// Every amount times `factor`, within what the settings allow.
 BiasSettings scaled(const BiasSettings& bias, double factor);

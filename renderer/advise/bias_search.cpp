@@ -55,7 +55,7 @@ Settings BiasSearch::next() const {
 std::string BiasSearch::about() const {
     if (step_ == Step::Before) return "the present bias";
     if (step_ == Step::Done) return "done";
-    return fmt::format("{}: {}", family_word(families_[at_]), bias_text(next().bias));
+    return fmt::format("{}: {}", family_label(families_[at_]), bias_text(next().bias));
 }
 
 double BiasSearch::progress() const {

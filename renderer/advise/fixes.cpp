@@ -33,17 +33,17 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     for (std::size_t i = 0; i < m.classified.size(); ++i) {
         if (m.classified[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const BiasBreakdown a = account_of(m, settings, r, driver);
+        const BiasBreakdown a = measured_bias_breakdown(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
         const double gap_m = m.traced.reference->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
-            const double kappa = std::max(reach_under(settings, light, m.map_resolution).bias, 0.5);
+            const double kappa = std::max(kernel_reach_in_light(settings, light, m.map_resolution).bias, 0.5);
             const double fixed = a.least.quantum + a.least.rounding,
                          falls = a.least.kernel * 0.5 / kappa + a.least.snapping;
-            const double room = a.curve.depth_nearer(a.receiver.own_m, along) - fixed;
+            const double room = a.curve.depth_change_towards_light(a.receiver.own_m, along) - fixed;
             if (room > 0) n = std::max(n, m.map_resolution * falls / room);
         }
         wanted.push_back(n);
@@ -169,13 +169,13 @@ std::vector<std::pair<std::string, std::string>> setting_changes(const Settings&
 
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
     BiasSettings b = needs.of(family);
-    b.constant = rounded_up(b.constant * 1.001);
-    b.slope = rounded_up(b.slope * 1.001);
-    b.normal = rounded_up(b.normal * 1.001);
+    b.constant = round_up_3_digits(b.constant * 1.001);
+    b.slope = round_up_3_digits(b.slope * 1.001);
+    b.normal = round_up_3_digits(b.normal * 1.001);
     return scaled(b, 1);  // within what the settings allow
 }
 
-std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& settings) {
+std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings) {
     const auto edge = [](const Settings& s) {
         const Filter& row = filter_of(s);
         return row.reach(row, s, 0).edge;
@@ -183,7 +183,7 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
     const double reach = edge(settings);
     std::pair<std::string_view, std::string_view> out;
     double narrower = 0, wider = std::numeric_limits<double>::infinity();
-    for (const std::string_view kernel : swept_kernels()) {
+    for (const std::string_view kernel : sweep_kernels()) {
         Settings s = settings;
         set_setting(s, "filter.kernel", kernel);
         if (!filter_of(s).square) continue;
@@ -210,13 +210,13 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
     for (const Bias& row : biases()) {
         if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &row_of(family.first) == &row; })) continue;
-        if (const auto least = least_bias_by(row, measured, settings, driver))
+        if (const auto least = least_bias_of_row(row, measured, settings, driver))
             f.least_of_rows.emplace_back(&row, *least);
     }
     return f;
 }
 
-std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
+std::vector<FixCandidate> fix_candidates(const Settings& base, const FixFacts& f) {
     std::vector<FixCandidate> out;
     const auto idea = [&](std::string name, auto&& change, std::string untried = {}) {
         Settings s = base;
@@ -250,7 +250,7 @@ std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
                 s.bias = bias(fam);
             });
 
-    const auto [down, up] = neighbour_kernels(base);
+    const auto [down, up] = adjacent_kernels(base);
     const auto kernel = [](std::string_view text) {
         return [=](Settings& s) { set_setting(s, "filter.kernel", text); };
     };
@@ -292,9 +292,11 @@ std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
     return out;
 }
 
-FixCandidate idea_of(const SuggestedFix& fix, const Settings& settings) {
-    FixCandidate idea{
-        .name = fix.text, .settings = settings, .untried = {}, .label = fix_text(fix, settings) + fix_worth_text(fix)};
+FixCandidate suggested_candidate(const SuggestedFix& fix, const Settings& settings) {
+    FixCandidate idea{.name = fix.text,
+                      .settings = settings,
+                      .untried = {},
+                      .label = fix_text(fix, settings) + equivalent_bias_text(fix)};
     for (const auto& [key, value] : fix.settings) set_setting(idea.settings, key, value);
     return idea;
 }
@@ -341,7 +343,7 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
         const glm::ivec2 at = *options.pixel / std::max(options.reference.step, 1);
         pixel = std::size_t(at.y) * std::size_t(before.traced.reference->width) + std::size_t(at.x);
     }
-    std::vector<FixCandidate> ideas = fix_ideas(base, fix_facts(before, base, renderer.driver()));
+    std::vector<FixCandidate> ideas = fix_candidates(base, fix_facts(before, base, renderer.driver()));
     for (const FixCandidate& more : options.more) {
         FixCandidate own = more;
         own.settings = measured_settings(own.settings);

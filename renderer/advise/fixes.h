@@ -40,15 +40,15 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family);
 /// Of the square kernels at their own sizes the next narrower and the next wider by how far they displace edges; empty
 /// where there is none.
-std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& settings);
+std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings);
 /// Key and value of what differs, as set_setting() takes them.
 std::vector<std::pair<std::string, std::string>> setting_changes(const Settings& base, const Settings& with);
 
 /// A dossier's remedy, to be tried like the others.
-FixCandidate idea_of(const SuggestedFix& fix, const Settings& settings);
+FixCandidate suggested_candidate(const SuggestedFix& fix, const Settings& settings);
 
 /// All that may help under these settings; changes that change nothing are left out. Pure.
-std::vector<FixCandidate> fix_ideas(const Settings& settings, const FixFacts& facts);
+std::vector<FixCandidate> fix_candidates(const Settings& settings, const FixFacts& facts);
 
 struct CostChange {
     double value = 0, noise = 0;  ///< milliseconds, noise of the difference; below it there is none

@@ -9,7 +9,7 @@
 #include "renderer/settings/filters.h"
 
 namespace si {
-std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light) {
+std::string reason_not_tunable(std::span<const FittedLight> lights, int light) {
     const auto i = std::size_t(std::max(light, 0));
     if (i >= lights.size()) return fmt::format("there is no light {}: there is no bias to find", i);
     if (lights[i].casts) return {};
@@ -40,7 +40,7 @@ Settings Tuner::settings() const {
 }
 
 void Tuner::open_candidate() {
-    if (kernel_ == swept_kernels().size()) {
+    if (kernel_ == sweep_kernels().size()) {
         search_.reset();
         ask_ = Ask::Nothing;
         return;
@@ -48,12 +48,12 @@ void Tuner::open_candidate() {
     Settings s = start_;
     // What the start needed, for this kernel's reach: where the search of its own begins.
     const BiasFound& known = *first_.best();
-    set_setting(s, "filter.kernel", swept_kernels()[kernel_]);
+    set_setting(s, "filter.kernel", sweep_kernels()[kernel_]);
     s.bias = scaled(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
-    candidates_.push_back({.kernel = swept_kernels()[kernel_], .settings = s});
+    candidates_.push_back({.kernel = sweep_kernels()[kernel_], .settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});
-    ask_ = goals_.most_ms ? Ask::Time : Ask::Judge;  // a look at the clock is cheaper than the truth
+    ask_ = goals_.max_ms ? Ask::Time : Ask::Judge;  // a look at the clock is cheaper than the truth
 }
 
 void Tuner::close_candidate(bool try_finer) {
@@ -61,7 +61,7 @@ void Tuner::close_candidate(bool try_finer) {
         resolution_ *= 2;
     } else {
         ++kernel_;
-        resolution_ = std::min(kLeastResolution, goals_.most_resolution);
+        resolution_ = std::min(kMinResolution, goals_.most_resolution);
     }
     open_candidate();
 }
@@ -78,14 +78,14 @@ void Tuner::finish_measured_run() {
         c.clear = true;  // nothing is lit
     }
     c.error = distance_from_best(goals_.error->better, goals_.error->value(c.trial->error));
-    const bool accurate = c.clear && (!goals_.most_error || c.error <= *goals_.most_error);
+    const bool accurate = c.clear && (!goals_.max_error || c.error <= *goals_.max_error);
     if (!c.ms && accurate) {
         ask_ = Ask::Time;
         return;
     }
-    c.meets = accurate && c.ms && (!goals_.most_ms || *c.ms <= *goals_.most_ms);
+    c.meets = accurate && c.ms && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
     // Finer maps cost more: once the error is small enough they are of no use.
-    close_candidate(!(goals_.most_error && c.meets));
+    close_candidate(!(goals_.max_error && c.meets));
 }
 
 void Tuner::classified(const BiasTrial& trial) {
@@ -108,7 +108,7 @@ void Tuner::timed(double ms) {
     c.ms = ms;
     if (c.trial) {
         finish_measured_run();
-    } else if (goals_.most_ms && ms > *goals_.most_ms) {
+    } else if (goals_.max_ms && ms > *goals_.max_ms) {
         close_candidate(false);  // and finer maps cost more
     } else {
         ask_ = Ask::Judge;
@@ -119,9 +119,9 @@ double Tuner::progress() const {
     if (ask_ == Ask::Nothing) return 1;
     const double first = goals_.any() ? 0.2 : 1.0;
     if (!search_) return first * first_.progress();
-    const double steps = std::log2(double(goals_.most_resolution) / kLeastResolution) + 1;
-    const double within = std::log2(double(resolution_) / kLeastResolution) / steps;
-    return first + (1 - first) * (double(kernel_) + within) / double(swept_kernels().size());
+    const double steps = std::log2(double(goals_.most_resolution) / kMinResolution) + 1;
+    const double within = std::log2(double(resolution_) / kMinResolution) / steps;
+    return first + (1 - first) * (double(kernel_) + within) / double(sweep_kernels().size());
 }
 
 std::string Tuner::about() const {
@@ -134,7 +134,7 @@ const TuneCandidate* Tuner::best() const {
     const TuneCandidate* best = nullptr;
     for (const TuneCandidate& c : candidates_) {
         if (!c.meets) continue;
-        const auto cost = [&](const TuneCandidate& t) { return goals_.most_error ? *t.ms : t.error; };
+        const auto cost = [&](const TuneCandidate& t) { return goals_.max_error ? *t.ms : t.error; };
         if (!best || cost(c) < cost(*best)) best = &c;
     }
     return best;

@@ -14,14 +14,14 @@
 namespace si {
 
 /// Why a light of a frame has no bias to search, in words; empty: it has.
-std::string why_nothing_to_tune(std::span<const FittedLight> lights, int light);
+std::string reason_not_tunable(std::span<const FittedLight> lights, int light);
 
 struct TuneGoals {
-    std::optional<double> most_error, most_ms;
+    std::optional<double> max_error, max_ms;
     const Metric* error = &metrics().front();  ///< one that has a better
     int most_resolution = 8192;                ///< that may be tried
-    CostCase cost = kDefaultCost;              ///< which frames most_ms bounds
-    bool any() const { return most_error || most_ms; }
+    CostCase cost = kDefaultCost;              ///< which frames max_ms bounds
+    bool any() const { return max_error || max_ms; }
 };
 
 /// A kernel and resolution with the bias that it needs.
@@ -62,7 +62,7 @@ public:
     std::string summary() const;
 
 private:
-    static constexpr int kLeastResolution = 256;
+    static constexpr int kMinResolution = 256;
 
     void open_candidate();
     void close_candidate(bool try_finer);
@@ -74,7 +74,7 @@ private:
     std::optional<BiasSearch> search_;  ///< of the present candidate
     Ask ask_ = Ask::Judge;
     std::size_t kernel_ = 0;
-    int resolution_ = kLeastResolution;
+    int resolution_ = kMinResolution;
     int trials_ = 0;
     std::vector<TuneCandidate> candidates_;
 };

@@ -56,7 +56,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
                 .per_texel = a.plane.gradient / double(resolution),
                 .quantum = depth_quantum(settings.map.format, view.curve, r.uvd.z)};
-    const double kappa = reach_under(settings, light, resolution).bias;
+    const double kappa = kernel_reach_in_light(settings, light, resolution).bias;
     const double extent = extent_m(light, r, resolution, p);
     a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,
                          rounding_bias(view, p.position_ws, extent));
@@ -69,21 +69,21 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     }
     b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
-    r.bias_m = a.curve.metres_nearer(r.tap_m, r.bias_depth);
+    r.bias_m = a.curve.metres_towards_light(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
     r.compared = r.tap.z - away * r.bias_depth;
     BiasSettings level = bias;
     level.slope = 0;
-    if (row.brings_need) {
+    if (row.gives_needed_bias) {
         BiasSettings nothing = bias;
         nothing.constant = nothing.slope = 0;
-        a.by_itself = row.amount(nothing, b);
+        a.bias_of_kind = row.amount(nothing, b);
     }
-    const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
+    const double own = a.plane.edge_on() && row.gives_needed_bias ? 0 : r.bias_depth - a.bias_of_kind;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = offsets_polygons(settings) ? bias_at(BiasStage::Raster).amount(bias, b) : 0;
+    a.raster = offsets_polygons(settings) ? bias_of_stage(BiasStage::Raster).amount(bias, b) : 0;
     a.depth_shift = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

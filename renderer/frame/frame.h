@@ -64,7 +64,7 @@ struct MapOfLight {
 };
 
 /// The most that FrameRequest::smoothed asks for.
-inline constexpr int kSmoothedMost = 8;
+inline constexpr int kMaxSmoothedShadings = 8;
 /// Name of the pass that makes it.
 inline constexpr std::string_view kSmoothingPass = "smoothing at rest";
 

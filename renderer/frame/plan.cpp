@@ -45,7 +45,7 @@ std::string_view result_name(Result result) {
             return "error";
         case Result::Evidence:
             return "evidence";
-        case Result::TruePicture:
+        case Result::ReferenceLitPicture:
             return "true picture";
         case Result::Precision:
             return "errors of single precision";

@@ -63,7 +63,7 @@ public:
     std::uint64_t key_of(const ResultRef& result) const;
     /// Whether images still hold what the passes added so far would write into it.
     bool holds(const ResultRef& result) const;
-    void give_up_what_is_unused() const {
+    void run_releases() const {
         for (const auto& give_up : releases_) give_up();
     }
 

@@ -57,16 +57,16 @@ GLenum FrameState::map_format() const {
     return map_internal_format(settings.map.format);
 }
 
-bool FrameState::shades_by(std::size_t light) const {
-    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
+bool FrameState::may_light_picture(std::size_t light) const {
+    return !adds_no_light(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
 }
 
-bool FrameState::takes_for_lit(std::size_t light) const {
-    return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
+bool FrameState::shades_as_lit(std::size_t light) const {
+    return !separate_visibility && is_always_lit(gl.fitted[light], settings) &&
            !request.forced.contains(Optimisation::Uncalled);
 }
 
-bool FrameState::draws_unfiltered() const {
+bool FrameState::needs_unfiltered_map() const {
     return offsets_polygons(settings) || mask_levels;
 }
 
@@ -166,7 +166,7 @@ bool FrameState::blurs_depths() const {
     return settings.map.blur_texels > 0 && view_count > 0;
 }
 
-bool FrameState::has_contacts(std::size_t light) const {
+bool FrameState::has_contact_shadows(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
 
@@ -186,10 +186,10 @@ const DepthCurve* FrameState::shown_curve() const {
 }
 
 int FrameState::shown_mip() const {
-    return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
+    return std::min(requested_mip(settings), gl::mip_levels(map_resolution) - 1);
 }
 
-bool FrameState::fits_greys() const {
+bool FrameState::fits_grey_range() const {
     return settings.view.map_fit && settings.view.map != MapView::Bands && shown_curve();
 }
 

@@ -29,10 +29,10 @@
 namespace si {
 
 inline constexpr int kMaxPanes = 4;
-inline constexpr int kSeenImages = 5;  ///< see lib/seen_surface.glsl
+inline constexpr int kVisibleSurfaceImages = 5;  ///< see lib/seen_surface.glsl
 
 /// Depths of all that a camera sees, as its depth buffer held them.
-struct SeenDepths {
+struct VisibleDepths {
     std::uint64_t key = 0;          ///< FrameState::surfaces_key() of what was seen
     std::optional<DepthSpan> span;  ///< metres; nothing: it saw nothing
     PassInfo info;
@@ -59,11 +59,11 @@ struct Resources {
     std::shared_ptr<SceneFindings> found;  ///< see optimisations/scene_findings.h
     std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
-    std::vector<FittedLight> as_placed;  ///< fitted without a camera
+    std::vector<FittedLight> fitted_without_camera;  ///< fitted without a camera
     std::uint64_t as_placed_key = 0;
     std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
-    SeenDepths seen;
+    VisibleDepths seen;
     /// Which drawing each key of contents is from; drawings are counted.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
@@ -87,12 +87,12 @@ struct FrameState {
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;                    ///< as OpenGL names it
-    bool blurs_depths() const;                    ///< map.blur_texels has maps to blur
-    bool has_contacts(std::size_t light) const;   ///< contact shadows darken the light
-    bool shades_by(std::size_t light) const;      ///< the light may change the picture: else shading leaves it out
-    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see never_shadows()
-    bool paged = false;                           ///< the maps are drawn by pages: there are some, and map.virtual acts
+    GLenum map_format() const;                          ///< as OpenGL names it
+    bool blurs_depths() const;                          ///< map.blur_texels has maps to blur
+    bool has_contact_shadows(std::size_t light) const;  ///< contact shadows darken the light
+    bool may_light_picture(std::size_t light) const;  ///< the light may change the picture: else shading leaves it out
+    bool shades_as_lit(std::size_t light) const;      ///< shading looks nothing up of it: see is_always_lit()
+    bool paged = false;  ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
@@ -120,7 +120,7 @@ struct FrameState {
     std::uint64_t reference_content = 0;  ///< key of what of it is used
     Plan plan;                            ///< see plan_frame()
     /// What of each of the maps is drawn: of the rest nothing is read. Once their passes are planned.
-    std::vector<MapCells> layers_held;
+    std::vector<MapCells> drawn_cells_by_layer;
     Key maps_extent;                    ///< of what the maps hold of all that they could; the same
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
     bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
@@ -140,7 +140,7 @@ struct FrameState {
     /// The mip level of the moment that the map viewer shows.
     int shown_mip() const;
     /// Whether the map viewer's greys follow what is drawn (view.map_fit).
-    bool fits_greys() const;
+    bool fits_grey_range() const;
     /// Of the surfaces that the camera sees, in the size of the picture.
     Key surfaces_key() const;
     /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
@@ -155,7 +155,7 @@ struct FrameState {
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.
-    bool draws_unfiltered() const;
+    bool needs_unfiltered_map() const;
     bool surface_flags = false;  ///< some object or material needs the per-object flags
 
     /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name

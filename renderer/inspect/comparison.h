@@ -24,7 +24,7 @@ struct TestedPixel {
 
 /// @param settings sanitised and within the driver's limits
 /// @param map of the light's view that the point falls into, top row first; empty when it casts nothing
-Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int resolution,
-                           const FloatImage& map, const RasterTraits& driver);
+Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings,
+                                    int resolution, const FloatImage& map, const RasterTraits& driver);
 
 }  // namespace si

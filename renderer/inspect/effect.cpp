@@ -4,7 +4,7 @@
 
 namespace si {
 
-std::string_view state_name(EffectState state) {
+std::string_view effect_state_key(EffectState state) {
     return state == EffectState::Drawn ? "simulated" : state == EffectState::Cached ? "reused" : "not called for";
 }
 

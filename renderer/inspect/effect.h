@@ -15,7 +15,7 @@ enum class EffectState {
     NotNeeded  ///< nothing that is looked at depends on it
 };
 /// "simulated", "reused", "not called for": also what files call it.
-std::string_view state_name(EffectState state);
+std::string_view effect_state_key(EffectState state);
 
 struct Effect {
     std::string name;  ///< "map of light 0, cascade 2"

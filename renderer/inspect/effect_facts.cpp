@@ -17,7 +17,7 @@ Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_
     return effect;
 }
 
-std::string light_key(std::size_t light, std::string_view setting) {
+std::string light_setting_key(std::size_t light, std::string_view setting) {
     SettingRef ref = *find_setting(fmt::format("light.{}", setting));
     ref.light = int(light);
     return setting_key(ref);

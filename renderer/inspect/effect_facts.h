@@ -36,6 +36,6 @@ Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_
                std::optional<Optimisation> saving = {});
 
 /// "light.2.size".
-std::string light_key(std::size_t light, std::string_view setting);
+std::string light_setting_key(std::size_t light, std::string_view setting);
 
 }  // namespace si

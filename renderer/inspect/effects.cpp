@@ -157,7 +157,7 @@ const EffectRow kRows[] = {
      .why =
          [](const EffectFacts& f, const PassInfo& pass) {
              const auto light = std::size_t(pass.light);
-             return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
+             return fmt::format("{} is {}", light_setting_key(light, "source"), source_of(f.settings, int(light)).key);
          },
      .absent = SI_ABSENT("no light's source is shadow volumes")},
     {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
@@ -242,7 +242,7 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
         effect.saving = Optimisation::Fused;
-    const bool waits_for_maps = pass.reason == kBoundsWaitForMaps;
+    const bool waits_for_maps = pass.reason == kMapBoundsWaitReason;
     if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
         effect.saving = Optimisation::EarlyOut;
     out.push_back(std::move(effect));
@@ -272,7 +272,7 @@ void add_static(const EffectFacts& f, int animation, Effects& out) {
 
 void count_casters(EffectFacts& f) {
     for (const Object& object : f.scene.objects) {
-        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        if (!can_cast(f.scene, f.settings, object)) continue;
         const int material = f.scene.meshes[std::size_t(object.mesh)].material;
         ++f.casters;
         f.masked_casters += material >= 0 && f.scene.materials[std::size_t(material)].alpha != AlphaMode::Opaque;
@@ -298,7 +298,7 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
     return effect;
 }
 
-std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
+std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect) {
     if (!effect.saving) return 1;
     return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
 }

@@ -23,7 +23,8 @@ struct FragmentReference {
 
 /// @param traits object_traits() of the scene and settings that were probed
 /// @param scene of the same triangles. @throws Error when the probe hit nothing, or another scene's triangle
-FragmentReference fragment_reference(const ReferenceScene& scene, const Probe& probe, const Probe::PerLight& light,
-                                     const Settings& settings, std::span<const ObjectTraits> traits);
+FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Probe& probe,
+                                           const Probe::PerLight& light, const Settings& settings,
+                                           std::span<const ObjectTraits> traits);
 
 }  // namespace si

@@ -63,7 +63,8 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
     return lost;
 }
 
-std::vector<std::string> lost_caster_notes(const Scene& scene, const std::vector<LostCaster>& lost, std::size_t most) {
+std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
+                                             std::size_t most) {
     std::vector<std::string> notes;
     for (std::size_t i = 0; i < std::min(lost.size(), most); ++i) {
         const std::string& path = scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;

@@ -25,7 +25,7 @@ struct LostCaster {
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light);
 
 /// A line per lost object that names it and the remedy, at most `most` of them and one for the rest.
-std::vector<std::string> lost_caster_notes(const Scene& scene, const std::vector<LostCaster>& lost,
-                                           std::size_t most = 5);
+std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
+                                             std::size_t most = 5);
 
 }  // namespace si

@@ -19,10 +19,10 @@ std::string texels(const DepthShift& a) {
     return texels_text(a.texels);
 }
 
-class Explainer {
+class PixelDiagnoser {
 public:
-    Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
-              const Settings& settings, const DriverInfo& driver)
+    PixelDiagnoser(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
+                   const Settings& settings, const DriverInfo& driver)
         : probe_(probe), p_(p), reference_(reference), settings_(settings), driver_(driver) {}
 
     PixelDiagnosis explain() {
@@ -53,7 +53,8 @@ private:
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(reference_.gap_m)) return kInfinite;
-        return p_.account.curve.depth_nearer(p_.own_m, reference_.gap_m * p_.account.receiver.axis_per_ray);
+        return p_.account.curve.depth_change_towards_light(p_.own_m,
+                                                           reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
     void weigh() {
@@ -354,7 +355,7 @@ private:
         if (!enough(most)) return {};
         double lo = 0, hi = enough(0) ? 0 : most;
         for (int i = 0; i < 60 && hi - lo > 1e-4 * hi; ++i) (enough(0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
-        value = rounded_up(hi * (1 + 1e-3));
+        value = round_up_3_digits(hi * (1 + 1e-3));
         if (value > most || !fixes(s)) return {};
         return value;
     }
@@ -369,7 +370,7 @@ private:
         s.map.resolution = probe_.map_resolution;
         value_of(s, key) = value;
         const BiasBreakdown a = under(s);
-        r.worth_texels = a.amount(a.equivalent_depth()).texels;
+        r.equivalent_bias_texels = a.amount(a.equivalent_depth()).texels;
         return r;
     }
 
@@ -431,10 +432,10 @@ private:
         const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasBreakdown& a = p_.account;
         const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);
-        const double value = rounded_up((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
-                                         : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
-                                                                                   : wanted.depth) *
-                                        (1 + 1e-3));
+        const double value = round_up_3_digits((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
+                                                : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
+                                                                                          : wanted.depth) *
+                                               (1 + 1e-3));
         if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
         return set("bias.constant", value);
     }
@@ -442,7 +443,7 @@ private:
 
 }  // namespace
 
-double rounded_up(double v) {
+double round_up_3_digits(double v) {
     if (!(v > 0)) return 0;
     // Powers of ten below one are no floating-point numbers: dividing by their inverse gives the nearest decimal.
     const double digits = 2 - std::floor(std::log10(v));
@@ -460,14 +461,14 @@ std::string fix_text(const SuggestedFix& fix, const Settings& settings) {
     return text;
 }
 
-std::string fix_worth_text(const SuggestedFix& fix) {
-    if (!(fix.worth_texels > 0) || !std::isfinite(fix.worth_texels)) return {};
-    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.worth_texels));
+std::string equivalent_bias_text(const SuggestedFix& fix) {
+    if (!(fix.equivalent_bias_texels > 0) || !std::isfinite(fix.equivalent_bias_texels)) return {};
+    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.equivalent_bias_texels));
 }
 
 PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
                        const Settings& settings, const DriverInfo& driver) {
-    return Explainer(probe, light, reference, settings, driver).explain();
+    return PixelDiagnoser(probe, light, reference, settings, driver).explain();
 }
 
 }  // namespace si

@@ -13,19 +13,20 @@
 namespace si {
 
 /// Rounded up to three digits, so that what was just enough stays so; 0 for what is not above 0.
-double rounded_up(double v);
+double round_up_3_digits(double v);
 
 /// Settings that put the pixel right, by what is known of its plane.
 struct SuggestedFix {
     std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
-    double worth_texels = 0;  ///< depth bias that the pixel has with it, where a bias is what it sets; 0: not known
+    double equivalent_bias_texels =
+        0;  ///< depth bias that the pixel has with it, where a bias is what it sets; 0: not known
 };
 
 /// What it sets by the names that are on the screen: "Slope bias 1.8 texels".
 std::string fix_text(const SuggestedFix& fix, const Settings& settings);
 /// " (worth 1.2 texels of depth bias here)"; empty where that is not known.
-std::string fix_worth_text(const SuggestedFix& fix);
+std::string equivalent_bias_text(const SuggestedFix& fix);
 
 /// A light's verdict about the pixel. The window of depth biases that are right for it is [least, occluder): less, and
 /// its surface shadows itself; as much or more, and the surface that keeps the light from it is lost.

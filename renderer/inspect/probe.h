@@ -49,7 +49,7 @@ struct KernelFacts {
 };
 
 /// How far to either side of the look-up a probe keeps what the map stores, in texels.
-inline constexpr int kRowReach = 32;
+inline constexpr int kProbeRowReachTexels = 32;
 
 struct Probe {
     bool hit = false;
@@ -90,8 +90,8 @@ struct Probe {
         KernelFacts kernel;
         std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; none of kernels that are no sum
         glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them
-        /// The texels within kRowReach of `texel` along the map's u and along its v, each as the kernel would compare
-        /// it; those that it does not weigh 0. Empty where the point has no place in a map.
+        /// The texels within kProbeRowReachTexels of `texel` along the map's u and along its v, each as the kernel
+        /// would compare it; those that it does not weigh 0. Empty where the point has no place in a map.
         std::array<std::vector<KernelTap>, 2> rows;
         double visibility = 1;   ///< what the renderer's filter computed, another cascade blended in
         CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in

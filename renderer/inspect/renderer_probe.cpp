@@ -46,7 +46,7 @@ public:
         depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
         framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
         f.begin_camera_pass(framebuffer_.id());
-        f.bind(lookup_reads(f));
+        f.bind(kernel_inputs(f));
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
         glViewportIndexedf(0, float(-(x_ & ~1)) + at.shift.x, float(-(y_ & ~1)) + at.shift.y, float(f.request.width),
@@ -82,7 +82,7 @@ PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
 
 /// The surface of a pixel, whichever light.
 struct SeenPixel {
-    Block<kSeenImages> block;
+    Block<kVisibleSurfaceImages> block;
     glm::ivec2 at;  ///< in the block
 
     SeenPixel(FrameState& f, const BlockPlace& place) : block(f, place), at(place.x & 1, place.y_bottom & 1) {
@@ -99,8 +99,8 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     taps.ensure("taps", GL_RGBA32F, width, 1);
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), width, 1);
-    f.bind(lookup_reads(f));
-    bind_seen_surfaces(seen.block.targets());
+    f.bind(kernel_inputs(f));
+    bind_visible_surfaces(seen.block.targets());
     defines.push_back({"LIGHT_INDEX", std::to_string(light)});
     const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
     glUseProgram(program);
@@ -258,7 +258,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
             pixel.taps = draw_taps(f, *seen, int(i));
             pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
-        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
+        out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, place, int(i));
         out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
     }

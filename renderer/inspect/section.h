@@ -23,7 +23,7 @@ struct SectionCut {
 };
 
 /// Where the cut meets a surface that the light sees first, by rays.
-struct TruePoint {
+struct ReferencePoint {
     double along = 0;   ///< map coordinate along the cut
     double axis_m = 0;  ///< metres along the light's axis; NaN: nothing stands there
 };
@@ -57,11 +57,11 @@ struct Section {
     };
 
     SectionCut cut;
-    int row = 0;               ///< texel in the other direction
-    double row_aside = 0;      ///< by how many texels the middle line of the row lies beside the cut
-    double surface_aside = 0;  ///< by how many texels the surface itself lies beside the cut
-    double texel_m = 0;        ///< width of a texel along the cut, at the look-up, across its ray
-    double texel_long_m = 0;   ///< the same along the map, to which rays off its axis are slanted
+    int row = 0;                       ///< texel in the other direction
+    double row_offset_texels = 0;      ///< by how many texels the middle line of the row lies beside the cut
+    double surface_offset_texels = 0;  ///< by how many texels the surface itself lies beside the cut
+    double texel_m = 0;                ///< width of a texel along the cut, at the look-up, across its ray
+    double texel_long_m = 0;           ///< the same along the map, to which rays off its axis are slanted
     LightType light = LightType::Directional;
     double light_m = 0;  ///< along its axis from the light to the surface; directional: from the map's near plane
     bool lit = true, shadowed = false;  ///< what the kernel answers, above one half; whether the cut has any texels
@@ -83,7 +83,7 @@ struct Section {
     bool classified = false;
     std::string artefact;  ///< label; empty: nothing is wrong
     std::string verdict;   ///< a sentence
-    bool true_lit = true;
+    bool reference_lit = true;
     bool tested = true;  ///< else the surface is dark, or lit, without a look at the map
     DepthShift least, has, lifted;
     /// Metres from the surface along its own ray of the light, as the dossier's `least` and `occluder` have them: bias
@@ -98,8 +98,8 @@ struct Section {
 
     const Step* step_at(int texel) const;
     /// The texel that the look-up lies in; null where the map has none there.
-    const Step* looked_up() const { return step_at(looked_up_texel); }
-    int looked_up_texel = 0;
+    const Step* looked_up() const { return step_at(lookup_texel); }
+    int lookup_texel = 0;
 };
 
 /// Which cut shows best why the pixel is as it is: along the map's direction in which the surface falls away from the
@@ -110,17 +110,17 @@ SectionCut section_cut(const Probe::PerLight& light, const PixelDiagnosis* diagn
                        int resolution);
 
 /// What the light sees first along the cut, eight rays a texel.
-std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::PerLight& light, const SectionCut& cut,
-                                    int resolution);
+std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& light,
+                                              const SectionCut& cut, int resolution);
 
 /// @param dossier null: none, and nothing of the truth is known
-/// @param profile true_profile(), or empty
+/// @param profile reference_profile(), or empty
 Section cross_section(const Probe::PerLight& light, const PixelDiagnosis* diagnosis, const SectionCut& cut,
-                      int resolution, std::span<const TruePoint> profile = {});
+                      int resolution, std::span<const ReferencePoint> profile = {});
 
 /// All of that of one of a probe's lights.
 /// @param dossiers of its lights, or fewer: of the others nothing of the truth is known @param casters null: no profile
-Section section_of(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
-                   const Settings& settings, const ReferenceScene* casters);
+Section pixel_section(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
+                      const Settings& settings, const ReferenceScene* casters);
 
 }  // namespace si

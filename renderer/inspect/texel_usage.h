@@ -35,7 +35,7 @@ public:
     double utilisation() const;
     /// Number of pixels whose kernels read the texel.
     std::uint32_t pixels(glm::ivec2 texel) const;
-    std::uint32_t most_pixels() const;
+    std::uint32_t max_pixels() const;
     /// One channel: pixels() of each texel, top row first.
     FloatImage counts() const;
     /// The pixels whose kernels read the texel, row 0 at the top, in reading order.

@@ -126,7 +126,7 @@ SweepAxis parse_axis(std::string_view text) {
     return axis;
 }
 
-Settings without_idle(Settings settings) {
+Settings without_ineffective_settings(Settings settings) {
     // What is without effect is judged by the settings as given, so that the order of the rows does not matter.
     const Settings given = settings;
     for (const SettingRef& ref : all_settings(given)) {
@@ -180,7 +180,8 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             c.id += (c.id.empty() ? "" : " ") + axis.key + "=" + value;
         }
         const Settings measured = measured_settings(c.settings);
-        if (!seen.insert(fingerprint(scene_varies ? measured : without_idle(measured))).second) continue;
+        if (!seen.insert(fingerprint(scene_varies ? measured : without_ineffective_settings(measured))).second)
+            continue;
         for (std::size_t a = 0; a < axes.size(); ++a) kept[a].insert(c.values[a].second);
         plan.cases.push_back(std::move(c));
     }

@@ -43,7 +43,7 @@ inline constexpr std::size_t kMaxSweepCases = 100'000;
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
 /// `settings` with each setting that is without effect at its default: two that draw the same by that are equal.
-Settings without_idle(Settings settings);
+Settings without_ineffective_settings(Settings settings);
 
 /// Without what a person looks with: overlays, panes, the map viewer. They cost time and are no part of the shadow.
 Settings measured_settings(Settings settings);

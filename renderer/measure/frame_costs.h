@@ -39,6 +39,6 @@ inline constexpr double kCostStepDegrees = 0.5;
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 
 /// Turns `request` into one that is timed as the case says.
-void time_as(FrameRequest& request, CostCase cost);
+void set_timed_passes(FrameRequest& request, CostCase cost);
 
 }  // namespace si

@@ -32,7 +32,7 @@ TimedFrames::TimedFrames(Renderer& renderer, const Scene& scene, const Settings&
     for (Settings& s : scripted_frames(scene, measured, double(request.width) / request.height, cost)) {
         trace_sources(renderer, scene, s, request, references, workers);
         frames_.push_back({std::move(s), request});
-        time_as(frames_.back().request, cost);
+        set_timed_passes(frames_.back().request, cost);
     }
 }
 

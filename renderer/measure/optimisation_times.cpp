@@ -43,9 +43,9 @@ const Spread* SavedTimes::of(const Effect& effect) const {
     return nullptr;
 }
 
-std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int rounds,
-                                      const std::function<double(OptimisationSet)>& draw_ms,
-                                      const std::function<void(double)>& report) {
+std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> savings, int rounds,
+                                                      const std::function<double(OptimisationSet)>& draw_ms,
+                                                      const std::function<void(double)>& report) {
     std::vector<std::vector<double>> differences(savings.size());
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < savings.size(); ++i) {
@@ -63,7 +63,8 @@ std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int
     return out;
 }
 
-KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving)
+CachedFrames::CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request,
+                           Optimisation saving)
     : scene_(scene), placement_(scene.placement), request_(request), time_goes_on_(saving == Optimisation::Static) {
     request_.force = false;
     const double aspect = double(request.width) / request.height;
@@ -71,14 +72,14 @@ KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const Frame
         time_goes_on_ ? std::vector<Settings>{settings} : scripted_frames(scene, settings, aspect, CostCase::Camera);
 }
 
-FrameResult KeptFrames::draw(OptimisationSet forced) {
+FrameResult CachedFrames::draw(OptimisationSet forced) {
     if (drawn_ % 2 == 0) move_on();
     request_.forced = forced;
     return (forced.empty() ? keeps_ : draws_all_)
         .render(scene_, moments_[std::size_t(drawn_++ / 2) % moments_.size()], request_);
 }
 
-void KeptFrames::move_on() {
+void CachedFrames::move_on() {
     if (!time_goes_on_) return;
     constexpr double kStep_s = 1.0 / 30;  // as an animation that is played
     SceneSettings& at = moments_.front().scene;
@@ -87,9 +88,9 @@ void KeptFrames::move_on() {
     if (placement_ != scene_.placement) place(scene_, placement_);
 }
 
-SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Optimisation> savings, int rounds, const Workers& workers,
-                         const std::function<void(double)>& report) {
+SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
+                               std::span<const Optimisation> savings, int rounds, const Workers& workers,
+                               const std::function<void(double)>& report) {
     request.force = request.timing = true;
     TimeSamples samples;
     const auto require_going_on = [&] {
@@ -116,7 +117,7 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
     draw({}, false);  // compiles programs and touches memory
     for (const Optimisation saving : again) draw({saving}, false);
     SavedTimes saved{.rounds = rounds};
-    saved.savings = saved_in_turns(
+    saved.savings = time_optimisations_alternating(
         again, rounds, [&](OptimisationSet forced) { return draw(forced, true); },
         [&](double share) { report_part(0, double(again.size()), share); });
     for (int i = 0; again.empty() && i < rounds; ++i) {
@@ -124,14 +125,14 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
         if (kept.empty()) report_part(0, 1, double(i + 1) / rounds);
     }
     for (std::size_t i = 0; i < kept.size(); ++i) {
-        KeptFrames frames(scene, settings, request, kept[i]);
+        CachedFrames frames(scene, settings, request, kept[i]);
         const auto draw_moment = [&](OptimisationSet forced) {
             require_going_on();
             return total_ms(frames.draw(forced));
         };
         const Optimisation one[] = {kept[i]};
-        saved_in_turns(one, 4, draw_moment);  // until what is kept is there
-        saved.savings.push_back(saved_in_turns(one, rounds, draw_moment, [&](double share) {
+        time_optimisations_alternating(one, 4, draw_moment);  // until what is kept is there
+        saved.savings.push_back(time_optimisations_alternating(one, rounds, draw_moment, [&](double share) {
                                     report_part(double(again.size() + i), 1, share);
                                 }).front());
     }
@@ -139,7 +140,7 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
     return saved;
 }
 
-std::vector<Optimisation> named_optimisations(std::span<const Effect> effects) {
+std::vector<Optimisation> optimisations_of(std::span<const Effect> effects) {
     std::vector<Optimisation> out;
     for (const Effect& effect : effects)
         if (effect.saving && std::find(out.begin(), out.end(), *effect.saving) == out.end())

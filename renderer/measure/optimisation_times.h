@@ -1,6 +1,6 @@
 // What savings are worth in milliseconds: frames that make them and frames that do the work after all, in turns.
 //
-//     SavedTimes saved = measure_saved(renderer, scene, settings, request, {Saving::Uncalled});
+//     SavedTimes saved = measure_saved_times(renderer, scene, settings, request, {Saving::Uncalled});
 //     saved.of(Saving::Uncalled)->median                // ms; its interval: median_low ... median_high
 #pragma once
 
@@ -38,26 +38,26 @@ struct SavedTimes {
 /// What each saving is worth by frames that `draw_ms` draws and times.
 /// @param draw_ms of one frame with these savings forced, milliseconds
 /// @param report hears of the share done
-std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int rounds,
-                                      const std::function<double(OptimisationSet)>& draw_ms,
-                                      const std::function<void(double)>& report = {});
+std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> savings, int rounds,
+                                                      const std::function<double(OptimisationSet)>& draw_ms,
+                                                      const std::function<void(double)>& report = {});
 
-inline constexpr int kSavedRounds = 15;
+inline constexpr int kSavedTimeRounds = 15;
 
 /// Draws in turns, after frames that warm up: every pass anew but for Saving::Resting, for which time goes on from
 /// frame to frame and what did not change is kept. Where no animation moves anything, nothing is told of that one.
 /// @param request of the frames; forced and timed here
 /// @throws Error, Cancelled
-SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Optimisation> savings, int rounds = kSavedRounds, const Workers& workers = {},
-                         const std::function<void(double)>& report = {});
+SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
+                               std::span<const Optimisation> savings, int rounds = kSavedTimeRounds,
+                               const Workers& workers = {}, const std::function<void(double)>& report = {});
 
 /// Frames in each of which something has moved, for savings that live by what an earlier frame left: time goes on
 /// where it is Saving::Resting, else the camera turns.
-class KeptFrames {
+class CachedFrames {
 public:
     /// @param saving Resting only of a scene that is_animated()
-    KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving);
+    CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving);
     /// Each moment is drawn twice, one after the other. @param forced those that force nothing are one sequence of
     /// frames, by a renderer of its own, those that do are another
     FrameResult draw(OptimisationSet forced);
@@ -75,6 +75,6 @@ private:
 };
 
 /// The savings that these effects name, each once.
-std::vector<Optimisation> named_optimisations(std::span<const Effect> effects);
+std::vector<Optimisation> optimisations_of(std::span<const Effect> effects);
 
 }  // namespace si

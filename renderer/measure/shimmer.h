@@ -28,13 +28,13 @@ struct ShimmerOptions {
 
 /// Of one setting. A place flips when its visibility crosses one half between two steps.
 struct Shimmer {
-    std::size_t places = 0;          ///< pixels that show a surface
-    std::vector<std::size_t> flips;  ///< by step
-    double flips_a_step = 0;         ///< mean
-    std::size_t most_flips = 0;      ///< of a step
-    std::size_t restless = 0;        ///< places that ever flip
-    double change = 0;               ///< mean of |visibility changed by| over places and steps
-    FloatImage flips_of;             ///< a channel: how often each pixel flips
+    std::size_t places = 0;           ///< pixels that show a surface
+    std::vector<std::size_t> flips;   ///< by step
+    double flips_a_step = 0;          ///< mean
+    std::size_t max_flips = 0;        ///< of a step
+    std::size_t flipping_pixels = 0;  ///< places that ever flip
+    double change = 0;                ///< mean of |visibility changed by| over places and steps
+    FloatImage flips_of;              ///< a channel: how often each pixel flips
 };
 
 /// @param report hears of the share done. @throws Error where view.light has no map; Cancelled

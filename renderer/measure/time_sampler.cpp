@@ -71,7 +71,7 @@ TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= samples.maps_ms[i];
     m.picture_ms = spread(std::move(rest));
     for (const auto& pass : samples.passes) m.passes.push_back({pass.name, spread(pass.gpu_ms), spread(pass.cpu_ms)});
-    m.settled = m.total_ms.bursts >= kLeastBursts && m.total_ms.relative() < settled_below;
+    m.settled = m.total_ms.bursts >= kMinBursts && m.total_ms.relative() < settled_below;
     m.clock = samples.clock;
     return m;
 }

@@ -51,14 +51,14 @@ struct TimeMeasurement {
 /// Spread::relative() of the total below which a time has settled.
 inline constexpr double kSettledSpread = 0.03;
 /// Bursts below which nothing is known of how they differ, so that no time has settled.
-inline constexpr int kLeastBursts = 3;
+inline constexpr int kMinBursts = 3;
 
 /// @param settled_below bound of Spread::relative() of the total
 TimeMeasurement summary(const TimeSamples& samples, double settled_below = kSettledSpread);
 
 /// Collects the pass times of frames of one setting. A pass whose result is reused takes no time: frames are to be
-/// drawn so that this is the answer (time_as()). They come in bursts spread over a while, since a machine's mood lasts
-/// longer than a few frames.
+/// drawn so that this is the answer (set_timed_passes()). They come in bursts spread over a while, since a machine's
+/// mood lasts longer than a few frames.
 class TimeSampler {
 public:
     struct Limits {

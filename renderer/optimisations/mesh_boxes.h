@@ -11,8 +11,8 @@
 namespace si {
 
 /// See build_clusters(); none of a mesh that changes with the pose.
-std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);
+std::span<const Cluster> mesh_clusters(const FrameState& f, std::size_t mesh);
 /// See index_run_boxes(); none of a mesh that changes with the pose.
-std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh);
+std::span<const Bounds> mesh_run_boxes(const FrameState& f, std::size_t mesh);
 
 }  // namespace si

@@ -13,29 +13,29 @@
 namespace si {
 
 /// Boxes around parts of one mesh: clusters of triangles, and runs of indices.
-struct BoxesOfMesh {
+struct MeshBoxes {
     std::vector<Cluster> clusters;
     std::optional<std::vector<Bounds>> runs;  ///< none: not built yet
 };
 
 /// Parts of each light's maps that the camera reads, kept until camera, scene or maps change.
-struct SeenFromCamera {
+struct CameraMapReads {
     std::uint64_t key = 0;
-    std::optional<SeenBodies> bodies;
+    std::optional<VisibleBodies> bodies;
     /// Parts of one light's maps.
-    struct OfLight {
+    struct LightReads {
         std::uint64_t key = 0;
         NeededMaps called;
     };
-    std::array<OfLight, kMaxLights> lights;
+    std::array<LightReads, kMaxLights> lights;
 };
 
 /// Boxes of meshes and the parts that the camera sees, each found when first needed. One object a renderer
 /// (Resources::found).
 struct SceneFindings {
-    OfMeshes<BoxesOfMesh> boxes;
-    SeenFromCamera seen;
-    SeenObjects seen_objects;
+    OfMeshes<MeshBoxes> boxes;
+    CameraMapReads seen;
+    VisibleObjects seen_objects;
 };
 
 }  // namespace si

@@ -12,20 +12,20 @@
 namespace si {
 
 /// A caster, by CasterContent. Several of one content lie in one place: depths of one are those of all.
-struct WeighedCaster {
+struct StaticCandidate {
     std::uint64_t content = 0;
     std::uint64_t triangles = 0;  ///< of all that have it
-    bool operator==(const WeighedCaster&) const = default;
+    bool operator==(const StaticCandidate&) const = default;
 };
 
 /// Casters in the order of their content, each content once.
-std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> contents,
-                                           std::span<const std::uint64_t> triangles);
+std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
+                                              std::span<const std::uint64_t> triangles);
 
 /// What rests is kept apart where it has at least one in so many of all triangles. Beside 12 times as many that moved
 /// all over the map it took 0.71 to 0.85 of drawing all on llvmpipe, 0.59 on zink (`bench
 /// --benchmark_filter=moving_box`).
-inline constexpr std::uint64_t kLeastStaticShare = 16;
+inline constexpr std::uint64_t kMaxTrianglesPerStatic = 16;
 
 /// What one of a light's maps consists of.
 struct StaticView {
@@ -47,7 +47,7 @@ public:
     /// Says how a light's maps are drawn that hold these casters, and remembers them.
     /// @param of_views key of all that the maps depend on but their casters
     /// @param[out] reason a clause where all are drawn; empty: nothing has moved
-    Draws choose(std::uint64_t of_views, std::vector<WeighedCaster> casters, std::string_view& reason);
+    Draws choose(std::uint64_t of_views, std::vector<StaticCandidate> casters, std::string_view& reason);
 
     /// Whether a caster is in the map of what rests.
     bool rests(std::uint64_t content) const;
@@ -59,12 +59,12 @@ public:
 
 private:
     std::uint64_t views_ = 0;
-    std::vector<WeighedCaster> last_;            ///< of the frame before
-    std::vector<WeighedCaster> static_casters_;  ///< empty: there is no map of them
+    std::vector<StaticCandidate> last_;            ///< of the frame before
+    std::vector<StaticCandidate> static_casters_;  ///< empty: there is no map of them
     /// Triangles that were drawn though they rested, as they moved when resting ones were chosen.
     std::uint64_t drawn_in_vain_ = 0;
 
-    Draws choose_again(const std::vector<WeighedCaster>& rested, std::string_view& reason);
+    Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 
 }  // namespace si

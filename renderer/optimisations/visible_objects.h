@@ -12,9 +12,9 @@ namespace si {
 
 struct FrameState;
 
-class SeenObjects {
+class VisibleObjects {
 public:
-    /// Arranges what the frame's camera draws: see SceneGpu::arrange_seen().
+    /// Arranges what the frame's camera draws: see SceneGpu::set_camera_instances().
     void arrange(const FrameState& f);
     /// Objects that no pixel of the frame can show, and that are not drawn.
     std::size_t left_out() const { return left_out_; }

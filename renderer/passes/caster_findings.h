@@ -16,7 +16,7 @@ struct MeshSide {
     glm::dvec3 normal, corner;
 };
 /// Sides of one mesh.
-struct SidesOfMesh {
+struct MeshSides {
     std::vector<MeshSide> sides;  ///< empty: there are too many, all of them small
     double least_height = 0;      ///< smallest height of its triangles that have an area, metres
 };
@@ -30,12 +30,12 @@ struct CasterContent {
 };
 
 /// Keys of a rigid mesh, drawn opaque and with its mask; 0: not computed yet.
-struct RigidContent {
+struct RigidMeshKeys {
     std::uint64_t opaque = 0, masked = 0;
 };
 
 /// Keys of casters and textures that were computed before.
-struct KnownContent {
+struct CasterContentCache {
     /// Key of one texture.
     struct OfTexture {
         TextureIdentity texture;
@@ -48,9 +48,9 @@ struct KnownContent {
 /// Sides of meshes and keys of their content, each found when first needed. One object a renderer
 /// (Resources::caster_findings).
 struct CasterFindings {
-    OfMeshes<std::optional<SidesOfMesh>> sides;
-    OfMeshes<RigidContent> rigid_content;
-    KnownContent content;
+    OfMeshes<std::optional<MeshSides>> sides;
+    OfMeshes<RigidMeshKeys> rigid_content;
+    CasterContentCache content;
 };
 
 }  // namespace si

@@ -68,7 +68,7 @@ constexpr double kBeforeShare = 1e-3;
 /// Around what a caster covers.
 constexpr double kCasterRoomTexels = 2;
 
-SidesOfMesh sides_of(const Mesh& mesh) {
+MeshSides sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, MeshSide> sides;
     double least_height = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
@@ -81,14 +81,14 @@ SidesOfMesh sides_of(const Mesh& mesh) {
         const glm::ivec3 steps(glm::round(n / length * 1e5));
         sides.try_emplace({steps.x, steps.y, steps.z}, MeshSide{n / length, a});
     }
-    SidesOfMesh out;
+    MeshSides out;
     if (sides.size() > kMostSides) return out;
     out.least_height = least_height;
     for (const auto& [steps, side] : sides) out.sides.push_back(side);
     return out;
 }
 
-const SidesOfMesh& sides_of(FrameState& f, std::size_t mesh) {
+const MeshSides& sides_of(FrameState& f, std::size_t mesh) {
     auto& sides = f.gl.caster_findings->sides.of(f.scene, mesh);
     if (!sides) sides = sides_of(f.scene.meshes[mesh]);
     return *sides;
@@ -146,7 +146,8 @@ private:
 /// Draws the casters of one view, batch by batch.
 class CasterDrawer {
 public:
-    CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, CasterPrograms& programs, PassInfo& info)
+    CasterDrawer(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, CasterPrograms& programs,
+                 PassInfo& info)
         : f_(f),
           view_(view),
           which_(view.which),
@@ -180,10 +181,10 @@ private:
     FrameState& f_;
     const CasterView& view_;
     const CasterChoice& which_;
-    const SeenOf& seen_;
+    const InstancePartsQuery& seen_;
     CasterPrograms& programs_;
     PassInfo& info_;
-    BoxSight sight_;
+    BoxCuller sight_;
     glm::dvec4 rays_from_;
     bool offset_, skips_, bares_;
     glm::dmat4 uvd_from_relative_;
@@ -207,7 +208,7 @@ private:
         }
         if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
         const bool fronts_alone =
-            closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
+            closed && what != Seen::Nothing && sight_.is_in_front(box_of(instance)) && !shows_edge(instance);
         const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
         spared.closed += fronts_alone;
         spared.bare += bare;
@@ -231,7 +232,7 @@ private:
     /// Of an instance of which something is called for. Large meshes are drawn in runs.
     Seen needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
-        const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
+        const std::span<const Bounds> runs = mesh_run_boxes(f_, std::size_t(object.mesh));
         if (runs.empty()) return Seen::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
@@ -244,7 +245,7 @@ private:
     /// What it may cover; nothing: any texel.
     std::optional<MapRect> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
-        std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
+        std::optional<MapRect> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
         if (rect) {
             rect->lo -= room;
@@ -287,7 +288,7 @@ private:
     bool leaves_no_strays(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
-        const SidesOfMesh& mesh = sides_of(f_, std::size_t(object.mesh));
+        const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
         if (mesh.sides.empty() || mesh.sides.size() > kMostFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
@@ -347,7 +348,7 @@ void add_part(std::vector<IndexRange>& parts, IndexRange next) {
         parts.push_back(next);
 }
 
-bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
+bool can_cast(const Scene& scene, const Settings& settings, const Object& object) {
     if (object.ground) return false;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
@@ -356,7 +357,7 @@ bool casts_at_all(const Scene& scene, const Settings& settings, const Object& ob
     return own == settings.objects.end() || own->second.cast;
 }
 
-bool draws_into_maps(const FrameState& f, const Batch& batch) {
+bool is_drawn_into_maps(const FrameState& f, const Batch& batch) {
     return batch.cast && (!batch.blend || f.settings.caster.blend == BlendCasters::Mask);
 }
 
@@ -370,7 +371,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     }
 }
 
-SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info) {
     const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -388,7 +389,7 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf&
     CasterPrograms programs(f, view, strays);
     CasterDrawer drawer(f, view, seen, programs, info);
     for (const Batch& drawn : f.gl.scene->batches()) {
-        if (!draws_into_maps(f, drawn)) continue;
+        if (!is_drawn_into_maps(f, drawn)) continue;
         Batch batch = drawn;
         batch.masked |= batch.blend;
         drawer.draw(batch);

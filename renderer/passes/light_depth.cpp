@@ -175,12 +175,12 @@ std::string why_none_rests(const FrameState& f) {
     if (is_colour(f.settings.map.format))
         return "map.format keeps colours: the depths that what moves would be tested against are not kept";
     const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
-    if ((kept_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
+    if ((stored_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
         return "a second map of what rests would take more than the 2 GiB that maps may";
     return {};
 }
 
-StaticWork choose_static(const FrameState& f, std::size_t light, StaticOfLight& known) {
+StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
     using Draws = StaticCasters::Draws;
     StaticWork work;
     const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
@@ -203,7 +203,7 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticOfLight& 
         for (const std::uint32_t object : order)
             triangles.push_back(f.scene.meshes[std::size_t(f.scene.objects[object].mesh)].indices.size() / 3);
         std::string_view reason;
-        work.draws = known.casters.choose(views, weighed_casters(content.of, triangles), reason);
+        work.draws = known.casters.choose(views, group_by_content(content.of, triangles), reason);
         work.reason = views == views_before ? reason : "its views changed with what moved, and with them every texel";
     } else if (views != views_before) {
         known.casters.forget();
@@ -292,11 +292,11 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         }
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    StaticOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
+    StaticMapState rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
     const StaticWork static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
     if (apart && ensure_maps(f, t.static_casters, "casters at rest")) {
-        for (StaticOfLight& other : t.at_rest) other.casters.views.clear();
+        for (StaticMapState& other : t.at_rest) other.casters.views.clear();
         rest.casters.views.clear();
     }
     std::vector<StaticView>& views = rest.casters.views;
@@ -340,7 +340,7 @@ bool keeps_static(const FrameState& f, const DrawnMaps& t) {
 }  // namespace
 
 void LightDepthPasses::declare(FrameState& f) {
-    f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
+    f.drawn_cells_by_layer.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = maps_;
     if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
     if (f.paged) return;
@@ -368,11 +368,11 @@ void LightDepthPasses::declare(FrameState& f) {
         const bool kept = !f.request.force && t.keys[i] == pass.key;
         MapWork work = kept && all_whole(t.held[i])
                            ? MapWork({t.held[i], {}}, t.held[i])
-                           : MapWork(needed_maps_of(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
+                           : MapWork(find_needed_maps(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
         pass.lacks = kept && work.draws();
         if (kept) pass.unneeded = work.uncalled;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {
-            f.layers_held[std::size_t(f.first_view[i]) + v] = work.holds[v];
+            f.drawn_cells_by_layer[std::size_t(f.first_view[i]) + v] = work.holds[v];
             work.holds[v].add_to(f.maps_extent);
         }
         f.maps_are_whole &= all_whole(work.holds);
@@ -395,7 +395,7 @@ void UnfilteredMapPass::declare(FrameState& f) {
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
-    const bool own = f.view_count > 0 && f.draws_unfiltered();
+    const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {

@@ -178,7 +178,7 @@ std::string description(const FrameState& f) {
 
 }  // namespace
 
-std::vector<ResultRef> lookup_reads(const FrameState& f) {
+std::vector<ResultRef> kernel_inputs(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
     return {Result::ShadowMaps, Result::MapBounds};
 }
@@ -217,11 +217,11 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-            if (const auto layer = std::size_t(f.first_view[i]) + v; !f.layers_held[layer].empty())
-                maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
+            if (const auto layer = std::size_t(f.first_view[i]) + v; !f.drawn_cells_by_layer[layer].empty())
+                maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-    if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels_part(f, "moments that nothing reads"))
         info.parts.push_back(std::move(*part));
     info.reason += description(f);
 }

@@ -21,8 +21,8 @@
 namespace si {
 namespace {
 
-constexpr int kLeastTile = 32;  ///< texels that one invocation searches along a side
-constexpr int kMostTiles = 64;  ///< along a side; larger images have larger tiles
+constexpr int kMinTileTexels = 32;    ///< texels that one invocation searches along a side
+constexpr int kMaxTilesPerSide = 64;  ///< along a side; larger images have larger tiles
 
 /// What shares of light may be off 0 to 1 by: the weights of kernels are rounded.
 constexpr double kLightSlack = 1e-5;
@@ -156,7 +156,7 @@ std::vector<SearchedLayer> layers_of(const FrameState& f, const Searched& s) {
     }
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         for (std::size_t v = 0; f.gl.fitted[i].casts && v < f.gl.fitted[i].views.size(); ++v)
-            if (const int layer = f.first_view[i] + int(v); !f.layers_held[std::size_t(layer)].empty())
+            if (const int layer = f.first_view[i] + int(v); !f.drawn_cells_by_layer[std::size_t(layer)].empty())
                 add(place_of_view(f, s, i, v), layer);
     return out;
 }
@@ -182,8 +182,8 @@ public:
     /// Finds the faults of each tile of a layer.
     glm::ivec2 search(const Searched& s, const SearchedLayer& layer, int tile) {
         const glm::ivec2 tiles = (layer.size + tile - 1) / tile;
-        t_.tiles.ensure("numeric health, tiles", GL_RGBA32UI, std::max(tiles.x, kMostTiles),
-                        std::max(tiles.y, kMostTiles), int(kNumberFaults));
+        t_.tiles.ensure("numeric health, tiles", GL_RGBA32UI, std::max(tiles.x, kMaxTilesPerSide),
+                        std::max(tiles.y, kMaxTilesPerSide), int(kNumberFaults));
         const gl::Framebuffer into = gl::make_layers_framebuffer("numeric health, tiles", t_.tiles);
         f_.begin_fullscreen_pass(into.id(), tiles.x, tiles.y);
         const GLuint id = program(search_defines(s));
@@ -267,7 +267,7 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
     t.so_far = {};
     t.places.clear();
     t.pool.reset();
-    check_blocks(f, t.so_far);
+    check_matrices_and_blocks(f, t.so_far);
     const std::vector<Searched> images = searched_images(f);
     std::vector<std::vector<SearchedLayer>> layers;
     for (const Searched& s : images) {
@@ -299,7 +299,8 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
             t.pool = std::move(pool);
         }
         for (const SearchedLayer& l : layers[i]) {
-            const int tile = std::max(kLeastTile, (std::max(l.size.x, l.size.y) + kMostTiles - 1) / kMostTiles);
+            const int tile =
+                std::max(kMinTileTexels, (std::max(l.size.x, l.size.y) + kMaxTilesPerSide - 1) / kMaxTilesPerSide);
             const glm::ivec2 tiles = search.search(s, l, tile);
             const gl::Framebuffer found = gl::make_layers_framebuffer("numeric health", t.found);
             search.add_up(found, column++, tiles);

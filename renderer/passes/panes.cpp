@@ -68,7 +68,7 @@ private:
 Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_reference)
         pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Judged});

@@ -40,7 +40,7 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
     };
     const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
     for (std::size_t i = 0; i < n; ++i) {
-        const TruePixel t = true_pixel(reference, i);
+        const ReferencePixel t = true_pixel(reference, i);
         pixels[i] = {reference.visibility.data[i], metres(reference.nearest_m, i), float(reference.state[i]),
                      float(t.noise)};
         more[i] = {metres(reference.blocker_m, i), reference.hard().data[i], finite(traced.runs->edge_m.data[i]),
@@ -137,7 +137,7 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
                                          Result::UnfilteredMap, Result::Reference});
     pass.writes = {Result::Judged};
@@ -175,7 +175,7 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "trials of every pixel";
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.writes = {Result::Evidence};

@@ -9,6 +9,6 @@ namespace si {
 
 /// Draws the camera's depth and reads back its bounds in metres; nothing: the camera sees nothing.
 /// @param[out] info of the drawing
-std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info);
+std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);
 
 }  // namespace si

@@ -6,8 +6,8 @@
 
 namespace si {
 
-void SeenSurfacesPass::declare(FrameState& f) {
-    for (int i = 0; i < kSeenImages; ++i)
+void VisibleSurfacesPass::declare(FrameState& f) {
+    for (int i = 0; i < kVisibleSurfaceImages; ++i)
         f.plan.place(Result::SurfacesSeen, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
     Pass pass;
     pass.name = "surfaces seen";
@@ -24,14 +24,14 @@ void SeenSurfacesPass::declare(FrameState& f) {
     f.plan.add(std::move(pass));
 }
 
-void SeenSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
+void VisibleSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
     for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
     CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images_).first(count))
         .clear(glm::vec4(0))  // where there is nothing, nothing receives
         .draw("passes/seen_surfaces.frag.glsl", {}, info);
 }
 
-void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen) {
+void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen) {
     for (std::size_t i = 0; i < seen.size(); ++i)
         glBindTextureUnit(GLuint(shared::UNIT_SEEN_SURFACES + i), seen[i].texture.id());
 }

@@ -10,17 +10,17 @@
 namespace si {
 
 /// Draws the surface of every pixel, kept while camera and scene stay, for passes that evaluate some of them again.
-class SeenSurfacesPass : public FramePass {
+class VisibleSurfacesPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
     void run(FrameState& f, std::size_t count, PassInfo& info);
 
-    std::array<gl::Target, kSeenImages> images_;  ///< RGBA32F; the key of all is the first one's
+    std::array<gl::Target, kVisibleSurfaceImages> images_;  ///< RGBA32F; the key of all is the first one's
 };
 
 /// Binds images of other pixels in place of the frame's.
-void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
+void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen);
 
 }  // namespace si

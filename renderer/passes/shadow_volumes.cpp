@@ -41,7 +41,7 @@ bool reaches_beyond_far(const FrameState& f) {
 
 }  // namespace
 
-void ShadowVolumes::learn_meshes(const FrameState& f) {
+void ShadowVolumes::reset_volume_meshes(const FrameState& f) {
     if (scene_ == f.scene.id) return;
     scene_ = f.scene.id;
     corners_uploaded_ = false;
@@ -50,7 +50,7 @@ void ShadowVolumes::learn_meshes(const FrameState& f) {
     for (Light& light : lights_) light.shape = 0;
 }
 
-void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
+void ShadowVolumes::build_volume_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
     Light& light = lights_[number];
     light.parts.clear();
     light.indices.clear();
@@ -59,7 +59,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     VolumeTriangles found;
     for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
         const Object& object = f.scene.objects[objects[instance]];
-        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        if (!can_cast(f.scene, f.settings, object)) continue;
         auto& mesh = meshes_[std::size_t(object.mesh)];
         if (!mesh) {
             mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);
@@ -70,7 +70,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
         light.open_triangles += mesh->open_triangles;
         Part part{.instance = instance, .mesh = std::uint32_t(object.mesh)};
         std::size_t list = 0;
-        for (const auto* indices : {&found.caps, &found.turned_caps, &found.rest}) {
+        for (const auto* indices : {&found.caps, &found.clockwise_caps, &found.rest}) {
             part.first[list++] = light.indices.size();
             light.indices.insert(light.indices.end(), indices->begin(), indices->end());
         }
@@ -108,7 +108,7 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
 
 void ShadowVolumes::arrange(const FrameState& f) {
     const std::vector<FittedLight>& fitted = f.gl.fitted;
-    learn_meshes(f);
+    reset_volume_meshes(f);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
@@ -119,18 +119,18 @@ void ShadowVolumes::arrange(const FrameState& f) {
         Key shape = f.geometry_key;
         shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
         if (light.shape != shape.value()) {
-            find_triangles(f, i, source);
+            build_volume_triangles(f, i, source);
             light.shape = shape.value();
         }
-        if (light.open_triangles > kMostOpen && !f.settings.volumes.allow_large)
+        if (light.open_triangles > kMaxOpenTriangles && !f.settings.volumes.allow_large)
             light.refusal = fmt::format(
                 "light {}: its shadow volumes are not drawn unasked, as {} triangles of its casters, above {}, are not "
                 "of closed surfaces: {}; volumes.allow_large draws them",
-                i, light.open_triangles, kMostOpen, estimate(f, light, source));
+                i, light.open_triangles, kMaxOpenTriangles, estimate(f, light, source));
     }
 }
 
-void ShadowVolumes::forget_unused() {
+void ShadowVolumes::release_unused() {
     for (Light& light : lights_)
         if (!light.used) light = {};
 }
@@ -198,7 +198,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
         light.uploaded = light.shape;
     }
     f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
-    f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
+    f.gl.scene->bind_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
     glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
     glBindVertexArray(vao_.id());
 
@@ -300,7 +300,7 @@ void ShadowVolumePasses::declare(FrameState& f) {
     }
     volumes_.arrange(f);
     f.plan.place(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
-    f.plan.release([this] { volumes_.forget_unused(); });
+    f.plan.release([this] { volumes_.release_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
         f.plan.add(volumes_.pass(f, i));

@@ -29,7 +29,7 @@ class ShadowVolumes {
 public:
     /// Triangles of casters without a closed surface, instances counted, above which nothing is drawn unless
     /// volumes.allow_large: each brings sides of its own.
-    static constexpr std::size_t kMostOpen = 20'000;
+    static constexpr std::size_t kMaxOpenTriangles = 20'000;
 
     /// Finds the volumes of the frame's lights, unless they are known, and which are too large to be drawn unasked.
     void arrange(const FrameState& f);
@@ -42,7 +42,7 @@ public:
     /// R8, a layer a light: 1 where the surface that the camera sees lies in no volume.
     const gl::Target& lit() const { return lit_; }
     /// Gives up the geometry of lights that have no volumes now.
-    void forget_unused();
+    void release_unused();
 
 private:
     struct Part {
@@ -63,8 +63,8 @@ private:
         std::uint64_t drawn = 0;     ///< key of the layer
     };
 
-    void learn_meshes(const FrameState& f);
-    void find_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
+    void reset_volume_meshes(const FrameState& f);
+    void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
     std::string estimate(const FrameState& f, const Light& light, const VolumeLight& source) const;
     void upload_corners();
     void copy_depth(const FrameState& f, PassInfo& info);

@@ -50,7 +50,7 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 
 }  // namespace
 
-void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
+void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
     const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
     const int width = visibility.width, height = visibility.height, step = reference.step;
     std::vector<float> pixels(std::size_t(width) * std::size_t(height));
@@ -88,13 +88,13 @@ void VisibilityPass::declare(FrameState& f) {
     f.plan.place(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
     pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        if (f.has_contacts(i)) {
+        if (f.has_contact_shadows(i)) {
             pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::SurfacesSeen});
             key.add(i).add(f.settings.lights[i].contact);
         }
@@ -122,7 +122,7 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
                 .clear(glm::vec4(lit))
                 .draw("passes/visibility.frag.glsl", defines, info);
         } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {
-            put_traced_visibility(*reference, t.visibility, light);
+            upload_traced_visibility(*reference, t.visibility, light);
             info.reason +=
                 fmt::format("; light {} by {} rays, traced before the frame", light, reference->traced.reference->rays);
         } else {
@@ -131,7 +131,7 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
                 info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
             glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
         }
-        if (f.has_contacts(std::size_t(light))) {
+        if (f.has_contact_shadows(std::size_t(light))) {
             f.bind({Result::CameraDepth, Result::SurfacesSeen});
             draw_contacts(f, t.visibility, light, info);
         }

@@ -35,6 +35,6 @@ private:
 };
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
-void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
+void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
 
 }  // namespace si

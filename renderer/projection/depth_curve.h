@@ -27,26 +27,27 @@ struct DepthWarp {
 /// A projection's depth as a function of distance along its axis, and back.
 struct DepthCurve {
     bool perspective = false;
-    double near = 0.1, far = 100;  ///< of a warped map from the nearest to the farthest of what it holds; see at_row()
+    double near = 0.1,
+           far = 100;  ///< of a warped map from the nearest to the farthest of what it holds; see curve_at_row()
     DepthConvention convention;
-    std::optional<DepthWarp> warp;  ///< the functions below are then those of at_row(), and of no warped curve
+    std::optional<DepthWarp> warp;  ///< the functions below are then those of curve_at_row(), and of no warped curve
     /// The curve along the rays through the row of map coordinate v in [0,1] (beyond the map: its rim's).
-    DepthCurve at_row(double v) const;
+    DepthCurve curve_at_row(double v) const;
     /// Depth-buffer value in [0,1] at distance z (metres along the axis).
     double depth(double z) const;
     /// Metres along the axis at depth-buffer value d. Inverse of depth().
     double distance(double d) const;
     /// Depth where a share of the range lies, counted from `near`, reversed from `far`; of a parallel projection it is
     /// the share. What is no share between 0 and 1 stays as it is.
-    double depth_of_share(double share) const;
+    double depth_at_fraction(double share) const;
     /// |d depth / d z| at distance z, per metre.
     double slope(double z) const;
     /// By how much the depth of a point at distance z changes when it comes that many metres along the axis nearer to
     /// the light (below 0: farther), in depth-buffer units. It comes no nearer than a thousandth of `near`.
-    double depth_nearer(double z, double metres) const;
+    double depth_change_towards_light(double z, double metres) const;
     /// Metres along the axis that a point at distance z comes nearer when its depth changes so much towards the light:
-    /// the inverse of depth_nearer(). Not more than z in perspective; infinite where the depth is.
-    double metres_nearer(double z, double depth) const;
+    /// the inverse of depth_change_towards_light(). Not more than z in perspective; infinite where the depth is.
+    double metres_towards_light(double z, double depth) const;
     bool operator==(const DepthCurve&) const = default;
 };
 

@@ -35,11 +35,11 @@ struct LightView {
     /// World size of the texel that a point falls into, across its ray. The two lengths differ in a warped view only.
     TexelSize texel_size_at(const glm::dvec3& point_ws, int resolution) const;
     /// The smallest and the largest of all texels; in perspective of those within the range.
-    TexelSize texel_sizes(int resolution) const;
+    TexelSize texel_size_range(int resolution) const;
     /// Depths along the ray through a point.
-    DepthCurve curve_through(const glm::dvec3& point_ws) const;
+    DepthCurve ray_depth_curve(const glm::dvec3& point_ws) const;
     /// Of what a metre across the rays changes w by, as a share of w, at a point; 0 where w does not change.
-    double warp_per_m(const glm::dvec3& point_ws) const;
+    double relative_dw_per_m(const glm::dvec3& point_ws) const;
 };
 
 }  // namespace si

@@ -37,7 +37,7 @@ struct ViewChooser {
 };
 
 /// A view's short name among its light's: "+x", "2".
-std::string view_mark(ViewChoice choice, std::size_t view);
+std::string view_short_name(ViewChoice choice, std::size_t view);
 /// "face +x", "cascade 2 of 4"; empty for a light's only view.
 std::string view_name(ViewChoice choice, std::size_t view, std::size_t views);
 

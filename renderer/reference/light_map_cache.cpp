@@ -172,7 +172,7 @@ std::shared_ptr<const LightMap> LightMapCache::keep(std::uint64_t content, Light
     std::uint64_t bytes = 0;
     for (auto k = known_.begin(); k != known_.end();) {
         bytes += k->map->texels.size();
-        k = bytes > kMostInMemory && k != known_.begin() ? known_.erase(k) : std::next(k);
+        k = bytes > kMaxMemoryBytes && k != known_.begin() ? known_.erase(k) : std::next(k);
     }
     return kept;
 }

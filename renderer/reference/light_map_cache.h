@@ -15,7 +15,7 @@ namespace si {
 class LightMapCache {
 public:
     /// Limits in bytes of the files on disk and of the maps in memory; the least recently used are removed.
-    static constexpr std::uint64_t kMostOnDisk = 512ull << 20, kMostInMemory = 256ull << 20;
+    static constexpr std::uint64_t kMaxDiskBytes = 512ull << 20, kMaxMemoryBytes = 256ull << 20;
 
     /// Returns the light map of a task: from memory, from disk, or baked now and stored in both. A file that is
     /// damaged, or written by another version of the program, is baked again. LightMap::remark reports that, and failed
@@ -24,7 +24,7 @@ public:
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
     /// Sets the folder of light maps on disk, created by the first write. Empty: none are stored on disk.
     /// @param most_bytes limit of all its files
-    void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMostOnDisk);
+    void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMaxDiskBytes);
     /// Removes all light maps from memory; files stay.
     void clear();
 
@@ -44,7 +44,7 @@ private:
     mutable std::mutex mutex_;
     std::list<Known> known_;  ///< the newest first
     std::filesystem::path folder_;
-    std::uint64_t most_bytes_ = kMostOnDisk;
+    std::uint64_t most_bytes_ = kMaxDiskBytes;
     Counts counts_;
 
     /// Finds a light map in memory by its content, and gives it the `key` of this process. Null: not there.

@@ -136,7 +136,7 @@ private:
         // Tolerance for normals of one plane, given positions in single precision.
         constexpr double kFlat = 1e-10;
         const bool flat_only = flat_only_[first + seed];
-        const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMostTiltDegrees * kDegree);
+        const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMaxTiltDegrees * kDegree);
         LightMapChart chart;
         chart.object = object;
         chart.first = std::uint32_t(out_.triangles.size());

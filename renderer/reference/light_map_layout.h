@@ -28,8 +28,8 @@ struct LightMapChart {
 /// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.
 struct LightMapLayout {
     static constexpr std::uint32_t kNoChart = 0xffffffff;
-    static constexpr int kGutter = 1;               ///< texels around each chart that bilinear look-ups may reach
-    static constexpr double kMostTiltDegrees = 30;  ///< angle between a triangle and its chart
+    static constexpr int kGutter = 1;              ///< texels around each chart that bilinear look-ups may reach
+    static constexpr double kMaxTiltDegrees = 30;  ///< angle between a triangle and its chart
     /// Range of one object's triangles among those of all objects.
     struct ObjectPart {
         std::uint32_t first = 0, count = 0;
@@ -55,7 +55,7 @@ struct LightMapLayout {
 };
 
 /// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within
-/// LightMapLayout::kMostTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
+/// LightMapLayout::kMaxTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
 /// density at which all fit. A chart whose projection overlaps itself is split into flat ones.
 /// @param side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled

@@ -34,7 +34,7 @@ struct Precision {
 };
 
 /// @param camera, light of the frame that drew them @param resolution of the map, texels a side
-Precision find_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
-                         const DrawnLookUps& drawn);
+Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
+                            const DrawnLookUps& drawn);
 
 }  // namespace si

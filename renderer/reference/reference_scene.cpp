@@ -169,7 +169,7 @@ ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry
             flattened += o.mesh->triangles();
         }
     const bool share =
-        instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMostFlattened);
+        instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMaxFlattenedTriangles);
     Builder builder(i, workers);
     i.scene = builder.new_scene();
     for (std::uint32_t k = 0; k < geometry_->objects.size(); ++k) {

@@ -14,7 +14,7 @@ struct RayHierarchy;  // renderer/reference/reference_rays.h
 /// Whether objects of one mesh share its triangles in the hierarchy. Flattened they are traced faster and placed in
 /// double before they are rounded; shared they take memory once.
 enum class Instancing {
-    Automatic,  ///< shared when flattening would take more than kMostFlattened triangles
+    Automatic,  ///< shared when flattening would take more than kMaxFlattenedTriangles triangles
     Never,
     Always,  ///< wherever a mesh is used twice
 };
@@ -23,7 +23,7 @@ enum class Instancing {
 /// their accuracy at any scale and distance from the origin.
 class ReferenceScene {
 public:
-    static constexpr std::size_t kMostFlattened = 4'000'000;
+    static constexpr std::size_t kMaxFlattenedTriangles = 4'000'000;
 
     /// Builds the hierarchy. @throws Error when memory runs out; Cancelled
     explicit ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry, const Workers& workers = {},

@@ -34,7 +34,7 @@ std::uint64_t reference_key(const Scene& scene, const Settings& settings, const 
                             const std::vector<FittedLight>& lights, int light, const ReferenceOptions& options);
 
 /// Subsamples an image: every `step`-th pixel across and down, from the top left.
-FloatImage every_nth(const FloatImage& image, int step);
+FloatImage subsample(const FloatImage& image, int step);
 
 /// Returns what a trace needs of a drawn frame. Shares the scene's triangles unless ray_scenes() have them already.
 /// @param frame drawn in a picture of `width` x `height` pixels

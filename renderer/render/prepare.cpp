@@ -49,7 +49,7 @@ Key lights_as_placed_key(const FrameState& f) {
     const BiasSettings& b = f.settings.bias;
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
-            key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
+            key.add(b.unit).add(b.constant).add(b.slope).add(lookup_reach_texels(f.settings));
     key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
@@ -67,7 +67,7 @@ bool any_fit_reads_camera(const Settings& settings) {
 
 bool any_fit_reads_depths(const Settings& settings) {
     for (int i = 0; i < settings.light_count; ++i)
-        if (fit_reads_depths(settings, i)) return true;
+        if (fit_reads_measured_depths(settings, i)) return true;
     return false;
 }
 
@@ -84,23 +84,23 @@ void fit(FrameState& f) {
     Key key = lights_as_placed_key(f);
     if (key.value() != r.as_placed_key) {
         r.placed = place_lights(f.scene, f.settings);
-        r.as_placed = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
+        r.fitted_without_camera = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
         r.as_placed_key = key.value();
     }
-    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
+    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.fitted_without_camera);
     const bool camera = any_fit_reads_camera(f.settings);
     const MapCamera own{f.camera, any_fit_reads_depths(f.settings) ? r.seen.span : std::nullopt};
     const MapCamera& maps = f.request.map_camera ? *f.request.map_camera : own;
     if (camera) {
         add_camera(key, maps.camera);
-        key.add(reach_of_lookups(f.settings));
+        key.add(lookup_reach_texels(f.settings));
         if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
                                      maps.seen_m, f.request.height)
-                          : r.as_placed;
+                          : r.fitted_without_camera;
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -137,7 +137,7 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     }
     fit(f);
     const int before = n;
-    const double bytes = kept_texel_bytes(f.settings);
+    const double bytes = stored_texel_bytes(f.settings);
     while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
@@ -192,7 +192,7 @@ std::string light_constants(const FrameState& f) {
     std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) {
         each += fmt::format(" DO({})", i);
-        if (f.shades_by(i)) shining += fmt::format(" DO({})", i);
+        if (f.may_light_picture(i)) shining += fmt::format(" DO({})", i);
     }
     each += shining;
     return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return index_of(lights[i].type); }) +
@@ -202,7 +202,7 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
            array("LIGHT_CLOSED", [&](std::size_t i) { return int(lights[i].casts && lights[i].closed); }) +
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
-           array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.takes_for_lit(i)); }) +
+           array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.shades_as_lit(i)); }) +
            array("LIGHT_WARPED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_warped()); }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
@@ -247,7 +247,7 @@ void choose_kernel(FrameState& f) {
     for (const char* key : {"filter.taps", "filter.blocker_taps"}) {
         const SettingRef ref = *find_setting(key);
         const int taps = std::get<int>(get_value(f.settings, ref));
-        if (idle_reason(f.settings, ref).empty() && disk_places(filter, f.settings, taps) < taps)
+        if (idle_reason(f.settings, ref).empty() && disk_point_count(filter, f.settings, taps) < taps)
             f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
                                           key, taps, kDiskTable));
     }
@@ -274,13 +274,13 @@ void choose_kernel(FrameState& f) {
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     const Bias& bias = bias_of(f.settings);
     f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
-    f.defines.push_back({"BIAS_READS_PLANE", bias.brings_need ? "1" : "0"});
+    f.defines.push_back({"BIAS_READS_PLANE", bias.gives_needed_bias ? "1" : "0"});
     f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
     for (gl::Define& d : lookup_optimisation_defines(f)) f.defines.push_back(std::move(d));
-    f.preamble = blocks_text(f.blocks_as_images()) + light_constants(f);
+    f.preamble = blocks_glsl(f.blocks_as_images()) + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
@@ -293,7 +293,7 @@ void choose_kernel(FrameState& f) {
 void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.classified || o.evidence;
-    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_reference);
+    if (o.colour || o.overlay) asked |= any_pane_shows(f.settings.view, &Overlay::reads_reference);
     if (!asked) return;
     const int light = f.settings.view.light;
     f.reference.key =
@@ -382,7 +382,8 @@ void arrange_panes(FrameState& f) {
                             f.request.forced.contains(Optimisation::Fused) ||
                             (f.reference.met && (o.error || o.classified || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
+        f.separate_visibility |=
+            f.has_contact_shadows(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
     std::vector<int> shown;
     for (const int overlay : chosen) {
         const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_reference && !f.reference.met;
@@ -436,7 +437,7 @@ FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, c
                 "they go by the boxes");
         return f;
     }
-    SeenDepths& seen = resources.seen;
+    VisibleDepths& seen = resources.seen;
     const std::uint64_t key = f.surfaces_key().value();
     if (seen.key == key && !request.force) {
         seen.info.state = PassState::Cached;
@@ -446,7 +447,7 @@ FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, c
         return f;
     }
     upload_blocks(f);
-    seen.span = measure_seen_depths(f, seen.info);
+    seen.span = measure_visible_depths(f, seen.info);
     seen.key = key;
     FrameState measured = derive(scene, settings, request);
     measured.camera_depth_renewed = true;  // once a frame, also where it is forced
@@ -472,7 +473,7 @@ FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, co
     if (f.settings.camera.source == CameraSource::Light && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = counted_from(f.settings, f.camera.origin());
-    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
+    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->adopt_if_compatible(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
     resources.scene->arrange(scene, f.settings);
 

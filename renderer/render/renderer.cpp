@@ -28,7 +28,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
     const std::vector<Pass>& plan = f.plan.passes();
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
-    PassProgress* const progress = WatchPasses::current();
+    PassProgress* const progress = PassProgressScope::current();
     const auto of = std::size_t(std::ranges::count(infos, PassState::Drawn, &PassInfo::state));
     std::size_t done = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -66,11 +66,11 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     if (o.classified) wanted.push_back(Result::Judged);
     if (o.unfiltered_map) {
         wanted.push_back(Result::UnfilteredMap);
-        for (const ResultRef& read : lookup_reads(f)) wanted.push_back(read);
+        for (const ResultRef& read : kernel_inputs(f)) wanted.push_back(read);
     }
     if (o.precision) wanted.push_back(Result::Precision);
     if (o.evidence) wanted.push_back(Result::Evidence);
-    if (o.true_colour) wanted.push_back(Result::TruePicture);
+    if (o.true_colour) wanted.push_back(Result::ReferenceLitPicture);
     if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);
     if (o.texels_read) wanted.push_back(Result::TexelsRead);
     if (o.health) wanted.push_back(Result::Health);
@@ -88,7 +88,7 @@ Renderer::~Renderer() {
     glFinish();       // drivers with threads of their own crash when the process ends with work under way
 }
 
-void Renderer::watch_numbers(NumberWatcher watch) {
+void Renderer::set_number_watcher(NumberWatcher watch) {
     impl_->watch = std::move(watch);
 }
 
@@ -116,7 +116,7 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
         try {
             result = draw(f);
         } catch (const gl::OutOfMemory& e) {
-            if (!take_smaller_maps(settings, f, e.what())) throw;
+            if (!reduce_map_limit(settings, f, e.what())) throw;
             continue;
         }
         gl::check_context_alive();
@@ -126,7 +126,7 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
     }
 }
 
-bool RendererImpl::take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why) {
+bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why) {
     constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
     if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
     map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
@@ -162,7 +162,7 @@ FrameResult RendererImpl::draw(FrameState& f) {
     FrameResult result;
     result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
                                 f.request.forced.contains(Optimisation::Uncalled));
-    f.plan.give_up_what_is_unused();
+    f.plan.run_releases();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
                                    [](const PassInfo& p) { return p.state == PassState::Drawn; });
     if (draws) upload_blocks(f);
@@ -191,7 +191,7 @@ const DriverInfo& Renderer::driver() const {
 std::vector<std::string> Renderer::take_gl_messages() {
     return impl_->messages.take_messages();
 }
-void Renderer::give_back_memory() {
+void Renderer::release_unused_memory() {
     if (impl_->driver.renderer.starts_with("llvmpipe")) gl::release_finished_images();
     trim_heap();
 }

@@ -31,11 +31,11 @@ struct RendererImpl {
         std::string why;
     };
     std::optional<MapLimit> map_limit;
-    std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::watch_numbers()
+    std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
     explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
     /// After the driver refused memory: has maps be half as large. @returns whether that may help
-    bool take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why);
+    bool reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why);
     /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
     /// and read back first where a fit asks for them.
     FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);

@@ -76,7 +76,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     }
     put(Result::Smooth, result.smooth);
     put(Result::Judged, result.classified);
-    put(Result::TruePicture, result.true_colour);
+    put(Result::ReferenceLitPicture, result.true_colour);
     put(Result::SurfaceIds, result.surface_ids);
     put(Result::TexelsRead, result.texels_read);
     put(Result::MapCoordinates, result.map_coordinates);

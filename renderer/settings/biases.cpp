@@ -11,7 +11,7 @@ namespace {
 /// An amount in bias.unit as depth.
 double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
     if (bias.unit == BiasUnit::Depth) return amount;
-    return b.curve.depth_nearer(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
+    return b.curve.depth_change_towards_light(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
 }
 
 double constant_bias(const BiasSettings& bias, const BiasInput& b) {
@@ -78,7 +78,7 @@ constexpr Bias kBiases[] = {
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
      .per_texel = true,
-     .brings_need = true,
+     .gives_needed_bias = true,
      .amount = receiver_plane_bias},
     {.key = "receiver-plane-derivatives",
      .label = "Receiver plane by derivatives",
@@ -89,7 +89,7 @@ constexpr Bias kBiases[] = {
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
      .per_texel = true,
-     .brings_need = true,
+     .gives_needed_bias = true,
      .by_derivatives = true,
      .amount = receiver_plane_by_derivatives_bias},
     {.key = "adaptive",
@@ -99,7 +99,7 @@ constexpr Bias kBiases[] = {
              "overlay contact-gap and by the probe. Normal offset and polygon offset act beside it and are not needed.",
      .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
      .file = "biases/adaptive.glsl",
-     .brings_need = true,
+     .gives_needed_bias = true,
      .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
@@ -153,7 +153,7 @@ const Bias& bias_of(const Settings& settings) {
     return kinds()[std::size_t(std::clamp(settings.bias.kind, 0, int(kinds().size()) - 1))];
 }
 
-const Bias& bias_at(BiasStage stage) {
+const Bias& bias_of_stage(BiasStage stage) {
     return *std::ranges::find(kBiases, stage, &Bias::stage);
 }
 

@@ -43,9 +43,9 @@ struct Bias {
     std::string_view file;
     BiasStage stage = BiasStage::Compare;
     std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
-    bool per_texel = false;       ///< each texel is compared with a depth of its own; bilinear samplers have one for 4
-    bool brings_need = false;     ///< it gives what a plane needs by itself, whatever the numbers are
-    bool by_derivatives = false;  ///< it has the plane from the steps of the surface between neighbouring pixels
+    bool per_texel = false;  ///< each texel is compared with a depth of its own; bilinear samplers have one for 4
+    bool gives_needed_bias = false;  ///< it gives what a plane needs by itself, whatever the numbers are
+    bool by_derivatives = false;     ///< it has the plane from the steps of the surface between neighbouring pixels
     /// The same in closed form, in what the file's function counts in; of a look-up's move its length.
     double (*amount)(const BiasSettings&, const BiasInput&) = nullptr;
 };
@@ -56,7 +56,7 @@ std::span<const Choice> bias_choices();  ///< of bias.kind: the rows of stage Co
 /// The row that bias.kind chooses.
 const Bias& bias_of(const Settings& settings);
 /// The row of a stage that has but one.
-const Bias& bias_at(BiasStage stage);
+const Bias& bias_of_stage(BiasStage stage);
 /// Whether the row reads a setting, or all rows do.
 bool reads_setting(const Bias& row, std::string_view key);
 

@@ -44,10 +44,10 @@ std::string readable_versions();
 using SettingValue = std::pair<SettingRef, Value>;
 
 /// Returns the number of lights that a file's values concern: light.count, and lights that have a value of their own.
-int lights_of(std::span<const SettingValue> values);
+int configured_light_count(std::span<const SettingValue> values);
 
 /// Returns the settings that a file's values are written over: the defaults of its version.
-/// @param lights lights that the file concerns (lights_of()); later ones begin with the present defaults
+/// @param lights lights that the file concerns (configured_light_count()); later ones begin with the present defaults
 Settings defaults_of_version(int version, int lights = kMaxLights);
 
 }  // namespace si

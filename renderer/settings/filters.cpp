@@ -60,7 +60,7 @@ Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
 
 /// Of kernels whose every tap is a place of the disk.
 FilterCost disk_cost(const Filter& row, const Settings& s) {
-    const int taps = disk_places(row, s, s.filter.taps);
+    const int taps = disk_point_count(row, s, s.filter.taps);
     return {0, taps, taps};
 }
 
@@ -149,7 +149,7 @@ constexpr Filter kFilters[] = {
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .square = false,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kDiskSettings,
      .reach = disk_reach,
      .cost = disk_cost,
@@ -175,12 +175,12 @@ constexpr Filter kFilters[] = {
      .square = false,
      .searches_blockers = true,
      .reads_light_size = true,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kPcssSettings,
      .reach = penumbra_reach,
      .cost =
          [](const Filter& row, const Settings& s) {
-             const int taps = disk_places(row, s, s.filter.blocker_taps) + disk_places(row, s, s.filter.taps);
+             const int taps = disk_point_count(row, s, s.filter.blocker_taps) + disk_point_count(row, s, s.filter.taps);
              return FilterCost{0, taps, taps};
          },
      .noise = {.taps = "filter.taps", .slope = -0.75}},
@@ -197,7 +197,7 @@ constexpr Filter kFilters[] = {
      .linear = false,
      .searches_blockers = true,
      .reads_light_size = true,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kDpcfSettings,
      .reach = penumbra_reach,
      .cost = disk_cost,
@@ -351,9 +351,9 @@ std::vector<Filter>& filter_table() {
     return table;
 }
 
-bool takes_table(const Filter& row, const Settings& settings) {
+bool uses_disk_table(const Filter& row, const Settings& settings) {
     const bool spiral = owns(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
-    return row.takes_table && !spiral;
+    return row.uses_disk_table && !spiral;
 }
 
 }  // namespace
@@ -377,12 +377,12 @@ bool owns(const Filter& row, std::string_view key) {
     return std::ranges::find(row.settings, key) != row.settings.end();
 }
 
-int disk_places(const Filter& row, const Settings& settings, int places) {
-    return takes_table(row, settings) ? std::min(places, kDiskTable) : places;
+int disk_point_count(const Filter& row, const Settings& settings, int places) {
+    return uses_disk_table(row, settings) ? std::min(places, kDiskTable) : places;
 }
 
-std::vector<glm::vec2> disk_of(const Filter& row, const Settings& settings, int places) {
-    return takes_table(row, settings) ? poisson_places(places) : spiral_places(places);
+std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places) {
+    return uses_disk_table(row, settings) ? poisson_places(places) : spiral_places(places);
 }
 
 int taps_across(const Filter& row, const Settings& settings) {
@@ -440,7 +440,7 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     return bytes;
 }
 
-double kept_texel_bytes(const Settings& settings) {
+double stored_texel_bytes(const Settings& settings) {
     return (settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(settings).kept;
 }
 
@@ -455,7 +455,7 @@ bool keeps_mips(const Settings& settings) {
     return row.samples == Samples::Moments && settings.filter.mips && !row.moments.summed;
 }
 
-int asked_mip(const Settings& settings) {
+int requested_mip(const Settings& settings) {
     return shown_channel(settings) > 0 && keeps_mips(settings) ? settings.view.map_mip : 0;
 }
 
@@ -479,7 +479,7 @@ std::span<const Choice> filter_choices() {
     return choices;
 }
 
-std::span<const std::string_view> swept_kernels() {
+std::span<const std::string_view> sweep_kernels() {
     static const std::vector<std::string_view> swept = [] {
         std::vector<std::string_view> all;
         for (const Filter& row : filters()) {

@@ -72,7 +72,7 @@ struct Filter {
     StoredMoments moments = {};
     bool searches_blockers = false;  ///< and where it finds none, says lit and compares nothing
     bool reads_light_size = false;
-    bool takes_table = false;  ///< of kDiskTable places, unless filter.disk is its own and says otherwise
+    bool uses_disk_table = false;  ///< of kDiskTable places, unless filter.disk is its own and says otherwise
     std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
     /// @param widest_texels radius of the widest area that it spreads over under the light: of the penumbra for rows
     /// that read its size, else of a filter.radius in metres; infinite where no light is known
@@ -98,9 +98,9 @@ bool is_bilinear(const Filter& row, const Settings& settings);
 /// The kernel's label, with its size where that is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
 /// How many of so many places a kernel samples: its table may end before.
-int disk_places(const Filter& row, const Settings& settings, int places);
+int disk_point_count(const Filter& row, const Settings& settings, int places);
 /// Those places, in the unit disk.
-std::vector<glm::vec2> disk_of(const Filter& row, const Settings& settings, int places);
+std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places);
 
 /// What a kernel wants prepared besides the depths, in bytes.
 struct PrefilterBytes {
@@ -109,7 +109,7 @@ struct PrefilterBytes {
 };
 PrefilterBytes prefilter_bytes(const Settings& settings);
 /// Of a map's texel, with its blurred depth and what kernels read in its place; taken for 4 bytes in any format.
-double kept_texel_bytes(const Settings& settings);
+double stored_texel_bytes(const Settings& settings);
 
 /// Which of its moments the map viewer shows, counted from 1; 0: depth, as view.map_channel asks for none that there
 /// is.
@@ -117,7 +117,7 @@ int shown_channel(const Settings& settings);
 /// Whether mip levels of the moments are made.
 bool keeps_mips(const Settings& settings);
 /// Which mip level of the shown moment is asked for, past the coarsest too; 0 where there are none.
-int asked_mip(const Settings& settings);
+int requested_mip(const Settings& settings);
 
 /// The highest of the kernel's exponents whose warped depths, and their powers that are stored, are numbers of the
 /// format: neither too large nor so small that a 32-bit float is flushed to zero. Infinite where none is stored.
@@ -129,9 +129,9 @@ std::span<const Filter> filters();
 void add_filter(const Filter& row);
 std::span<const Choice> filter_choices();
 /// Every row at its own short list of sizes, as --set filter.kernel takes them: pcf3, pcf5, ...
-std::span<const std::string_view> swept_kernels();
+std::span<const std::string_view> sweep_kernels();
 
-/// The row that the settings choose, and its reach under them. Under a given light: reach_under().
+/// The row that the settings choose, and its reach under them. Under a given light: kernel_reach_in_light().
 const Filter& filter_of(const Settings& settings);
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 

@@ -24,16 +24,16 @@ const FitRow& fit_row(LightFit fit);
 std::span<const Choice> fit_choices();
 
 /// Whether light.near and light.far say where a light's maps begin and end.
-constexpr bool takes_near_far(const LightSettings& light) {
+constexpr bool uses_manual_near_far(const LightSettings& light) {
     return light.near_far == NearFar::Manual || (light.near_far == NearFar::Fitted && light.fit == LightFit::Manual);
 }
 
 /// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
-bool is_sliced(const LightSettings& settings);
+bool uses_camera_slices(const LightSettings& settings);
 
 /// Whether the fit that these settings choose for a light depends on the camera.
 bool fit_reads_camera(const Settings& settings, int light);
 /// Whether it goes by the measured depths of what the camera sees.
-bool fit_reads_depths(const Settings& settings, int light);
+bool fit_reads_measured_depths(const Settings& settings, int light);
 
 }  // namespace si

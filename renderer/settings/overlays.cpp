@@ -336,7 +336,7 @@ std::vector<int> pane_overlays(const ViewSettings& view) {
     return shown;
 }
 
-bool some_pane_shows(const ViewSettings& view, bool Overlay::*what) {
+bool any_pane_shows(const ViewSettings& view, bool Overlay::*what) {
     return std::ranges::any_of(pane_overlays(view),
                                [&](int n) { return n > 0 && overlays()[std::size_t(n - 1)].*what; });
 }

@@ -44,6 +44,6 @@ int& overlay_of_pane(ViewSettings& view, std::size_t pane);
 std::vector<int> pane_overlays(const ViewSettings& view);
 
 /// Some pane shows an overlay that has this.
-bool some_pane_shows(const ViewSettings& view, bool Overlay::*what);
+bool any_pane_shows(const ViewSettings& view, bool Overlay::*what);
 
 }  // namespace si

@@ -10,6 +10,6 @@ namespace si {
 
 /// Why a setting is no part of the techniques that `s` chooses, naming those that read it; empty when it is, or when
 /// it belongs to none. Such settings are not shown, left out of what results depend on, and the same in sweeps.
-std::string_view not_owned(const Settings& s, const SettingRef& ref);
+std::string_view unused_setting_reason(const Settings& s, const SettingRef& ref);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 namespace si {
 
 /// Why map.virtual is without effect; empty when it acts. What is made of whole maps has no pages.
-std::string_view paging_idle(const Settings& settings, int light);
+std::string_view paging_idle_reason(const Settings& settings, int light);
 
 /// Whether maps are drawn by pages.
 bool draws_pages(const Settings& settings);

@@ -183,7 +183,7 @@ bool is_text(const Param& p) {
     return std::holds_alternative<std::string*>(p.field(any, 0, &object));
 }
 
-double number_of(const Value& v) {
+double numeric_value(const Value& v) {
     return std::visit(
         [](const auto& x) {
             if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(x)>>)

@@ -97,9 +97,9 @@ struct Param {
     std::string_view also = {};
     Scope scope = Scope::Scene;
     DriverFeature needs = DriverFeature::None;
-    bool of_map = false;        ///< without effect where no light's shadows come from a map (light.source)
-    bool of_animation = false;  ///< without effect on scenes without animations
-    bool shader = false;        ///< the shaders see it, as a define (Cost::Program) or in the settings block
+    bool of_map = false;          ///< without effect where no light's shadows come from a map (light.source)
+    bool animation_only = false;  ///< without effect on scenes without animations
+    bool shader = false;          ///< the shaders see it, as a define (Cost::Program) or in the settings block
     ReadBy read_by = ReadBy::None;
 };
 
@@ -126,7 +126,7 @@ using Value = std::variant<bool, int, double, std::string>;  ///< choices are in
 /// A row whose values are texts for people, which nothing is drawn by.
 bool is_text(const Param& p);
 /// Of switches 0 or 1, of choices their number, of texts 0.
-double number_of(const Value& v);
+double numeric_value(const Value& v);
 Value get_value(const Settings& s, const SettingRef& ref);
 /// Writes a value as it is, without range checks (sanitise() guards the renderer). Numbers convert as C++ does; a text
 /// is never a number, nor the reverse: then nothing is written.

@@ -73,7 +73,7 @@ std::string_view planes_idle(const Settings& s, int i) {
     if (fit_row(of(s, i).fit).warps && has_type(s, i, LightType::Directional) && is_orthographic(s, i) &&
         s.camera.source != CameraSource::Light)
         return "without effect: a warped map's depths are fitted";
-    return takes_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
+    return uses_manual_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
 }
 
 std::string_view extent_idle(const Settings& s, int i) {

@@ -154,7 +154,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .label = "Virtual map",
      .unit = "",
      .cost = Cost::Target,
-     .idle = paging_idle,
+     .idle = paging_idle_reason,
      .help = "Draws of each map only the pages that visible surfaces read, and keeps them until a caster or the light "
              "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
              "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
@@ -312,7 +312,7 @@ static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings
 
 constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
-     .swept = swept_kernels,
+     .swept = sweep_kernels,
      .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "

@@ -151,11 +151,11 @@ constexpr auto kScene = std::to_array<Param>({
      .help =
          "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
          "without animations.",
-     .of_animation = true},
+     .animation_only = true},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "The time of the animation that is shown. After its last key the scene stands still.",
-     .of_animation = true},
+     .animation_only = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
          "How far the scene is moved from where its file has it, with its cameras and lights. Far from the world's "
@@ -177,7 +177,7 @@ constexpr auto kScene = std::to_array<Param>({
          "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
              "when offscreen, skinned bounds",
-     .of_animation = true},
+     .animation_only = true},
 });
 static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
 

@@ -67,12 +67,12 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
-           exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.warp_per_m * r.uvd.z), r.uvd.z);
+           exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.relative_dw_per_m * r.uvd.z), r.uvd.z);
 }
 
 /// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
-float rest_bias(Receiver r, vec2 gradient) {
-    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.warp_per_m;
+float least_bias_per_texel(Receiver r, vec2 gradient) {
+    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.relative_dw_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
 
@@ -85,16 +85,16 @@ struct BiasInput {
     float own_z;        // of the receiver
     float depth_per_m;  // at own_z
     vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_READS_PLANE)
-    float rest;         // rest_bias(); likewise
+    float rest;         // least_bias_per_texel(); likewise
     float least;        // least_bias() of the chosen kernel; likewise
 };
 
 /// An amount in bias.unit as depth.
 float unit_depth(BiasInput b, float amount) {
 #if bias_unit == bias_unit_texels
-    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
+    return depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
 #elif bias_unit == bias_unit_metres
-    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount);
+    return depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount);
 #else
     return amount;
 #endif
@@ -116,7 +116,7 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
         b.gradient = plane_gradient(r);
 #endif
 #if BIAS_PER_TEXEL
-        b.rest = rest_bias(r, b.gradient);
+        b.rest = least_bias_per_texel(r, b.gradient);
 #else
         b.least = least_bias(r, b.gradient, light_of(r.light).kernel.y);
 #endif

@@ -154,8 +154,8 @@ void analysis(benchmark::State& state, const Scene& scene, const Settings& s) {
     const LookupArea area{.resolution = facts.map_resolution, .reach_texels = 3, .normal_texels = 1};
     std::vector<double> seen_ms, called_ms;
     for (auto _ : state) {
-        std::optional<SeenBodies> seen;
-        seen_ms.push_back(wall_ms([&] { seen.emplace(seen_bodies(scene, facts.camera, 720, of_mesh)); }));
+        std::optional<VisibleBodies> seen;
+        seen_ms.push_back(wall_ms([&] { seen.emplace(find_visible_bodies(scene, facts.camera, 720, of_mesh)); }));
         called_ms.push_back(wall_ms([&] { benchmark::DoNotOptimize(needed_maps(facts.lights[0], *seen, area)); }));
         state.SetIterationTime((seen_ms.back() + called_ms.back()) / 1000);
     }

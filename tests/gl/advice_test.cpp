@@ -18,7 +18,7 @@ protected:
 
     /// Times by a clock that counts work, so that ranks depend on no machine.
     AdviceMeter meter_by_work(const Scene& scene) {
-        AdviceMeter meter = rendered_meter(renderer, scene, width, height, {}, cache, workers);
+        AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, {}, cache, workers);
         meter.time = [judge = meter.judge](const Settings& a, const Settings& b) {
             const auto work = [&](const Settings& s) { return 1e-6 * double(judge(s, 0).work.bytes_touched); };
             return CostChange{work(b) - work(a), 1e-9};
@@ -28,7 +28,7 @@ protected:
 
     std::vector<TriedAdvice> advised(const Scene& scene, const Settings& s) {
         const AdviceFacts facts = advice_facts(renderer, scene, s, width, height, cache, workers);
-        return try_advice(s, advice_ideas(s, facts), meter_by_work(scene));
+        return measure_ideas(s, advice_ideas(s, facts), meter_by_work(scene));
     }
 
     /// Makes each change as the editor and --set do, and measures it as `measure` does.
@@ -158,21 +158,21 @@ TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
         AutopilotMeter meter{meter_by_work(scene), {}, {}};
         meter.ms = [&](const Settings& t) { return 1e-6 * double(meter.judge(t, 0).work.bytes_touched); };
         meter.now_s = [] { return 0.0; };
-        const AutopilotGoals all{.most_error = 1};
+        const AutopilotGoals all{.max_error = 1};
         const AutopilotResult known = run_autopilot(s, axes, all, meter);
         ASSERT_EQ(known.cases.size(), 32u);
         for (const double share : {0.25, 0.5}) {
             std::vector<double> errors;
             for (const AutopilotCase& c : known.cases) errors.push_back(c.classified.error);
             std::sort(errors.begin(), errors.end());
-            const AutopilotGoals goals{.most_error = errors[std::size_t(share * 31)], .most_combinations = 16};
+            const AutopilotGoals goals{.max_error = errors[std::size_t(share * 31)], .max_combinations = 16};
             double least = 1e300;
             for (const AutopilotCase& c : known.cases)
-                if (c.classified.error <= *goals.most_error) least = std::min(least, meter.ms(c.settings));
+                if (c.classified.error <= *goals.max_error) least = std::min(least, meter.ms(c.settings));
             const AutopilotResult r = run_autopilot(s, axes, goals, meter);
             ASSERT_TRUE(r.held) << r.summary;
             EXPECT_LE(*r.best.ms, 1.1 * least) << r.summary;
-            EXPECT_LE(r.best.classified.error, *goals.most_error);
+            EXPECT_LE(r.best.classified.error, *goals.max_error);
         }
     }
 }

@@ -6,7 +6,7 @@
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 namespace si {
 namespace {

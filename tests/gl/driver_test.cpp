@@ -39,7 +39,7 @@ protected:
 
 TEST_F(DriverTest, IsTheOneThatTheRunNames) {
     const DriverInfo& d = renderer.driver();
-    EXPECT_NE(d.renderer.find(test::named_driver()), std::string::npos) << d.renderer;
+    EXPECT_NE(d.renderer.find(test::requested_driver()), std::string::npos) << d.renderer;
     RecordProperty("driver", d.renderer + ", " + d.version);
     std::printf("drawn by %s, %s\n", d.renderer.c_str(), d.version.c_str());
 }
@@ -184,7 +184,7 @@ TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
     const DriverInfo& d = renderer.driver();
     const bool honest = d.query_share > 0.5 && d.query_share < 2;
     EXPECT_EQ(d.clock, honest ? "GPU timer queries" : "finished wall time (CPU rasteriser)") << d.query_share;
-    if (test::named_driver() == "zink") {
+    if (test::requested_driver() == "zink") {
         EXPECT_TRUE(honest) << "queries show " << 100 * d.query_share << " % of the wall time";
     }
     GLuint query = 0;

@@ -8,7 +8,7 @@
 #include "renderer/render/renderer.h"
 #include "renderer/scenes/builtin.h"
 #include "renderer/settings/param.h"
-#include "tests/support/named_driver.h"
+#include "tests/support/requested_driver.h"
 #include "tests/support/shared_context.h"
 
 namespace si {
@@ -32,7 +32,7 @@ protected:
     /// @param programs of shared_context(); where compiling is the subject: a cache of the test's own
     explicit FrameTest(std::shared_ptr<gl::ProgramCache> programs = test::shared_programs())
         : renderer(std::move(programs)) {}
-    void SetUp() override { test::expect_named_driver(); }
+    void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override {
         context.make_current();  // test::hard_renderer() has one of its own, whose objects are not this renderer's
         for (const std::string& message : renderer.take_gl_messages()) ADD_FAILURE() << "driver: " << message;

@@ -18,7 +18,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 
@@ -233,7 +233,7 @@ TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
             ASSERT_EQ(a[0].views.size(), b[0].views.size());
             const LightView &stands = a[0].views[0], &floats = b[0].views[0];
             EXPECT_LE(stands.half_width, floats.half_width * (1 + 1e-9));
-            EXPECT_NEAR(stands.texel_sizes(512).longest / floats.texel_sizes(512).longest, 1, 1e-9);
+            EXPECT_NEAR(stands.texel_size_range(512).longest / floats.texel_size_range(512).longest, 1, 1e-9);
             EXPECT_EQ(a[0].closed, b[0].closed);
         }
     }
@@ -377,7 +377,7 @@ SI_TEST_IS(DriverIndependent, GroundTest, ModelsShowTheirShadowsAtOnce);
 // But a file opens with its own: there has to be a picture.
 TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
     const std::vector<test::SharedModel> files = test::shared_models();
-    if (files.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (files.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     int shown = 0, with_camera = 0;
     std::string by_own_cameras;
     for (const test::SharedModel& model : files) {

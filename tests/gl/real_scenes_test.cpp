@@ -6,7 +6,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -88,7 +88,7 @@ TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
 
 TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
     const std::string path = SI_SOURCE_DIR "/../shared/models/khr_RiggedSimple/glTF-Binary/RiggedSimple.glb";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     const Session a = open_session({.scene = path, .sets = {"scene.time=0"}}),
                   b = open_session({.scene = path, .sets = {"scene.time=1"}});
     EXPECT_NE(visibility(a.scene, a.settings).data, visibility(b.scene, b.settings).data);

@@ -30,11 +30,12 @@ protected:
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         if (!probed.hit) return {};
         const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
-        diagnosis = explain(probed, light(), fragment_reference(casters, probed, light(), s, object_traits(scene, s)),
-                            s, renderer.driver());
+        diagnosis =
+            explain(probed, light(), trace_fragment_reference(casters, probed, light(), s, object_traits(scene, s)), s,
+                    renderer.driver());
         const int n = probed.map_resolution;
         const SectionCut cut = section_cut(light(), &diagnosis, s, n);
-        return cross_section(light(), &diagnosis, cut, n, true_profile(casters, light(), cut, n));
+        return cross_section(light(), &diagnosis, cut, n, reference_profile(casters, light(), cut, n));
     }
 
     /// Floor under a sun that stands so many degrees high over the map's v axis.
@@ -63,18 +64,19 @@ protected:
         const Probe::PerLight& p = light();
         const glm::dmat4 uvd_from_surface =
             uvd_from_clip(view().curve.convention) * view().clip_from_relative(probed.position_ws);
-        const auto depth_nearer = [&](double metres) {
+        const auto depth_change_towards_light = [&](double metres) {
             const glm::dvec4 h = uvd_from_surface * glm::dvec4(metres * p.account.receiver.to_light, 1);
             return (view().curve.convention.reversed ? -1 : 1) * (p.uvd.z - h.z / h.w);
         };
-        EXPECT_NEAR(depth_nearer(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
+        EXPECT_NEAR(depth_change_towards_light(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
         if (s.light == LightType::Directional) {
             EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-6 * diagnosis.least.metres);
             EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * diagnosis.least.metres) << "as is printed";
         }
         EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(diagnosis.occluder.depth));
         if (std::isfinite(s.window_to)) {
-            EXPECT_NEAR(depth_nearer(s.window_to), diagnosis.occluder.depth, 1e-6 * diagnosis.occluder.depth);
+            EXPECT_NEAR(depth_change_towards_light(s.window_to), diagnosis.occluder.depth,
+                        1e-6 * diagnosis.occluder.depth);
         }
         const auto end = std::ranges::find_if(d.marks, [](const Mark& m) {
             return m.kind == Mark::Kind::Line && (m.ink == Ink::Window || m.ink == Ink::NoWindow);
@@ -195,7 +197,7 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
         ASSERT_TRUE(s.looked_up());
         EXPECT_LT(s.compared.y, s.looked_up()->from.y) << "acne: the point lies behind its own texel's step";
         EXPECT_FALSE(s.lit);
-        EXPECT_TRUE(s.true_lit);
+        EXPECT_TRUE(s.reference_lit);
         for (const Section::Step& step : s.steps) {
             EXPECT_EQ(step.meets, KernelTap::Meets::Own);
             EXPECT_NEAR(step.from.y, surface_y(s, 0.5 * (step.from.x + step.to.x)), 1e-3 * texel)
@@ -267,7 +269,7 @@ TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
                     ++classified;
                     bounded += std::isfinite(s.window_to);
                     aslant += s.texel_long_m > 1.02 * s.texel_m;
-                    leave_the_cut += std::abs(s.surface_aside) > 0.5;
+                    leave_the_cut += std::abs(s.surface_offset_texels) > 0.5;
                 }
             EXPECT_GE(classified, 12) << int(type);
             EXPECT_GE(bounded, 2) << int(type);
@@ -291,7 +293,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     ASSERT_TRUE(found);
     const Section& s = *found;
     EXPECT_TRUE(s.lit);
-    EXPECT_FALSE(s.true_lit);
+    EXPECT_FALSE(s.reference_lit);
     ASSERT_TRUE(s.occluder);
     EXPECT_NEAR(s.occluder_m, height / std::sin(glm::radians(elevation)), 1e-4);
     EXPECT_NEAR(s.occluder->x, 0, 1e-9);

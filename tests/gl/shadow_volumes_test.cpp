@@ -123,7 +123,7 @@ TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
             EXPECT_LT(differing(boxes, settings_for(boxes, {{"light.type", type}})), 1e-4) << type;
     }
     // Under a sheet, the sun straight above it; and the same camera beside its shadow.
-    const Scene sheet = test::floor_under_a_sheet({});
+    const Scene sheet = test::floor_under_sheet({});
     Settings s = test::hard_settings();
     s.lights[0].elevation = 90;
     s.camera.target_y = 0.5;

@@ -93,7 +93,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             }
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
             test::move_camera(s, place.at);
-            const test::Shot shot = test::shoot(scene, s, 160, 120);
+            const test::Shot shot = test::draw_shot(scene, s, 160, 120);
             const test::RayReference rays(scene);
             const FittedLight& fitted = shot.light();
             const glm::dvec3 middle = place.at + glm::dvec3(0, 1, 0);

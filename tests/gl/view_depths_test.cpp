@@ -10,7 +10,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -218,7 +218,7 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
 }
 
 TEST_F(ViewDepthsTest, LampsPancakeToo) {
-    Scene scene = test::floor_under_a_sheet({});
+    Scene scene = test::floor_under_sheet({});
     for (const char* type : {"spot", "point"})
         for (const char* reversed : {"false", "true"}) {
             Settings s = test::texel_settings("pcf3", 256, 3);

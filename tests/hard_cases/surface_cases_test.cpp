@@ -36,7 +36,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
     for (const char* resolution : {"256", "512", "1024", "2048", "4096"}) {
         SCOPED_TRACE(resolution);
         const DrawnCase c = hard_view("thin-caster", true, {{"map.resolution", resolution}});
-        const Shot shot = shoot(c, 320, 240);
+        const Shot shot = draw_shot(c, 320, 240);
         const LightView& view = shot.view();
         const double texel = view.texel_size(1, shot.frame.map_resolution), side = 1.0 / 128;
         const glm::dmat3 turn(turned(10));
@@ -64,7 +64,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
         before = share;
         if (std::string(resolution) == "256") {
             EXPECT_LT(width, 0.5 * texel);
-            shows_fault(21, share);
+            expect_fault(21, share);
             const MeasuredError e = measured(c, 320, 240);
             std::size_t lost = 0, told = 0;
             for (const ClassifiedPixel& pixel : e.classified) {
@@ -81,7 +81,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
 
 TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
     const DrawnCase c = hard_view("edge-on-planes", true);
-    const ReferenceErrors e = compare(shoot(c), c.scene, reach_of(c.settings).edge + 1);
+    const ReferenceErrors e = compare(draw_shot(c), c.scene, reach_of(c.settings).edge + 1);
     EXPECT_GT(e.domain - e.boundary, 2000);
     EXPECT_GT(e.shadow, 1000);
     judge(27, double(e.false_shadow + e.false_light) / e.domain);
@@ -93,7 +93,7 @@ TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
     judge(27, share_of(hard_view("edge-on-planes", true, {{"light.azimuth", "30"}, {"light.elevation", "40"}}),
                        Artefact::Acne));
     EXPECT_LT(share_of(c, Artefact::PeterPanning), 0.01);
-    shows_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
+    expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
 }
 
 /// Wrong pixels, whatever their cause is called, about which all is shadow or all is light in truth.
@@ -123,23 +123,24 @@ TEST(HardCase32, HolesOfAlphaLetTheLightThrough) {
     DrawnCase solid = c;
     for (Material& m : solid.scene.materials) m.alpha = AlphaMode::Opaque;
     finalise(solid.scene);
-    const Shot masked = shoot(c);
-    shows_fault(32, std::min(differing_share(masked, shoot(solid), 0.5),
-                             differing_share(masked, shoot(hard_view("alpha", false)), 0.5)));
+    const Shot masked = draw_shot(c);
+    expect_fault(32, std::min(differing_share(masked, draw_shot(solid), 0.5),
+                              differing_share(masked, draw_shot(hard_view("alpha", false)), 0.5)));
 }
 
 TEST(HardCase33, AMeshThatIsNotFiniteIsLeftOutAndTheRestStays) {
     const DrawnCase c = hard_view("not-finite", true);
     const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box, without the other mesh
     EXPECT_TRUE(std::isfinite(c.scene.bounds.radius()));
-    shows_fault(33, double(std::ranges::count_if(
-                        c.scene.warnings, [](const std::string& w) { return w.find("Broken") != std::string::npos; })));
+    expect_fault(33, double(std::ranges::count_if(c.scene.warnings, [](const std::string& w) {
+                     return w.find("Broken") != std::string::npos;
+                 })));
     DrawnCase clean{box.scene, c.settings};
     clean.scene.cameras = c.scene.cameras;
     for (LightType type : kLightTypes) {
         DrawnCase dirty = c;
         dirty.settings.lights[0].type = clean.settings.lights[0].type = type;
-        const Shot a = shoot(dirty), b = shoot(clean);
+        const Shot a = draw_shot(dirty), b = draw_shot(clean);
         EXPECT_GT(shadow_share(a), 0.01);
         judge(33, differing_share(a, b, 0) * double(a.visibility.data.size()));
     }
@@ -157,7 +158,7 @@ TEST(HardCase35, FacetsTurnedAwayAreNoAcne) {
         smooth_lit += r.position_ws.y > 1e-3 && glm::dot(glm::normalize(r.position_ws - middle), to_light) > 0.02;
     }
     judge(35, counted_wrong);
-    shows_fault(35, smooth_lit);
+    expect_fault(35, smooth_lit);
     EXPECT_EQ(e.metrics.any_acne, 0);
 }
 
@@ -187,7 +188,7 @@ TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
     }
     EXPECT_GT(bodies, 500);
     judge(36, shadowed);
-    shows_fault(36, double(own) / std::max(bodies, 1));
+    expect_fault(36, double(own) / std::max(bodies, 1));
     EXPECT_GT(e.traced.reference->visibility.data.size(), 0u);
     EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source are the truth";
 }

@@ -88,13 +88,13 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     const Scene scene = covered_in_part(c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", "scene");
-    const Shot whole = shoot(scene, s);
+    const Shot whole = draw_shot(scene, s);
     set_setting(s, "light.fit", c.fit);
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
-    const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
+    const double reach = kernel_reach_in_light(s, wider, whole.frame.map_resolution).edge + 1.5;
     const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
     // Of a warped map some texels are wider, and some are not.
@@ -142,7 +142,7 @@ TEST_P(EachFit, LightsALonePlane) {
     move_scene(scene, c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", c.fit);
-    const Shot shot = shoot(scene, s, 80, 60);
+    const Shot shot = draw_shot(scene, s, 80, 60);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
@@ -156,7 +156,7 @@ TEST_P(EachFit, LightsALonePlane) {
 
 // A spot light may have a map of parallel rays, and a sun one in perspective. Neither has the light's own rays, but the
 // map's own are kept whatever the fit: of the sun that a spot's stand for, and of the point that a sun's come from.
-TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
+TEST(EachFitInOtherProjection, KeepsTheTruthOfItsMapsRays) {
     const Scene scene = covered_in_part({0, 0, 0});
     for (const FitRow& row : fits())
         for (const LightType type : {LightType::Directional, LightType::Spot}) {
@@ -173,7 +173,7 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             set_setting(s, "light.fit", row.key);
             s.bias.unit = BiasUnit::Metres;
             s.bias.constant = 0.4;
-            const Shot shot = shoot(scene, s);
+            const Shot shot = draw_shot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
             EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";
             EXPECT_FALSE(shot.light().is_warped());
@@ -183,7 +183,7 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             as_mapped.position = shot.view().eye;
             const ReferenceImage reference =
                 trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
-                                shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
+                                shot.frame.map_resolution, kernel_reach_in_light(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
             for (std::size_t i = 0; i < reference.lit.size(); ++i) {
                 const Lit is = reference.lit[i];

@@ -84,7 +84,7 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
     s.bias.kind = kind;
     s.bias.unit = BiasUnit::Texels;
     // Both axes of the map may rise; the sub-pixel grid's share and the depth's step come on top.
-    const double kappa = std::max(reach_under(s, light, s.map.resolution).bias, 0.5) + 0.1;
+    const double kappa = std::max(kernel_reach_in_light(s, light, s.map.resolution).bias, 0.5) + 0.1;
     s.bias.constant = kappa * glm::root_two<double>() * steepest_tan + 1;
 }
 
@@ -131,12 +131,12 @@ void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit
 }
 
 TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
-    const Scene scene = floor_under_a_sheet(c.place);
+    const Scene scene = floor_under_sheet(c.place);
     Settings s = settings_of(c, 256);
     s.lights[0].elevation = 60;
     give_bias(s, fitted(scene, s), 2.5);  // a point light's faces see the floor at up to 68 degrees there
-    const Shot shot = shoot(scene, s);
-    const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
+    const Shot shot = draw_shot(scene, s);
+    const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
     for_pixels(shot, scene, reach, [&](Lit reference, double v) {
@@ -177,7 +177,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     give_bias(s, fitted(scene, s), std::tan(glm::radians(c.light == LightType::Spot ? 84.0 : 70.0)));
     int lit = 0;
     double least = 1;
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     for (std::size_t i = 0; i < reference.lit.size(); ++i) {
@@ -199,7 +199,7 @@ TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
         s.lights[0].size *= 0.1;  // a penumbra stays as wide as it is
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(shoot(scene, s), scene, 0, [&](Lit reference, double v) {
+        for_pixels(draw_shot(scene, s), scene, 0, [&](Lit reference, double v) {
             if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
         });
         return sum;
@@ -235,7 +235,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
                 weights += t.weight;
                 const glm::dvec2 off =
                     glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
-                EXPECT_LE(std::max(off.x, off.y), reach_under(s, l.fitted, p.map_resolution).read + 1e-3);
+                EXPECT_LE(std::max(off.x, off.y), kernel_reach_in_light(s, l.fitted, p.map_resolution).read + 1e-3);
             }
             ++told;
             EXPECT_NEAR(weights, 1, 1e-5);
@@ -243,7 +243,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
             partly += l.visibility > 0.01 && l.visibility < 0.99;
         }
     EXPECT_GT(told, 0);
-    if (reach_under(s, fitted(scene, s), s.map.resolution).read > 0.5) {
+    if (kernel_reach_in_light(s, fitted(scene, s), s.map.resolution).read > 0.5) {
         EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
     }
 }
@@ -352,7 +352,7 @@ TEST_P(EachSquareKernel, BlursAnEdgeAsItsTapsWeigh) {
     s.filter.size = k.size;
     s.filter.point = k.point;
     constexpr int kWidth = 240, kHeight = 180;
-    std::vector<EdgePixel> pixels = pixels_at_edge(shoot(scene, s, kWidth, kHeight), scene);
+    std::vector<EdgePixel> pixels = pixels_at_edge(draw_shot(scene, s, kWidth, kHeight), scene);
     // Taps of single texels jump where the look-up crosses a texel's middle, if their number is even.
     if (k.point)
         std::erase_if(pixels, [](const EdgePixel& p) { return std::abs(p.place - std::floor(p.place) - 0.5) < 1e-3; });
@@ -411,7 +411,7 @@ TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
         s.filter.min_variance = 0;
         int partly = 0;
         double worst = 0;
-        for (const EdgePixel& p : pixels_at_edge(shoot(scene, s, 320, 240), scene)) {
+        for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
             const double expected = box_profile(p, 2 * blur + 1);
             worst = std::max(worst, std::abs(p.visibility - expected));
             partly += expected > 0.01 && expected < 0.99;
@@ -429,7 +429,7 @@ TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
     s.filter.bleed = 0.3;
     s.filter.min_variance = 0;
     double worst = 0;
-    for (const EdgePixel& p : pixels_at_edge(shoot(scene, s, 320, 240), scene)) {
+    for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
         const double share = box_profile(p, 3);
         const double expected = share >= 1 ? 1 : std::max(0.0, (share - 0.3) / 0.7);
         worst = std::max(worst, std::abs(p.visibility - expected));

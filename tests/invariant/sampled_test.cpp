@@ -87,7 +87,7 @@ TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
                 for (const auto& [key, value] : changes) set_setting(s, key, value);
                 SCOPED_TRACE(std::string(kernel) + " " + changes.front().second + " light " +
                              std::to_string(int(type)));
-                const Shot shot = shoot(scene, s, 240, 120);
+                const Shot shot = draw_shot(scene, s, 240, 120);
                 const FittedLight& light = shot.light();
                 const double above_m = light.position.y - kThere.y;
                 const double width_m = type == LightType::Directional ? 2 * std::tan(glm::radians(s.lights[0].size))
@@ -119,7 +119,7 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
             s.filter.taps = 256;
             set_setting(s, "filter.radius_unit", "metres");
             s.filter.radius = 0.08;
-            const Shot shot = shoot(scene, s, 240, 120);
+            const Shot shot = draw_shot(scene, s, 240, 120);
             std::map<int, std::pair<double, int>> stripes;
             const double stripe_m = 0.006;
             across_the_edge(shot, [&](double x, double v) {
@@ -132,11 +132,12 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
             EXPECT_NEAR(found_m, 0.16, 0.1 * 0.16);
             const double texel_m = shot.view().texel_size(
                 type == LightType::Directional ? 1 : shot.light().position.y - kThere.y, shot.frame.map_resolution);
-            const Reach reach = reach_under(s, shot.light(), shot.frame.map_resolution);
+            const Reach reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution);
             EXPECT_GE(reach.read, 0.08 / texel_m + 0.5 - 1e-6);
             EXPECT_LE(reach.read, s.filter.max_radius + 0.5);
             s.filter.max_radius = 2;
-            EXPECT_NEAR(reach_under(s, shot.light(), shot.frame.map_resolution).read, 2.5, 1e-9) << "no more than that";
+            EXPECT_NEAR(kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).read, 2.5, 1e-9)
+                << "no more than that";
         }
 }
 
@@ -175,10 +176,10 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
             s.filter.blocker_taps = places;
             s.filter.rotate = turned;
             s.camera.distance = 0.45;
-            return shoot(scene, s, 64, 36).visibility.data;
+            return draw_shot(scene, s, 64, 36).visibility.data;
         };
         // A table that ends early tends to what the endless spiral over the same disk does.
-        const bool ends = row.takes_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
+        const bool ends = row.uses_disk_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
         const std::vector<float> limit = picture(ends ? "vogel" : row.key, 4096);
         const std::vector<float> unturned = picture(ends ? "vogel" : row.key, 4096, false);
         double turn = 0;

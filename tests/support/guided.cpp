@@ -30,7 +30,7 @@ Guided::Guided(const std::string& key, const ClaimSubject& subject) {
     scene = load_scene(preset.scene);
     settings = preset.settings;
     for (const std::string& change : subject.set) apply_set(settings, change);
-    shot = shoot(scene, settings, subject.size.at(0), subject.size.at(1));
+    shot = draw_shot(scene, settings, subject.size.at(0), subject.size.at(1));
     if (shot.frame.map_view.texture) map_view = hard_renderer().read_colour(shot.frame.map_view);
 }
 
@@ -61,8 +61,8 @@ const ErrorMetrics& Guided::error() const {
 }
 
 const Classification& Guided::classification() const {
-    if (!judgement_) judgement_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
-    return *judgement_;
+    if (!classification_) classification_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
+    return *classification_;
 }
 
 Guided::MeanErrors Guided::mean_errors() const {

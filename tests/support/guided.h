@@ -70,7 +70,7 @@ private:
     mutable std::vector<std::optional<Hit>> hits_;
     mutable std::optional<RayReference> rays_;
     mutable std::optional<ErrorMetrics> error_;
-    mutable std::optional<Classification> judgement_;
+    mutable std::optional<Classification> classification_;
 };
 
 }  // namespace si::test

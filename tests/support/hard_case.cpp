@@ -9,7 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
-#include "tests/support/named_driver.h"
+#include "tests/support/requested_driver.h"
 
 namespace si::test {
 namespace {
@@ -67,11 +67,11 @@ Renderer& hard_renderer() {
     static Shared* shared = nullptr;
     if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);  // which owns it
     shared->context->make_current();
-    expect_named_driver();
+    expect_requested_driver();
     return *shared->renderer;
 }
 
-Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {
+Shot draw_shot(const Scene& scene, const Settings& settings, int width, int height) {
     Renderer& renderer = hard_renderer();
     Shot shot;
     shot.width = width;
@@ -233,7 +233,7 @@ void move_camera(Settings& settings, const glm::dvec3& by) {
     settings.camera.target_z += by.z;
 }
 
-Scene floor_under_a_sheet(const Place& place) {
+Scene floor_under_sheet(const Place& place) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/render/renderer.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 namespace si::test {
 
@@ -27,7 +27,7 @@ struct Shot {
 
 /// Draws and demands what holds for every case (C0): no NaN or infinity in matrices, maps and visibility, visibility
 /// and depth within [0,1], no fragment under the NaN overlay, no message of the driver.
-Shot shoot(const Scene& scene, const Settings& settings, int width = 160, int height = 120);
+Shot draw_shot(const Scene& scene, const Settings& settings, int width = 160, int height = 120);
 
 /// Pixels whose visibility differs by more than `tolerance`, as a share of those that show geometry in `a`.
 double differing_share(const Shot& a, const Shot& b, double tolerance = 0.02);
@@ -82,7 +82,7 @@ inline constexpr Place kPlaces[] = {{}, {{4e3, -120, 9e3}, 90, 60}, {{-70, 5, 8}
 
 /// A floor of 10 m there, and a sheet of 4 m 2.25 m above its middle. No box: its walls would lie along the rays of a
 /// light at a right angle, where a driver may draw a sliver of no width with any depth.
-Scene floor_under_a_sheet(const Place& place);
+Scene floor_under_sheet(const Place& place);
 
 /// No bias of any kind, in units of depth.
 BiasSettings no_bias();

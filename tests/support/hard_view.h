@@ -30,8 +30,8 @@ inline DrawnCase hard_view(std::string_view key, bool fixed, const Changes& chan
     return {};
 }
 
-inline Shot shoot(const DrawnCase& c, int width = 160, int height = 120) {
-    return shoot(c.scene, c.settings, width, height);
+inline Shot draw_shot(const DrawnCase& c, int width = 160, int height = 120) {
+    return draw_shot(c.scene, c.settings, width, height);
 }
 
 }  // namespace si::test

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/traits.h"
 
 namespace si::test {
@@ -84,7 +84,7 @@ class LackingTests : public testing::EmptyTestEventListener {
         for (int i = 0; i < test.result()->total_part_count(); ++i) {
             const testing::TestPartResult& part = test.result()->GetTestPartResult(i);
             const std::string reason = part.message();
-            if (!part.skipped() || !reason.starts_with(kLacks)) continue;
+            if (!part.skipped() || !reason.starts_with(kMissingReason)) continue;
             const std::string file = SI_TEST_OUTPUT_DIR "/lacking-" + std::to_string(getpid()) + ".txt";
             std::ofstream(file, std::ios::app) << test.test_suite_name() << "." << test.name() << " " << reason << "\n";
         }

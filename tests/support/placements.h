@@ -28,7 +28,7 @@ struct Scale {
     double factor = 1;
     bool exact = false;
 };
-struct LightFrom {
+struct LightDirection {
     const char* name;
     std::optional<LightAngles> angles;  ///< nothing: the case's own
     bool mirrors = false;               ///< the light's map is its own mirror image in x
@@ -36,7 +36,7 @@ struct LightFrom {
 
 std::span<const Distance> distances();  ///< the first: at home
 std::span<const Scale> scales();        ///< the first: as it is
-std::span<const LightFrom> lights_from();
+std::span<const LightDirection> light_directions();
 
 /// Numbers into the tables above.
 struct Placement {
@@ -45,12 +45,12 @@ struct Placement {
     std::string name() const;
     /// Whether nothing is rounded on the way, the shift being one of whole grid steps: the same bytes are due.
     bool exact() const;
-    bool at_home() const { return distance == 0 && scale == 0 && !mirrored; }
+    bool is_unmoved() const { return distance == 0 && scale == 0 && !mirrored; }
     glm::dmat4 matrix() const;
 };
 
 /// Each row of each factor with the others as they are at home.
-std::vector<Placement> one_by_one();
+std::vector<Placement> single_factor_placements();
 /// Those that round nothing, under a case's own light.
 std::vector<Placement> exact_placements();
 /// All of them.
@@ -64,10 +64,10 @@ bool place_settings(Settings& settings, const Placement& placement);
 
 /// A case's number and a placement of it. Each pair of values of two factors (the case is one) that may stand together
 /// is in some row; made greedily from a seed.
-struct CaseAndPlacement {
+struct PlacedCase {
     std::size_t of = 0;
     Placement placement;
 };
-std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed);
+std::vector<PlacedCase> pairwise_placements(std::size_t cases, std::uint32_t seed);
 
 }  // namespace si::test

@@ -14,9 +14,9 @@ struct RandomCase {
 };
 
 /// The same number gives the same case everywhere. What programs are made of is shared by as many neighbours as
-/// kSeedsAProgram: a CPU rasteriser takes far longer to make one than to draw with it.
+/// kSeedsPerProgram: a CPU rasteriser takes far longer to make one than to draw with it.
 RandomCase random_case(unsigned seed);
-inline constexpr unsigned kSeedsAProgram = 25;
+inline constexpr unsigned kSeedsPerProgram = 25;
 
 /// A small scene that cases are of, read once.
 const Scene& small_scene(const std::string& key);

@@ -15,7 +15,7 @@ void judge(int number, double value);
 
 /// A number that shows that the row's fault is there without the remedy: fails below the row's `min_fault`. The least
 /// of a run is written.
-void shows_fault(int number, double value);
+void expect_fault(int number, double value);
 
 /// The driver at hand as the document calls it; empty: it has no section of it.
 std::string stability_driver();

@@ -63,17 +63,17 @@ protected:
 TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
     click_on("controls", "", "Run");
     ASSERT_TRUE(ui.last_requests.find_advice);
-    EXPECT_FALSE(ui.last_requests.find_advice->most_error);
+    EXPECT_FALSE(ui.last_requests.find_advice->max_error);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
-    ui.state.advice.most_error = 0.02;
+    ui.state.advice.max_error = 0.02;
     ui.state.advice.bound_ms = true;
-    ui.state.advice.most_ms = 5;
+    ui.state.advice.max_ms = 5;
     ui.state.advice.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
     click_on("controls", "", "Autopilot");
-    EXPECT_EQ(ui.last_requests.find_advice->most_error, 0.02);
-    EXPECT_EQ(ui.last_requests.find_advice->most_ms, 5);
+    EXPECT_EQ(ui.last_requests.find_advice->max_error, 0.02);
+    EXPECT_EQ(ui.last_requests.find_advice->max_ms, 5);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
     ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4};
     ui.frames(2);
@@ -164,7 +164,7 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";
-    request.find_advice->most_error = 1;
+    request.find_advice->max_error = 1;
     model.fulfil(request);
     EditorRequests cancel;
     cancel.scene_width = request.scene_width;

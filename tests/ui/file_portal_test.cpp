@@ -159,12 +159,12 @@ TEST(FilePortal, FilesAreThoseOfThisMachine) {
 TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     UiHarness ui(1280, 720);
     const auto ask = [&] {
-        ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
+        open_file_dialog(ui.state.files.dialog, FileDialog::Job::SavePreset, "/tmp/mine.json", "Look.");
         const EditorRequests first = ui.frame();
         ui.frames(2);
         const bool own = ui.drawn().shows("Save the preset as");
         ui.state.files.dialog.asked = false;
-        return std::pair(first.ask_desktop, own);
+        return std::pair(first.open_desktop_dialog, own);
     };
     ui.desktop_dialogs = true;
     const auto [request, own] = ask();
@@ -173,7 +173,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     EXPECT_EQ(request->folder, "/tmp");
     EXPECT_EQ(request->name, "mine.json");
     EXPECT_FALSE(own);
-    EXPECT_FALSE(ui.frame().ask_desktop) << "once";
+    EXPECT_FALSE(ui.frame().open_desktop_dialog) << "once";
     ui.state.layout.desktop_dialogs = false;
     const auto [unwanted, own_then] = ask();
     EXPECT_FALSE(unwanted);
@@ -196,15 +196,15 @@ TEST_F(WindowOfADesktop, OpensAndSavesByItsDialogAndByTheEditorsWhereItEnds) {
         screen("window_desktop_dialog");
         desktop.answer(desktop.questions()[0], 0, {"file://" + (folder_ / "from%20the%20desktop.glb").string()});
         EXPECT_TRUE(shows("from the desktop.glb")) << log();
-        breathe();
+        wait_until_idle();
         keys("ctrl+shift+s");
         ASSERT_TRUE(desktop.wait_for_questions(2));
         desktop.answer(desktop.questions()[1], 0, {"file://" + (folder_ / "chosen").string()});
         EXPECT_TRUE(wait_until([&] { return fs::exists(folder_ / "chosen.json"); })) << log();
-        breathe();
+        wait_until_idle();
     }
     keys("ctrl+o");
-    breathe();
+    wait_until_idle();
     screen("window_desktop_gone");
     type((folder_ / "typed.glb").string());
     keys("Return");

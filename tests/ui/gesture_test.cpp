@@ -75,7 +75,7 @@ TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
         Settings s = manual(orthographic);
         const glm::dvec2 cursor(500, 90);
         const PictureView before = view_of(scene, s);
-        const glm::dvec3 under = *meet_plane(before.ray(cursor), target(s.camera), before.camera.axes[2]);
+        const glm::dvec3 under = *intersect_plane(before.ray(cursor), target(s.camera), before.camera.axes[2]);
         zoom(s.camera, before.camera, before.ray(cursor), 3);
         EXPECT_LT(s.camera.distance, 12);
         EXPECT_LT(s.camera.height, 9);

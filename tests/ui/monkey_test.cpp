@@ -14,9 +14,9 @@
 #include <thread>
 
 #include "app/session/presets.h"
-#include "tests/support/confined.h"
-#include "tests/support/lacks.h"
-#include "tests/support/number_from.h"
+#include "tests/support/confinement.h"
+#include "tests/support/environment_number.h"
+#include "tests/support/missing_reason.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd.h"
 
@@ -109,9 +109,9 @@ protected:
         shows("boxes");
         // The scene alone, and the pointer off it: no panel that was left open and no pixel asks for anything.
         xdotool("mousemove 100 200");
-        breathe();
+        wait_until_idle();
         xdotool("key F11");
-        breathe();
+        wait_until_idle();
         xdotool("mousemove 1240 18");
         // The report is written every few seconds, while nothing is drawn, too. At rest nothing in it changes.
         Json report, last;
@@ -165,9 +165,9 @@ protected:
 
 TEST_F(WindowMonkey, DoesNoHarm) {
     if (!is_confined())
-        GTEST_SKIP() << test::kLacks << "Landlock in the kernel: nothing would keep it from a person's files";
-    const std::uint32_t seed = number_from("SI_MONKEY_SEED", kUsualSeed);
-    const int count = int(number_from("SI_MONKEY_EVENTS", kUsualEvents));
+        GTEST_SKIP() << test::kMissingReason << "Landlock in the kernel: nothing would keep it from a person's files";
+    const std::uint32_t seed = environment_number("SI_MONKEY_SEED", kUsualSeed);
+    const int count = int(environment_number("SI_MONKEY_EVENTS", kUsualEvents));
     std::vector<std::string> events;
     if (const char* replayed = std::getenv("SI_MONKEY_REPLAY")) {
         std::ifstream in(replayed);

@@ -382,7 +382,7 @@ TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
     state().layout.map_share = 0.3f;
     request({.load_scene = path("recent.gltf")});
     request({.save_preset = path("recent.json")});
-    model().keep_window(1111, 777, false);
+    model().note_window_size(1111, 777, false);
     model().end();
     open(remembering());
     EXPECT_EQ(state().layout.map_share, 0.3f);

@@ -17,7 +17,7 @@ Section step_of_shadow() {
     s.shadowed = true;
     s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 5, .reach_texels = 0.5};
-    s.looked_up_texel = 102;
+    s.lookup_texel = 102;
     s.texel_m = 0.04;
     s.lit = false;
     s.visibility = 0;
@@ -152,7 +152,7 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     HeadlessEditor editor(options);
     EditorState& state = editor.model().state;
     state.window.open_tab = BottomTab::Log;
-    editor.model().state.layout = kBeside;
+    editor.model().state.layout = kWideLayout;
     editor.settle();
     state.probe_pixel = glm::ivec2(200, 150);
     editor.settle();

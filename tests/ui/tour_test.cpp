@@ -93,13 +93,13 @@ TEST_P(Tour, MenusAndDialogs) {
     std::filesystem::create_directories(scenes);
     save_gltf(load_scene("boxes"), scenes / "boxes.gltf");
     save_gltf(load_scene("plane"), scenes / "plane.glb");
-    ask_for_file(state().files.dialog, FileDialog::Job::Open, scenes / "x");
+    open_file_dialog(state().files.dialog, FileDialog::Job::Open, scenes / "x");
     frames(12);  // what stands behind has grown dark
     expect_window("Open a scene or a preset");
     keep("open_dialog");
     ImGui::ClosePopupToLevel(0, false);
-    ask_for_file(state().files.dialog, FileDialog::Job::SavePreset,
-                 std::filesystem::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    open_file_dialog(state().files.dialog, FileDialog::Job::SavePreset,
+                     std::filesystem::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     frames(12);
     expect_window("Save the preset as");
     keep("save_dialog");

@@ -63,7 +63,7 @@ Probe made_up_probe(int lights) {
 }
 
 UiHarness::UiHarness(int width, int height, float scale) : width_(width), height_(height) {
-    state.layout = kBeside;
+    state.layout = kWideLayout;
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -146,7 +146,7 @@ EditorRequests UiHarness::frame() {
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
-        requests.forget_fixes || requests.measure_saved || requests.cancel_saved || requests.find_advice ||
+        requests.forget_fixes || requests.measure_saved_times || requests.cancel_measuring || requests.find_advice ||
         requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
         last_requests = requests;
     io.MouseWheel = 0;

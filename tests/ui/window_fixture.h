@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
-#include "tests/support/confined.h"
+#include "tests/support/confinement.h"
 #include "tests/ui/screen.h"
 
 namespace si::test {
@@ -31,7 +31,7 @@ public:
     bool running();
     void kill_at_once();
     /// As a batch system does (SIGTERM).
-    void ask_to_end();
+    void send_sigterm();
     /// Stops it where it is, as a slow frame does, or lets it go on.
     void hold(bool held);
     /// Valid when no longer running.
@@ -72,7 +72,7 @@ protected:
     bool wait_until(const std::function<bool()>& done) const;
     /// Until the editor has drawn what the last event calls for and sleeps again, however slow the machine is.
     /// What a thread foresees in idle time is waited for only where `idle_threads_too`.
-    void breathe(bool idle_threads_too = false) const;
+    void wait_until_idle(bool idle_threads_too = false) const;
     void drag(int x, int y, int dx, int dy) const;
     void click(int x, int y) const { drag(x, y, 0, 0); }
     /// Until it has had its effect: where two presses take too long to arrive they are two clicks.

@@ -30,7 +30,7 @@ TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
     EXPECT_EQ(kinds, bias_choices().size());
     EXPECT_EQ(bias_of(Settings{}).key, "slope") << "the lectures'";
     EXPECT_EQ(&bias_of(of_kind("receiver-plane")), &*std::ranges::find(biases(), "receiver-plane", &Bias::key));
-    EXPECT_EQ(bias_at(BiasStage::LookUp).key, "normal-offset");
+    EXPECT_EQ(bias_of_stage(BiasStage::LookUp).key, "normal-offset");
 }
 
 TEST(Biases, AmountsAreTheClosedForms) {

@@ -11,7 +11,7 @@
 #include "renderer/view/bounds/flat_mesh.h"
 #include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/region.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -542,14 +542,14 @@ Mesh bounded(Mesh mesh) {
 }
 
 TEST(FlatMeshes, AreFoundByGeometry) {
-    EXPECT_TRUE(plane_of(bounded(make_plane(3, 4, 20, 20))));
-    EXPECT_TRUE(plane_of(bounded(make_quad(3, 4))));
-    EXPECT_FALSE(plane_of(bounded(make_box({1, 1, 1}))));
-    EXPECT_FALSE(plane_of(bounded(make_sphere(1))));
+    EXPECT_TRUE(mesh_plane(bounded(make_plane(3, 4, 20, 20))));
+    EXPECT_TRUE(mesh_plane(bounded(make_quad(3, 4))));
+    EXPECT_FALSE(mesh_plane(bounded(make_box({1, 1, 1}))));
+    EXPECT_FALSE(mesh_plane(bounded(make_sphere(1))));
     // A dent of a thousandth of its size is one.
     Mesh dented = make_plane(2, 2, 8, 8);
     dented.positions.edit()[40].y += 2e-3f;
-    EXPECT_FALSE(plane_of(bounded(dented)));
+    EXPECT_FALSE(mesh_plane(bounded(dented)));
     EXPECT_TRUE(is_convex(bounded(make_box({1, 2, 3}))));
     EXPECT_FALSE(is_convex(bounded(make_torus(1, 0.2))));
     Mesh inside_out = bounded(make_box({1, 2, 3}));

@@ -210,7 +210,7 @@ protected:
     }
     /// What an instance that knows nothing yet finds.
     std::shared_ptr<const LightMap> get(const LightMapTask& task, std::size_t baked,
-                                        std::uint64_t most = LightMapCache::kMostOnDisk) {
+                                        std::uint64_t most = LightMapCache::kMaxDiskBytes) {
         LightMapCache maps;
         maps.set_disk_folder(folder, most);
         auto map = maps.get(task, {.threads = 2});

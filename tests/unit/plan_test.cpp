@@ -138,7 +138,7 @@ TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
     int given_up = 0;
     plan.release([&] { ++given_up; });
     EXPECT_EQ(given_up, 0);
-    plan.give_up_what_is_unused();
+    plan.run_releases();
     EXPECT_EQ(given_up, 1);
 }
 

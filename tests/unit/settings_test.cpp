@@ -104,7 +104,7 @@ TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
     s.objects["A"] = {};
     for (const SettingRef& ref : all_settings(s)) {
         const Value v = default_value(ref);
-        const double x = number_of(v);
+        const double x = numeric_value(v);
         EXPECT_TRUE(x >= ref.param->min && x <= ref.param->max) << setting_key(ref);
     }
     EXPECT_TRUE(sanitise(s).empty());
@@ -425,9 +425,9 @@ TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
         for (const std::string_view key : source.settings) {
             const SettingRef ref = *find_setting(key);
             Settings s;
-            EXPECT_NE(not_owned(s, ref), "") << key << " under a map";
+            EXPECT_NE(unused_setting_reason(s, ref), "") << key << " under a map";
             set_setting(s, "light.1.source", source.key);
-            EXPECT_NE(not_owned(s, ref), "") << key << ": the second light is not there";
+            EXPECT_NE(unused_setting_reason(s, ref), "") << key << ": the second light is not there";
             s.light_count = 2;
             EXPECT_EQ(idle_reason(s, ref), "") << key;
             ++owned;
@@ -447,18 +447,18 @@ TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
             const bool lists = std::ranges::find(own, ref.param->key) != own.end();
             readers += lists;
             if (lists) {
-                EXPECT_EQ(not_owned(s, ref), "") << ref.param->key << " under " << filters()[row].key;
+                EXPECT_EQ(unused_setting_reason(s, ref), "") << ref.param->key << " under " << filters()[row].key;
             }
         }
         if (readers == 0) {
-            EXPECT_EQ(not_owned(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";
+            EXPECT_EQ(unused_setting_reason(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";
             continue;
         }
         ++owned;
         Settings hard;
         set_setting(hard, "filter.kernel", "hard");
-        EXPECT_NE(not_owned(hard, ref), "") << "the hard kernel has no settings of its own";
-        EXPECT_EQ(idle_reason(hard, ref), not_owned(hard, ref));
+        EXPECT_NE(unused_setting_reason(hard, ref), "") << "the hard kernel has no settings of its own";
+        EXPECT_EQ(idle_reason(hard, ref), unused_setting_reason(hard, ref));
         EXPECT_TRUE(mentions(std::string(idle_reason(hard, ref)), "filter.kernel"));
     }
     EXPECT_GE(owned, 8);

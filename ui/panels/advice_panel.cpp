@@ -66,14 +66,14 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
     ImGui::EndDisabled();
     ImGui::Spacing();
     bound("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.", panel.bound_error,
-          panel.most_error, 1e-6, "%.5f");
+          panel.max_error, 1e-6, "%.5f");
     bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
-          panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+          panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
     if (ImGui::Button("Autopilot")) {
         requests.find_advice = AdviceRequest{.cost = panel.cost};
-        if (panel.bound_error) requests.find_advice->most_error = panel.most_error;
-        if (panel.bound_ms) requests.find_advice->most_ms = panel.most_ms;
+        if (panel.bound_error) requests.find_advice->max_error = panel.max_error;
+        if (panel.bound_ms) requests.find_advice->max_ms = panel.max_ms;
     }
     ImGui::EndDisabled();
     wrapped_tooltip(
@@ -91,7 +91,7 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
     int id = 0;
     for (const Finding& f : report.findings) {
         ImGui::PushID(id++);
-        coloured_text(fmt::format("{}: {}", severity_word(f.severity), f.text), kColours[std::size_t(f.severity)]);
+        coloured_text(fmt::format("{}: {}", severity_key(f.severity), f.text), kColours[std::size_t(f.severity)]);
         if (!f.fix.empty()) {
             if (!f.settings.empty()) {
                 apply_button(settings, f.settings, current);

@@ -90,7 +90,7 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
 
 }  // namespace
 
-Artefact touring_cause(const EditorState& state, const EditorFrame& frame) {
+Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame) {
     if (state.artefact_tour.cause) return *state.artefact_tour.cause;
     if (!frame.error) return Artefact::None;
     Artefact most = Artefact::None;
@@ -147,7 +147,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
     // Clusters are known once the reference of this picture is.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
-        const Artefact cause = touring_cause(state, frame);
+        const Artefact cause = artefact_tour_cause(state, frame);
         if (cause == Artefact::None) {
             give_up("No pixel of this picture is wrong");
             return false;

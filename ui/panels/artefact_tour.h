@@ -47,7 +47,7 @@ struct EditorFrame;
 
 /// Returns the cause of the tour: the chosen one, else the most frequent one. None if nothing is known, or no pixel is
 /// wrong.
-Artefact touring_cause(const EditorState& state, const EditorFrame& frame);
+Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame);
 /// Chooses a cause and shows the artefact overlay; the same cause again takes both back.
 void choose_cause(EditorState& state, Artefact cause);
 /// Moves the camera to the next cluster and probes its middle, at once or when the clusters are known.

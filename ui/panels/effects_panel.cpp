@@ -54,7 +54,7 @@ Room room_of(float ems) {
 /// By shape and word, so that nobody has to tell colours apart.
 void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
-    const std::string shape = kShapes[std::size_t(state)], word(state_name(state));
+    const std::string shape = kShapes[std::size_t(state)], word(effect_state_key(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
     ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
@@ -92,15 +92,15 @@ void force_box(OptimisationSet& forced, Optimisation saving, const char* label) 
 }
 
 void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
-    if (facts.measuring_saved) {
-        const std::string text =
-            fmt::format("{:.0f} %  {}", 100 * facts.measuring_saved->progress, facts.measuring_saved->about);
-        progress_bar(facts.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
+    if (facts.measuring_optimisations) {
+        const std::string text = fmt::format("{:.0f} %  {}", 100 * facts.measuring_optimisations->progress,
+                                             facts.measuring_optimisations->about);
+        progress_bar(facts.measuring_optimisations->progress, text, ImGui::GetFontSize() * 14);
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##saved")) requests.cancel_saved = true;
+        if (ImGui::Button("Cancel##saved")) requests.cancel_measuring = true;
         return;
     }
-    if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
+    if (ImGui::Button("Measure what is saved")) requests.measure_saved_times = true;
     wrapped_tooltip(
         "Draws frames with and without each optimisation alternately, in the background, and prints the difference in "
         "milliseconds with its interval.");
@@ -126,8 +126,8 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all optimisations on again.");
     flow(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not needed", &panel.hide_uncalled);
-    if (!facts.saved || facts.saved_current) return;
+    ImGui::Checkbox("Hide what is not needed", &panel.only_needed);
+    if (!facts.saved || facts.saved_times_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
     flow(ImGui::CalcTextSize(kOld).x);
     ImGui::TextDisabled("%s", kOld);
@@ -235,8 +235,8 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
-        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, saved_together(facts.effects, effect),
-                   facts.saved_current);
+        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, sharing_optimisation_count(facts.effects, effect),
+                   facts.saved_times_current);
     if (effect.saving && ImGui::TableSetColumnIndex(index_of(Column::Force)))
         force_box(panel.forced, *effect.saving, "##force");
 }
@@ -244,7 +244,7 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
 /// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
-    return panel.hide_uncalled && effect.state == EffectState::NotNeeded && !forced;
+    return panel.only_needed && effect.state == EffectState::NotNeeded && !forced;
 }
 
 void sum_row(const PassCost& sum) {
@@ -282,7 +282,7 @@ void history(const FrameTimes& times) {
 }
 
 void clock_line(const FrameResult& result, const DriverInfo* driver) {
-    if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
+    if (result.pages) ImGui::TextDisabled("%s", page_facts_text(*result.pages).c_str());
     const std::string by = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
     const bool software = driver && driver->software;
     std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;

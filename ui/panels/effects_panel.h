@@ -17,23 +17,23 @@ struct SavedTimes;  // renderer/measure/optimisation_times.h
 
 /// State of the panel. Forcing is no setting, because it changes no picture.
 struct EffectsPanel {
-    OptimisationSet forced;      ///< optimisations that are switched off
-    bool hide_uncalled = false;  ///< lists only what is drawn or cached
+    OptimisationSet forced;    ///< optimisations that are switched off
+    bool only_needed = false;  ///< lists only what is drawn or cached
 };
 
 /// Facts of the panel.
 struct EffectsFacts {
-    std::span<const Effect> effects;                ///< empty unless requested
-    const SavedTimes* saved = nullptr;              ///< last measured times; null: none, or of another scene
-    bool saved_current = false;                     ///< these times are of the present settings and size
-    std::optional<SearchProgress> measuring_saved;  ///< under way
+    std::span<const Effect> effects;                        ///< empty unless requested
+    const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene
+    bool saved_times_current = false;                       ///< these times are of the present settings and size
+    std::optional<SearchProgress> measuring_optimisations;  ///< under way
 };
 
 /// Requests of the panel.
 struct EffectsRequests {
-    bool want_effects = false;   ///< the panel is shown
-    bool measure_saved = false;  ///< measure the time that each optimisation saves
-    bool cancel_saved = false;   ///< cancel that measurement
+    bool want_effects = false;         ///< the panel is shown
+    bool measure_saved_times = false;  ///< measure the time that each optimisation saves
+    bool cancel_measuring = false;     ///< cancel that measurement
 };
 
 /// Draws the panel Effects: a row an effect with its state, reason and cost, then the frame's sum.

@@ -11,7 +11,7 @@
 
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
-#include "ui/panels/cures_table.h"
+#include "ui/panels/fixes_table.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
@@ -108,7 +108,7 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
 }
 
 void next_button(EditorState& state, const EditorFrame& frame, const std::string& tour) {
-    ImGui::BeginDisabled(touring_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
+    ImGui::BeginDisabled(artefact_tour_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
     if (ImGui::Button("Next artefact")) next_artefact(state, frame);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))

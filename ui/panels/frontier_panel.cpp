@@ -351,7 +351,7 @@ void draw_state(const SweepFacts& facts, EditorRequests& requests) {
             wrapped_tooltip(list);
         }
         flow(button_width("Set them back"));
-        if (ImGui::Button("Set them back")) requests.take_sweep_base = true;
+        if (ImGui::Button("Set them back")) requests.apply_sweep_base = true;
         wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }
 }

@@ -109,7 +109,7 @@ struct SweepRequests {
     bool cancel_sweep = false;
     std::optional<std::string> save_sweep;  ///< folder to save the sweep to
     std::optional<std::string> open_sweep;  ///< folder to open a sweep from
-    bool take_sweep_base = false;           ///< apply the settings that the sweep's cases share
+    bool apply_sweep_base = false;          ///< apply the settings that the sweep's cases share
     bool want_present = false;              ///< measure the present settings
 };
 

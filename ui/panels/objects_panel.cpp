@@ -91,7 +91,7 @@ std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& 
     for (std::size_t i = out.size(); i-- > 0;) {
         if (tree.rows[i].placed) {
             const Value v = get_value(settings, {&p, 0, *tree.rows[i].path});
-            out[i] = std::max(out[i], number_of(v));
+            out[i] = std::max(out[i], numeric_value(v));
         }
         if (const int parent = scene.nodes[i].parent; parent >= 0)
             out[std::size_t(parent)] = std::max(out[std::size_t(parent)], out[i]);
@@ -105,7 +105,7 @@ void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Pa
     std::vector<double> rank;
     std::vector<std::string> name;
     if (order.column == 0)
-        for (const Row& row : tree.rows) name.push_back(last_part(*row.path));
+        for (const Row& row : tree.rows) name.push_back(last_path_part(*row.path));
     else if (order.column == 1)
         for (const Row& row : tree.rows) rank.push_back(double(row.triangles));
     else if (order.fresh || state.objects.ranks_scene != scene.id || state.objects.ranks.size() != tree.rows.size()) {
@@ -209,7 +209,7 @@ void choose(EditorState& state, const Scene& scene, const std::vector<const Row*
         return select_objects(state, range);
     }
     const std::vector<std::string> paths =
-        row.placed ? std::vector<std::string>{*row.path} : placed_below(scene, row.node);
+        row.placed ? std::vector<std::string>{*row.path} : mesh_nodes_below(scene, row.node);
     const std::set<std::string> wanted(paths.begin(), paths.end());
     if (!io.KeyCtrl)
         return select_objects(state, selected_objects(state) == wanted ? std::vector<std::string>() : paths);
@@ -237,7 +237,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
                                          : own        ? theme::accent()
                                          : row.placed ? theme::text()
                                                       : theme::muted());
-    const std::string name = last_part(*row.path);
+    const std::string name = last_path_part(*row.path);
     const std::string label = row.lost ? name + "   lost by culling" : name;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
         choose(state, scene, list, at);

@@ -142,7 +142,7 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     const GuideNote& guide = state.files.guide;
     if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
-    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
     const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
     const bool built_in = at != walk.end();
     const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
@@ -193,21 +193,21 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& re
                   requests.save_preset = state.files.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))
-                  ask_for_file(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
-                               state.files.guide.about);
+                  open_file_dialog(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
+                                   state.files.guide.about);
           });
 }
 
 }  // namespace
 
-std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
+std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame) {
     const bool hard =
         std::ranges::find(frame.hard_cases, state.files.guide.key, &PresetEntry::key) != frame.hard_cases.end();
     return hard ? frame.hard_cases : frame.presets;
 }
 
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
-    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
     const int count = int(walk.size());
     if (count == 0) return {};
     int at = -1;

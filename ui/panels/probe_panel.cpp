@@ -8,7 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
-#include "ui/panels/cures_table.h"
+#include "ui/panels/fixes_table.h"
 #include "ui/panels/section_view.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
@@ -61,7 +61,7 @@ void verdict(const std::string& text) {
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.place != MapPlace::Inside || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
-    if (ImGui::Button(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
+    if (ImGui::Button(shows_quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
@@ -97,8 +97,8 @@ void bias_terms(const BiasBreakdown& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
-    if (a.by_itself != 0)
-        amount_row("of itself", a.amount(a.by_itself), "Bias of bias.kind itself, whatever the numbers are");
+    if (a.bias_of_kind != 0)
+        amount_row("of itself", a.amount(a.bias_of_kind), "Bias of bias.kind itself, whatever the numbers are");
     amount_row(
         "normal offset", a.amount(a.normal),
         "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
@@ -203,7 +203,7 @@ void reference_column(const PixelDiagnosis& d) {
 /// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
     const std::string brief = "Fix: " + fix_text(fix, settings);
-    const std::string whole = brief + fix_worth_text(fix);
+    const std::string whole = brief + equivalent_bias_text(fix);
     return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : brief;
 }
 
@@ -221,7 +221,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
         for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey %s; %s takes it back", fix_text(*d->fix, settings).c_str(),
-                          fix_worth_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
+                          equivalent_bias_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
 /// Blocks beside each other as far as they fit.

@@ -83,7 +83,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
         if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
         if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
-        if (state.settings_panel.search.empty() && !not_owned(state.settings, ref).empty())
+        if (state.settings_panel.search.empty() && !unused_setting_reason(state.settings, ref).empty())
             continue;  // found by its name alone
         if (!setting_matches(ref, state.settings_panel.search)) continue;
         if (state.settings_panel.only_changed && !setting_changed(state.settings, ref)) continue;
@@ -95,7 +95,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
 }
 
 /// Sorts groups for a search: those whose label matches first, then those with a setting whose label matches.
-void nearest_first(std::vector<Group>& list, const EditorState& state) {
+void sort_front_to_back(std::vector<Group>& list, const EditorState& state) {
     if (state.settings_panel.search.empty()) return;
     const auto rank = [&](const Group& group) {
         if (matches_all_words(state.settings_panel.search, {group.label, group.prefix})) return 0;
@@ -188,7 +188,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
     if (table) ImGui::EndTable();
     if (group.prefix == "bias" && !filtered) {
         const std::string why_not = frame.result && frame.scene
-                                        ? why_nothing_to_tune(frame.result->lights, state.settings.view.light)
+                                        ? reason_not_tunable(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
         draw_tune_controls(state.tune, state.settings, frame, why_not, requests);
     }
@@ -215,7 +215,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
     bool any = false;
     const SceneSettings placed = state.settings.scene;
     std::vector<Group> shown = groups();
-    nearest_first(shown, state);
+    sort_front_to_back(shown, state);
     for (const Group& group : shown) {
         any |= !rows_of(state, group.prefix).shown.empty();
         draw_group(state, frame, requests, group);

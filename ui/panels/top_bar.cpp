@@ -127,7 +127,7 @@ void view_menu(EditorState& state, const char* label) {
     if (ImGui::MenuItem("Light theme", nullptr, layout.light_theme)) layout.light_theme = true;
     ImGui::Separator();
     constexpr std::pair<const char*, MapSpot> kSpots[] = {{"Map above the settings", MapSpot::AboveSettings},
-                                                          {"Map beside the scene", MapSpot::BesideScene},
+                                                          {"Map beside the scene", MapSpot::NextToScene},
                                                           {"Map in the scene's corner", MapSpot::Inset},
                                                           {"No map", MapSpot::Hidden}};
     for (const auto& [name, spot] : kSpots)

@@ -52,7 +52,8 @@ void zoom(CameraSettings& camera, const Camera& seen, const Ray& towards, double
     double& size = seen.orthographic ? camera.height : camera.distance;
     const double factor = std::clamp(size * wanted, kLeastDistance, kMostDistance) / size;
     const glm::dvec3 target = target_of(camera);
-    if (const auto at = meet_plane(towards, target, seen.axes[2])) set_target(camera, *at + factor * (target - *at));
+    if (const auto at = intersect_plane(towards, target, seen.axes[2]))
+        set_target(camera, *at + factor * (target - *at));
     camera.distance = std::clamp(camera.distance * factor, kLeastDistance, kMostDistance);
     camera.height = std::clamp(camera.height * factor, kLeastDistance, kMostDistance);
 }

@@ -37,7 +37,7 @@ void fly_on(EditorState& state, const EditorFrame& frame) {
     const glm::dvec3 way = wanted_way();
     const bool moving = way != glm::dvec3(0);
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || moving) take_camera(state, frame);
-    state.viewport.flew |=
+    state.viewport.camera_flew |=
         moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
     look_around(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
     // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
@@ -69,7 +69,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     const bool moved = ImGui::IsMouseDragging(ImGuiMouseButton_Left, kClickPixels) ||
                        ImGui::IsMouseDragging(ImGuiMouseButton_Middle, kClickPixels);
     state.viewport.flight.on = ImGui::IsItemActive() && ImGui::IsMouseDown(ImGuiMouseButton_Right);
-    if (ImGui::IsItemActivated()) state.viewport.flew = false;
+    if (ImGui::IsItemActivated()) state.viewport.camera_flew = false;
     if (state.viewport.flight.on) {
         state.viewport.dragging = state.viewport.press_moved = true;
         return fly_on(state, frame);

@@ -62,18 +62,18 @@ std::vector<LightHandle> handles_of(const LightPose& pose);
 
 /// Returns the place of a handle, world. Arrows and the direction's ball have a constant size on the screen, so that
 /// their places depend on the view.
-glm::dvec3 handle_place(const LightPose& pose, LightHandle handle, const PictureView& view);
+glm::dvec3 handle_position(const LightPose& pose, LightHandle handle, const PictureView& view);
 
 /// Returns the radius of the ball on which the direction's handle moves, about the target (directional) or the light
 /// (spot); metres.
-double direction_ball(const LightPose& pose, const PictureView& view);
+double direction_ball_radius(const LightPose& pose, const PictureView& view);
 /// Returns the distance from the light at which the rim of a spot light's cone is drawn; metres.
-double cone_reach(const LightPose& pose);
+double cone_rim_distance(const LightPose& pose);
 /// Returns the unit vector along which an arrow, extent or cone handle moves; world.
-glm::dvec3 handle_way(const LightPose& pose, LightHandle handle);
+glm::dvec3 handle_axis(const LightPose& pose, LightHandle handle);
 /// Returns the unit vector from a light to the handle of its range: on the cone's rim between two handles (spot), or
 /// across the line to the target (point).
-glm::dvec3 range_way(const LightPose& pose);
+glm::dvec3 range_axis(const LightPose& pose);
 /// Returns half the angle of a spot light's cone.
 double half_cone_rad(const LightSettings& settings);
 

@@ -36,7 +36,7 @@ struct PictureView {
 };
 
 /// Returns the intersection of a ray and a plane; nothing if they are parallel, or it lies before the ray's start.
-std::optional<glm::dvec3> meet_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal);
+std::optional<glm::dvec3> intersect_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal);
 /// Returns the place along a line (metres from `origin`, unit `direction`) that is closest to a ray; nothing if they
 /// are parallel, or it lies before the ray's start.
 std::optional<double> nearest_on_line(const Ray& ray, const glm::dvec3& origin, const glm::dvec3& direction);

@@ -36,11 +36,11 @@ bool hides(const Probe& probe, const ProbeAnchor& anchor);
 /// Pixels of the renderer's picture for the loupe.
 struct LoupeFacts {
     glm::ivec2 at{0};                 ///< pixel in the middle
-    ByteImage pixels;                 ///< kLoupeReach pixels on each side of it; alpha is 0 outside the picture
+    ByteImage pixels;                 ///< kLoupeRadiusPixels pixels on each side of it; alpha is 0 outside the picture
     std::optional<float> visibility;  ///< visibility of the shown light; none: no surface
 };
 
 /// Pixels of the loupe on each side of its middle.
-inline constexpr int kLoupeReach = 8;
+inline constexpr int kLoupeRadiusPixels = 8;
 
 }  // namespace si

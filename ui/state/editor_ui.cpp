@@ -94,7 +94,7 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
 
 /// The legend of that overlay has numbers.
 bool shows_artefacts(const Settings& settings) {
-    return some_pane_shows(settings.view, &Overlay::names_causes);
+    return any_pane_shows(settings.view, &Overlay::names_causes);
 }
 
 /// On a tab, or in the row beside them; the arrows that scroll them are pressed fast, too, and lie without.
@@ -207,7 +207,7 @@ void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& req
 void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
-    if (layout.map_place == MapSpot::BesideScene) {
+    if (layout.map_place == MapSpot::NextToScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
         scene_panel(state, frame, requests, {size.x - map - bar, size.y});
         ImGui::SameLine();
@@ -379,7 +379,7 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     state.history.observe(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
     requests.hold_cursor = state.viewport.flight.on &&
-                           (state.viewport.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
+                           (state.viewport.camera_flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
     requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;

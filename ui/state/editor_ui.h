@@ -14,9 +14,9 @@
 #include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare_panel.h"
-#include "ui/panels/cures.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/error_panel.h"
+#include "ui/panels/fixes.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/lab_panel.h"
@@ -24,8 +24,8 @@
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/panels/reference.h"
 #include "ui/panels/settings_panel.h"
-#include "ui/panels/truth.h"
 #include "ui/panels/tune.h"
 #include "ui/scene_view/cameras.h"
 #include "ui/scene_view/picture_comparison.h"
@@ -160,8 +160,8 @@ struct EditorRequests : MapRequests,
     bool want_timing = false;          ///< passes are to be timed
     bool copy_command_line = false;
     bool quit = false;
-    std::optional<DesktopFileDialog> ask_desktop;  ///< open the desktop's file dialog
-    bool welcomed = false;                         ///< the welcome was shown
+    std::optional<DesktopFileDialog> open_desktop_dialog;  ///< open the desktop's file dialog
+    bool welcomed = false;                                 ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without bounds, while the camera flies
     bool redraw = false;       ///< something still moves: draw the next frame soon
     std::optional<ShotRequest> shot;

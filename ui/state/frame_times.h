@@ -25,7 +25,7 @@ struct FrameTimes {
     std::string scene;                      ///< key or path; another scene drops all times
     std::map<std::string, double> pass_ms;  ///< last time of each pass, by its name
     std::deque<TimedFrame> frames;          ///< frames of the last kKept_s, newest last; at least the newest
-    bool of_shown = false;                  ///< the newest is the frame that is shown
+    bool newest_is_shown = false;           ///< the newest is the frame that is shown
 };
 
 /// Adds the shown frame's times, if its passes were timed and some ran. Call in every frame of the window; a frame that

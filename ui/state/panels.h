@@ -46,7 +46,7 @@ float presets_menu_width();
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
 /// Returns the sequence of presets that the open one belongs to: the hard cases, or else the guided presets.
-std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame);
+std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame);
 /// Returns the preset `step` places after the open one in that sequence; none beyond either end.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 

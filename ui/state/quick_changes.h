@@ -33,10 +33,10 @@ struct TexelPlace {
 /// Shows the texels around a place as quads at their stored depths; hides them if they are shown there.
 void toggle_quads(Settings& settings, const TexelPlace& place);
 /// Returns true if quads are shown at that place.
-bool quads_at(const Settings& settings, const TexelPlace& place);
+bool shows_quads_at(const Settings& settings, const TexelPlace& place);
 /// Returns the shown light's texel that the pixel under the mouse, else the probed one, reads; nothing outside the map.
-std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame);
-/// Toggles the quads at pointed_place(), and reports the result in the log.
-void point_quads(EditorState& state, const EditorFrame& frame);
+std::optional<TexelPlace> pointed_texel(const EditorState& state, const EditorFrame& frame);
+/// Toggles the quads at pointed_texel(), and reports the result in the log.
+void toggle_pointed_quads(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

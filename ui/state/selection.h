@@ -15,7 +15,7 @@
 namespace si {
 
 /// Returns the last part of a node's or a file's path.
-std::string last_part(const std::string& path);
+std::string last_path_part(const std::string& path);
 
 /// Returns the world bounds of the meshes at these nodes; empty: there are none.
 Bounds bounds_of(const Scene& scene, const std::set<std::string>& paths);
@@ -29,7 +29,7 @@ Bounds bounds_below(const Scene& scene, const std::string& path);
 std::optional<Box> box_of(const Scene& scene, const std::string& path);
 
 /// Returns the paths of this node and all nodes below it that have a mesh.
-std::vector<std::string> placed_below(const Scene& scene, int node);
+std::vector<std::string> mesh_nodes_below(const Scene& scene, int node);
 
 /// Returns the paths of all selected objects.
 std::set<std::string> selected_objects(const EditorState& state);

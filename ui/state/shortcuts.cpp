@@ -238,7 +238,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::ToggleDepthQuads,
      .chord = letter("Q"),
      .label = "stored-depth quads at the mouse or the probe; again: none",
-     .action = [](C c) { point_quads(c.state, c.frame); }},
+     .action = [](C c) { toggle_pointed_quads(c.state, c.frame); }},
     {.command = Command::ToggleOverlay,
      .chord = {.name = "1 to 9", .first = '1', .last = '9', .ctrl = Modifier::Any},
      .label = "overlays, more with Shift, Alt or Ctrl (their list has the keys); again: none",
@@ -335,7 +335,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::OpenFile,
      .chord = with_ctrl(letter("O")),
      .label = "open a .gltf or .glb scene, or a preset",
-     .action = [](C c) { ask_for_file(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); },
+     .action = [](C c) { open_file_dialog(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); },
      .section = "Files and steps"},
     {.chord = gesture("or drop a file"), .joined = true},
     {.command = Command::SavePreset,
@@ -347,8 +347,8 @@ constexpr Shortcut kShortcutTable[] = {
      .label = "save it as",
      .action =
          [](C c) {
-             ask_for_file(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
-                          c.state.files.guide.about);
+             open_file_dialog(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
+                              c.state.files.guide.about);
          },
      .joined = true},
     {.command = Command::RevertPreset,

@@ -41,8 +41,8 @@ struct DesktopFileDialog {
 };
 
 /// Opens the dialog in the folder of `path`, with its name when saving.
-void ask_for_file(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
-                  const std::string& about = {});
+void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
+                      const std::string& about = {});
 /// Returns the path with the extension of a preset.
 std::filesystem::path preset_path(std::filesystem::path path);
 /// Returns the typed path, completed as far as all matching files and folders agree. @param folder base of the path

@@ -286,7 +286,7 @@ void use_result(const FrameResult* result) {
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
     if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
-    if (ref.param->of_animation && !scene_has_animations) return "without effect: the scene has no animation";
+    if (ref.param->animation_only && !scene_has_animations) return "without effect: the scene has no animation";
     return idle_reason(settings, ref);
 }
 
@@ -344,7 +344,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
 void menu_button(const char* label, const char* popup, const char* hint, float width) {
     // While another menu is open, the press that closes it opens this one.
     const bool pressed = ImGui::Button(label);
-    const bool beside = pressed_beside_popup() && !ImGui::IsPopupOpen(popup);
+    const bool beside = press_closed_other_popup() && !ImGui::IsPopupOpen(popup);
     if (pressed || beside) ImGui::OpenPopup(popup);
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);

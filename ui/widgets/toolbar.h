@@ -10,8 +10,8 @@ namespace si {
 /// Layout of one row.
 class Toolbar {
 public:
-    /// Starts a row in the free part of the line. @param id of the menu @param kept_free pixels at its right end
-    explicit Toolbar(const char* id, float kept_free = 0);
+    /// Starts a row in the free part of the line. @param id of the menu @param free_right pixels at its right end
+    explicit Toolbar(const char* id, float free_right = 0);
     /// Sets the gap before the next widget, pixels.
     void space(float width) { space_ = width; }
     /// Adds a widget to the row; after the first one without room all go into the menu.

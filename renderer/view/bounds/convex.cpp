@@ -46,7 +46,7 @@ std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
     return hull;
 }
 
-double area_of(std::span<const glm::dvec2> polygon) {
+double polygon_area(std::span<const glm::dvec2> polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
         twice += cross(glm::dvec2(0), polygon[i], polygon[(i + 1) % polygon.size()]);
@@ -80,7 +80,7 @@ void clip(Polygon& polygon, const HalfSpace& plane) {
     polygon = std::move(left);
 }
 
-std::vector<HalfSpace> half_spaces_of(const Box& body) {
+std::vector<HalfSpace> box_half_spaces(const Box& body) {
     glm::dvec3 centre(0);
     for (const glm::dvec3& p : body) centre += p / 8.0;
     const double size = extent_m(body);
@@ -100,7 +100,7 @@ std::vector<HalfSpace> half_spaces_of(const Box& body) {
     return planes;
 }
 
-std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes) {
+std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes) {
     std::vector<glm::dvec3> points;
     const Lies where = lies(body, planes);
     if (where == Lies::Within) points.assign(body.begin(), body.end());
@@ -108,7 +108,7 @@ std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace
     return points;
 }
 
-std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies) {
+std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies) {
     bool within = true;
     for (const ConvexBody& body : bodies) {
         const Lies where = lies(box, body.sides);
@@ -121,7 +121,7 @@ std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody
     std::vector<glm::dvec3> points;
     add_sides_within(points, box, planes);
     // A flat body holds no corner of another; its own sides say it all.
-    const std::vector<HalfSpace> sides_of_box = half_spaces_of(box);
+    const std::vector<HalfSpace> sides_of_box = box_half_spaces(box);
     if (sides_of_box.size() < 6) return points;
     for (const ConvexBody& body : bodies) {
         planes = sides_of_box;

@@ -22,10 +22,10 @@ void clip(Polygon& polygon, const HalfSpace& plane);
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points);
 
 /// Of a polygon that goes round counter-clockwise.
-double area_of(std::span<const glm::dvec2> polygon);
+double polygon_area(std::span<const glm::dvec2> polygon);
 
 /// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
-std::vector<HalfSpace> half_spaces_of(const Box& body);
+std::vector<HalfSpace> box_half_spaces(const Box& body);
 
 /// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
 enum class Lies { Beyond, Across, Within };
@@ -33,7 +33,7 @@ Lies lies(const Box& body, std::span<const HalfSpace> planes);
 
 /// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
 /// prism): no corner of theirs may lie within the body.
-std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes);
+std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes);
 
 struct ConvexBody {
     Box corners;
@@ -42,6 +42,6 @@ struct ConvexBody {
 
 /// Points whose hull is what a box and a few bodies have in common; none when that is nothing. All may be flat; of flat
 /// ones in one plane nothing is found but what their sides cut of each other.
-std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies);
+std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies);
 
 }  // namespace si

@@ -15,7 +15,7 @@ constexpr double flat_tolerance(double radius) {
 
 /// The plane of a mesh whose vertices all lie in it, within flat_tolerance() of its radius and what single precision
 /// resolves at its coordinates, as long as that is less than 1/10,000 of the radius.
-std::optional<HalfSpace> plane_of(const Mesh& mesh);
+std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
 /// Whether no front face of a mesh can lie in its own shadow: every triangle has all vertices behind it. Meshes of many
 /// triangles count as not convex, unless they are flat.

@@ -26,7 +26,8 @@ struct SceneShape {
     /// Of objects whose triangles all lie in one plane, within box_tolerance.
     std::vector<std::optional<HalfSpace>> box_planes;
     std::vector<double> box_tolerance;  ///< metres
-    std::vector<bool> box_travels;      ///< of all the places that an animation takes an object to: triangles say less
+    std::vector<bool>
+        box_spans_animation;            ///< of all the places that an animation takes an object to: triangles say less
     std::optional<std::size_t> ground;  ///< which box is that of the ground under a model; nothing: there is none
     /// Of one light: around its shadows on the ground, a convex polygon or a point; empty: all of the ground's box.
     std::vector<glm::dvec3> ground_shadow;
@@ -58,27 +59,28 @@ struct ViewExtent {
     }
 };
 
-ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view);
+ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
 /// Of a ground under a model only how deep it lies counts.
-ViewExtent extent_of(const SceneShape& shape, const LightView& view);
+ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 
 /// Of what lies of a box within the sides of a parallel view.
-ViewExtent extent_within(const Box& box, const LightView& view);
+ViewExtent extent_inside_view(const Box& box, const LightView& view);
 /// The same of one of the shape's boxes; of the ground the part that lies in shadow.
-ViewExtent extent_within(const SceneShape& shape, std::size_t box, const LightView& view);
+ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view);
 
 /// Points whose hull is what lies within planes of one of the shape's boxes; of the ground the part in shadow.
-std::vector<glm::dvec3> points_within(const SceneShape& shape, std::size_t box, std::span<const HalfSpace> planes);
+std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
+                                             std::span<const HalfSpace> planes);
 
 /// What of these extents, of shadows on the ground, sticks out of a model's own across the view is added to these, and
 /// all of what they have along it. Less than a millionth is rounding.
-void add_shadow_on_ground(ViewExtent& model, const ViewExtent& ground);
-constexpr double kNoWider = 1e-6;
+void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
+constexpr double kMinGroundWidening = 1e-6;
 
 /// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
-double entry_into_pyramid(const ViewExtent& e, double tan_half);
+double pyramid_entry_m(const ViewExtent& e, double tan_half);
 
 /// Casting objects of which a part lies in front of the near plane of any view. Boxes only: an upper estimate.
-int count_clipped(const SceneShape& shape, const std::vector<LightView>& views);
+int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views);
 
 }  // namespace si

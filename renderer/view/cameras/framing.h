@@ -15,7 +15,7 @@ glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg)
 void frame_bounds(Camera& c, const Bounds& bounds);
 
 /// Whether the picture is framed for the shadow of what stands there, as of files that are shown on a ground.
-bool frames_shadow(const Scene& scene, const Settings& settings);
+bool should_frame_shadow(const Scene& scene, const Settings& settings);
 
 /// Frames what stands in a file's scene, with its shadow, from as high as it takes to see the shadow beside it.
 /// @param c whose field of view and aspect count; its axes, eye, focus and height are set

@@ -14,10 +14,11 @@ namespace si {
 /// The camera that the settings ask for: by hand, through the light shown in view.light (its view, near and far planes
 /// included; the map's square fills the shorter side of the picture), or (automatic) the scene's own, or one that
 /// frames the bounds. Where there is no light to look through it is the automatic one.
-/// @param as_placed fit_maps() of these settings' lights without a camera; fitted here when there are none and one is
+/// @param fitted_without_camera fit_maps() of these settings' lights without a camera; fitted here when there are none
+/// and one is
 ///     needed
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
-                   std::span<const FittedLight> as_placed = {});
+                   std::span<const FittedLight> fitted_without_camera = {});
 
 /// `settings` with the camera that make_camera() finds written out by hand, so that it can be moved. A light's near and
 /// far planes stay behind: as the camera moves away they would cut the scene at odd places.

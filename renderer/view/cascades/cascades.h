@@ -24,11 +24,11 @@ public:
     CameraSlice(const Camera& camera, double from_m, double to_m);
     /// Points whose convex hull is the part of a box that is seen, world space; none when nothing of it is.
     /// @param within only what lies in this body counts
-    std::vector<glm::dvec3> seen_of(const Box& box, const Box* within = nullptr) const;
+    std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
     /// The same of one of the shape's boxes; of the ground the part in shadow.
-    std::vector<glm::dvec3> seen_of(const SceneShape& shape, std::size_t box) const;
+    std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
     /// The same in view space: x right, y up, z the distance along the axis.
-    std::vector<glm::dvec3> seen_in_view(const Box& box) const;
+    std::vector<glm::dvec3> visible_points_in_view_space(const Box& box) const;
     /// Whether all of a box, or nothing of it, is seen; Across where that is not sure.
     Lies lies(const Box& box) const { return si::lies(in_view(box), planes_); }
 
@@ -44,19 +44,19 @@ private:
 };
 
 /// The camera depths of what it sees of the boxes that `wanted` names; nothing where it sees none.
-std::optional<DepthSpan> seen_depths(const Camera& camera, const std::vector<Box>& boxes,
-                                     const std::vector<bool>& wanted);
+std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<Box>& boxes,
+                                        const std::vector<bool>& wanted);
 
 /// Camera depths that hold all of a sphere that the camera may see, whichever way it looks; they stay as it turns, and
 /// change by octaves of its distance. Of an orthographic camera, which sees behind itself, they change with the depth
 /// of the sphere's centre, in steps of its radius.
-DepthSpan steady_depths(const Camera& camera, const glm::dvec3& centre, double radius);
+DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre, double radius);
 
 struct Sphere {
     glm::dvec3 centre{0};  ///< world
     double radius = 0;
 };
 /// The smallest sphere around what a camera sees between two depths. Its radius depends on neither place nor direction.
-Sphere sphere_around(const Camera& camera, const DepthSpan& span);
+Sphere bounding_sphere(const Camera& camera, const DepthSpan& span);
 
 }  // namespace si

@@ -20,15 +20,15 @@ struct SkewBox {
     }
 };
 
-class BoxSight {
+class BoxCuller {
 public:
     /// @param clip_from_relative of positions relative to `origin`
-    BoxSight(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
-             bool clamps_near, int resolution);
+    BoxCuller(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
+              bool clamps_near, int resolution);
     /// Nothing in the box covers a texel.
     bool misses(const SkewBox& box) const;
     /// All of the box lies before the viewer, and the near plane cuts nothing of it: the viewer is outside of it.
-    bool has_before_it(const SkewBox& box) const;
+    bool is_in_front(const SkewBox& box) const;
 
 private:
     glm::dvec3 origin_;

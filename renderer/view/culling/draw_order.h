@@ -21,7 +21,7 @@ using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxes, double room_m);
 
 /// Where an object stands in the order.
-struct DrawnBox {
+struct SortedBox {
     int group = 0;     ///< of lower groups all are drawn before any of higher ones
     double far_m = 0;  ///< how far the farthest of it lies along the viewing direction: what encloses others comes late
     bool seen = false;  ///< else it is left out
@@ -31,6 +31,6 @@ struct DrawnBox {
 /// earlier, so that of surfaces in one place the same one wins wherever the camera is. Many boxes are told apart by
 /// steps of their distance alone, so that runs of like ones stay together.
 /// @param touching of all boxes, seen or not
-std::vector<std::uint32_t> nearest_first(std::span<const DrawnBox> boxes, std::span<const BoxPair> touching);
+std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching);
 
 }  // namespace si

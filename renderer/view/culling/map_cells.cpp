@@ -34,8 +34,8 @@ bool lies_beyond(const MapRect& rect) {
 
 }  // namespace
 
-std::optional<MapRect> rect_of(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
-                               double before) {
+std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
+                                      double before) {
     const glm::dvec4 centre = uvd_from_relative * glm::dvec4(box.centre - origin, 1);
     std::array<glm::dvec4, 3> half;
     for (int i = 0; i < 3; ++i) half[std::size_t(i)] = uvd_from_relative * glm::dvec4(box.half[i], 0);
@@ -86,7 +86,7 @@ void MapCells::add(const MapRect& rect, bool beyond) {
     for (int row = cells.first_row; row <= cells.last_row; ++row) rows_[std::size_t(row)] |= cells.columns;
 }
 
-void MapCells::add_rim() {
+void MapCells::add_border_cells() {
     rows_.front() = rows_.back() = kFullRow;
     for (std::uint64_t& row : rows_) row |= std::uint64_t(1) | std::uint64_t(1) << (kCells - 1);
 }

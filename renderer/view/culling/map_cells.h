@@ -27,8 +27,8 @@ struct TexelRect {
 /// Around what a box covers in a map; nothing where that may be anything, as part of the box lies behind the viewer.
 /// @param uvd_from_relative homogeneous map coordinates from positions relative to `origin`
 /// @param before least w of what is seen
-std::optional<MapRect> rect_of(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
-                               double before);
+std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
+                                      double before);
 
 class MapCells {
 public:
@@ -42,7 +42,7 @@ public:
     /// @param beyond what lies beyond a side is looked up at it; else nowhere
     void add(const MapRect& rect, bool beyond);
     /// The cells along the sides.
-    void add_rim();
+    void add_border_cells();
     void add(const MapCells& other);
     /// Few rectangles that together hold the cells' texels. They overlap only where a texel lies in two cells.
     /// @param resolution texels along a side of the map

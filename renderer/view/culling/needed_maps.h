@@ -18,14 +18,14 @@
 namespace si {
 
 /// Why a black light counts for nothing.
-inline constexpr const char* kBringsNothing =
+inline constexpr const char* kLightAddsNothing =
     "the light brings nothing: it is off, or its colour or its intensity is 0";
 
 /// Whether some of the light may arrive among points, whatever stands between.
-bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points);
+bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points);
 
 /// A body that holds surfaces that the camera sees.
-struct SeenBody {
+struct VisibleBody {
     Box box{};
     std::vector<glm::dvec3> seen;            ///< points around the part of it that is seen; none: all of it may be
     Cluster cluster;                         ///< that it is, where `side` is known
@@ -37,17 +37,17 @@ struct SeenBody {
 };
 
 /// All that a camera may see.
-struct SeenBodies {
+struct VisibleBodies {
     CameraSlice view;  ///< a little wider than the picture
-    std::vector<SeenBody> bodies;
+    std::vector<VisibleBody> bodies;
     bool unknown = false;                     ///< a body has no place: anything may be seen
     std::vector<glm::dmat4> mesh_from_world;  ///< by object; of those whose clusters show a side
 };
 
 /// @param clusters of a mesh: as build_clusters() finds them; none: it is one
 /// @param lines pixels of the picture's height
-SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
-                       const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
+VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
+                                  const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
 /// How a picture's look-ups read.
 struct LookupArea {
@@ -55,9 +55,9 @@ struct LookupArea {
     double reach_texels = 0;   ///< of texels that are read, with all that moves the look-up but the normal offset
     double normal_texels = 0;  ///< bias.normal
     MapWrap wrap = MapWrap::Border;
-    bool whole_maps = false;   ///< what is read depends on the whole of each map that is read
-    bool weighs_rim = false;   ///< beyond a map's sides its last texels are read, if only to count for nothing
-    bool light_alone = false;  ///< visibility counts only where light arrives
+    bool whole_maps = false;           ///< what is read depends on the whole of each map that is read
+    bool reads_border_texels = false;  ///< beyond a map's sides its last texels are read, if only to count for nothing
+    bool only_lit_points = false;      ///< visibility counts only where light arrives
 };
 
 struct NeededMaps {
@@ -67,6 +67,6 @@ struct NeededMaps {
 
 /// What of the maps of a light that casts is read. A caster may be left out of a view if it covers nothing of its
 /// region.
-NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area);
+NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area);
 
 }  // namespace si

@@ -22,15 +22,15 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
     const double middle = 0.5 * (curve.near + curve.far);
     curve.near = middle - 0.5 * least;
     curve.far = middle + 0.5 * least;
-    if (curve.perspective && curve.near < kNearShare * curve.far) {
-        curve.near = kNearShare * curve.far;
+    if (curve.perspective && curve.near < kMinNearShare * curve.far) {
+        curve.near = kMinNearShare * curve.far;
         curve.far = curve.near + least;
     }
 }
 
 /// light.near and light.far in place of the fitted range, where they make sense.
 void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve) {
-    if (!takes_near_far(s)) return;
+    if (!uses_manual_near_far(s)) return;
     const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
     if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
     if (far != 0) curve.far = far;
@@ -59,7 +59,7 @@ void stretch_range(const LightSettings& s, DepthCurve& curve) {
 void step_view_forward(LightView& view) {
     DepthCurve& curve = view.curve;
     if (curve.perspective) return;
-    const double step = step_forward(curve.near, curve.far);
+    const double step = eye_advance_m(curve.near, curve.far);
     view.eye -= view.axes[2] * step;
     curve.near -= step;
     curve.far -= step;
@@ -72,16 +72,16 @@ void note(PlacedLight& light, std::string text) {
         light.notes.push_back(std::move(text));
 }
 
-double step_forward(double near, double far) {
+double eye_advance_m(double near, double far) {
     return far - near > kMinShare * std::max(std::abs(near), std::abs(far)) ? 0 : near;
 }
 
-double with_margin(double half, double scale, int resolution, double margin) {
+double half_extent_with_margin(double half, double scale, int resolution, double margin) {
     const double share = resolution > 4 * margin ? 1 - 2 * margin / resolution : 0.5;
     return std::max(half, kMinShare * scale) / share;
 }
 
-void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
+void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
     stretch_range(c.settings, view.curve);
     // An orthographic depth is affine: only what doubles resolve that far from the light matters besides the scene.

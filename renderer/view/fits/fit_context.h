@@ -15,9 +15,10 @@
 namespace si {
 
 inline constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-inline constexpr double kMarginTexels = 2;    // at each side, so that a kernel at the scene's edge finds cleared texels
-inline constexpr double kNearShare = 1e-3;    // least near / far of a perspective map: D24 then resolves far / 2e4
-inline constexpr double kNearestSeen = 1e-3;  // of the farthest depth: a camera within the scene sees surfaces at 0 m
+inline constexpr double kMarginTexels = 2;  // at each side, so that a kernel at the scene's edge finds cleared texels
+inline constexpr double kMinNearShare = 1e-3;  // least near / far of a perspective map: D24 then resolves far / 2e4
+inline constexpr double kMinSeenDepthShare =
+    1e-3;                                     // of the farthest depth: a camera within the scene sees surfaces at 0 m
 inline constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
 
 struct FitContext {
@@ -39,14 +40,14 @@ void note(PlacedLight& light, std::string text);
 
 /// Shaders know the ends of a range in single precision. Parallel rays look the same from anywhere along them: where
 /// the light stands so far off that its range would lose its digits, the map is seen from so much nearer; else 0.
-double step_forward(double near, double far);
+double eye_advance_m(double near, double far);
 
 /// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
-double with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
+double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
 /// Repairs the view's range, makes its matrix and adds it to the light's.
 /// @param reference_z where texels are measured, metres
-void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
+void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
 
 /// Kernels cross from one face of six into the next; a texel more for the normal offset's.
 double face_margin_texels(const Settings& settings);

@@ -14,11 +14,11 @@ struct Camera;
 
 /// Whether shading can do without the light: nothing of it arrives, and the composition does not show by its visibility
 /// alone what is lit.
-bool shades_nothing(const FittedLight& light, const Settings& settings);
+bool adds_no_light(const FittedLight& light, const Settings& settings);
 
 /// Whether look-ups of a light's maps answer 1 wherever it shines on what receives: nothing lies in them, and by its
 /// place nothing beside or behind them is dark.
-bool never_shadows(const FittedLight& light, const Settings& settings);
+bool is_always_lit(const FittedLight& light, const Settings& settings);
 
 /// Spot and point intensities fall with the square of the distance and are scaled together so that the brightest light
 /// contributes 1 at the scene's centre.

@@ -12,7 +12,7 @@
 namespace si {
 
 /// Whose shadows count: of all that receives, or of the model, or of the ground that it is stood on.
-enum class Receiving { All, Model, Ground };
+enum class ReceiverFilter { All, Model, Ground };
 
 struct FitInput {
     const Scene& scene;
@@ -22,10 +22,10 @@ struct FitInput {
     double reach_m = std::numeric_limits<double>::infinity();  ///< in perspective: nothing beyond is lit
     const Camera* camera = nullptr;                            ///< of rows that read it; null: there is none
     std::optional<DepthSpan> seen_m;  ///< camera depths of all that it sees, where they were measured
-    Receiving receiving = Receiving::All;
+    ReceiverFilter receiver_filter = ReceiverFilter::All;
     bool receives(std::size_t box) const {
-        return shape.box_receives[box] &&
-               (receiving == Receiving::All || (box == shape.ground) == (receiving == Receiving::Ground));
+        return shape.box_receives[box] && (receiver_filter == ReceiverFilter::All ||
+                                           (box == shape.ground) == (receiver_filter == ReceiverFilter::Ground));
     }
 };
 

@@ -8,12 +8,12 @@
 namespace si {
 
 /// Radius in texels of the widest penumbra that the light can throw in its maps: from their near to their far planes.
-double widest_penumbra_texels(const FittedLight& light, int resolution);
+double max_penumbra_radius_texels(const FittedLight& light, int resolution);
 
 /// Least width of a texel in the light's maps, metres.
-double finest_texel_m(const FittedLight& light, int resolution);
+double smallest_texel_m(const FittedLight& light, int resolution);
 
 /// reach_of() under a light that casts.
-Reach reach_under(const Settings& settings, const FittedLight& light, int resolution);
+Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, int resolution);
 
 }  // namespace si

@@ -52,12 +52,12 @@ struct VolumeLight {
 };
 
 /// Lists of corners, three a triangle. 2v is corner v of the mesh, 2v + 1 the same far away from the light.
-/// Seen from outside of the shadow triangles turn counter-clockwise, but for `turned_caps`, which turn the other way:
-/// corners of light caps stand in the camera's order, so that both draw the same depth in every bit.
+/// Seen from outside of the shadow triangles turn counter-clockwise, but for `clockwise_caps`, which turn the other
+/// way: corners of light caps stand in the camera's order, so that both draw the same depth in every bit.
 struct VolumeTriangles {
-    std::vector<std::uint32_t> caps, turned_caps;
+    std::vector<std::uint32_t> caps, clockwise_caps;
     std::vector<std::uint32_t> rest;  ///< sides and dark caps
-    std::size_t triangles() const { return (caps.size() + turned_caps.size() + rest.size()) / 3; }
+    std::size_t triangles() const { return (caps.size() + clockwise_caps.size() + rest.size()) / 3; }
 };
 
 /// Adds what one object shadows.

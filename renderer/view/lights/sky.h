@@ -18,11 +18,11 @@ struct Sky {
 };
 
 /// The direction to the brightest directional light; without one, to a sun half way up.
-glm::dvec3 sun_of(std::span<const FittedLight> lights);
+glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights);
 
 /// Colours by the sun's height: of day, of a low sun, and of dusk below the horizon.
 /// @param to_sun unit
-Sky sky_of(const glm::dvec3& to_sun);
+Sky sky_for_sun(const glm::dvec3& to_sun);
 
 /// Rec. 709.
 double luminance(const glm::dvec3& colour);

@@ -1,0 +1,341 @@
+// The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
+// and remedies that work.
+#include <bit>
+#include <cstring>
+
+#include "renderer/inspect/pixel_diagnosis.h"
+#include "renderer/measure/measured_error.h"
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/filters.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
+
+namespace si {
+namespace {
+
+const FrameRequest kPicture{.width = 160, .height = 120};
+
+class DiagnosisTest : public FrameTest {
+protected:
+    Probe probed;
+
+    PixelDiagnosis diagnosis(const Scene& scene, const Settings& s, glm::ivec2 pixel) {
+        probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
+        EXPECT_TRUE(probed.hit);
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
+        return explain(probed, probed.lights.at(0),
+                       trace_fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
+                       renderer.driver());
+    }
+    MeasuredError measure(const Scene& scene, const Settings& s) {
+        ReferenceCache cache;
+        return measure_error(renderer, scene, s, kPicture, 0, {}, cache);
+    }
+    /// The first pixel from the middle of the picture outwards that `measure` calls this.
+    std::optional<glm::ivec2> find(const MeasuredError& m, Artefact wanted) {
+        std::optional<glm::ivec2> best;
+        int least = 1 << 30;
+        for (int y = 0; y < kPicture.height; ++y)
+            for (int x = 0; x < kPicture.width; ++x) {
+                if (m.classified[std::size_t(y * kPicture.width + x)].artefact != wanted) continue;
+                const glm::ivec2 off = glm::ivec2(x, y) - glm::ivec2(80, 60);
+                const int distance = off.x * off.x + off.y * off.y;
+                if (distance < least) {
+                    least = distance;
+                    best = glm::ivec2(x, y);
+                }
+            }
+        return best;
+    }
+    static Settings plain(const char* kernel, double constant_texels) {
+        return test::texel_settings(kernel, 512, constant_texels);
+    }
+    static void apply(Settings& s, const SuggestedFix& fix) {
+        for (const auto& [key, value] : fix.settings) set_setting(s, key, value);
+    }
+};
+
+/// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
+TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "128"},
+                                      {"light.count", "2"},
+                                      {"light.0.source", "none"},
+                                      {"light.1.azimuth", "120"},
+                                      {"light.1.contact", "0.1"}});
+    const auto bits_of = [&](int shown) {
+        s.view.light = shown;
+        std::vector<std::array<glm::vec4, kEvidenceImages>> bits;
+        for (const glm::ivec2 pixel : {glm::ivec2(80, 90), glm::ivec2(60, 70), glm::ivec2(100, 80)}) {
+            const Probe probe = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
+            EXPECT_TRUE(probe.hit);
+            for (const auto& light : probe.lights)
+                bits.push_back(std::bit_cast<std::array<glm::vec4, kEvidenceImages>>(light.evidence));
+        }
+        return bits;
+    };
+    const auto own = bits_of(1);
+    ASSERT_EQ(own.size(), 6u);
+    for (const int shown : {0, 5, kMaxLights - 1}) {
+        const auto other = bits_of(shown);
+        ASSERT_EQ(other.size(), own.size());
+        for (std::size_t i = 1; i < own.size(); i += 2)
+            EXPECT_EQ(std::memcmp(&other[i], &own[i], sizeof own[i]), 0)
+                << "light 1 while light " << shown << " is shown";
+    }
+}
+
+SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToWhatTheGpuFound);
+TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
+                                                              {"d32f", "slope"},
+                                                              {"colour", "constant"},
+                                                              {"linear16", "constant"},
+                                                              {"d32f", "receiver-plane"}};
+    int checked = 0, partial = 0, off = 0;
+    std::size_t next = 0;  // kernels meet them by turns
+    for (const Filter& filter : filters())
+        for (int turn = 0; turn < 2; ++turn) {
+            if (!filter.linear) continue;
+            const auto [format, kind] = kUnder[next++ % std::size(kUnder)];
+            Settings s = plain(std::string(filter.key).c_str(), 0.7);
+            set_setting(s, "map.format", format);
+            set_setting(s, "bias.kind", kind);
+            s.map.resolution = 128;
+            s.bias.normal = 0.5;
+            for (int y = 20; y < 110; y += 17)
+                for (int x = 13; x < 150; x += 23) {
+                    const Probe p = renderer.probe(scene, s, kPicture, x, y);
+                    if (!p.hit || p.lights[0].n_dot_l <= 0) continue;
+                    double sum = p.lights[0].taps.empty() && filter.searches_blockers ? 1 : 0;
+                    for (const KernelTap& t : p.lights[0].taps) sum += t.weight * t.lit;
+                    ++checked;
+                    partial += sum > 0 && sum < 1;
+                    off += std::abs(sum - p.lights[0].visibility) > 1e-3;
+                }
+        }
+    EXPECT_GT(checked, 500);
+    EXPECT_GT(partial, 30);
+    // Single precision may decide a comparison or a texel the other way.
+    EXPECT_LE(off, checked / 200);
+}
+
+SI_TEST_IS(DriverIndependent, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
+SI_TEST_IS(Repeated, DiagnosisTest, AgreesWithMeasureOnEveryPixel);
+TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
+    const Scene scene = test::sheet_over_floor(1.5);
+    int kinds[kArtefacts] = {}, dark = 0;
+    for (const double constant : {12.0, 3.0, 0.5}) {
+        Settings s = plain("hard", constant);
+        s.map.resolution = 64;
+        const MeasuredError m = measure(scene, s);
+        const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
+        int wrong = 0;
+        for (int y = 0; y < kPicture.height; ++y)
+            for (int x = 0; x < kPicture.width; ++x) {
+                const std::size_t i = std::size_t(y * kPicture.width + x);
+                // Some of the right ones, and more of the wrong.
+                if (m.classified[i].artefact == Artefact::None ? (x % 11 != 3 || y % 9 != 5) : ++wrong % 23 != 0)
+                    continue;
+                const Probe p = renderer.probe(scene, s, kPicture, x, y);
+                EXPECT_EQ(p.hit, m.traced.reference->state[i] != PixelState::Background);
+                if (!p.hit) continue;
+                const FragmentReference t =
+                    trace_fragment_reference(casters, p, p.lights[0], s, object_traits(scene, s));
+                EXPECT_EQ(t.state, m.traced.reference->state[i]);
+                EXPECT_EQ(t.lit, m.traced.reference->hard().data[i] >= 0.5f);
+                EXPECT_EQ(t.cause.artefact, m.classified[i].artefact) << x << "," << y;
+                EXPECT_EQ(t.cause.also, m.classified[i].also()) << x << "," << y;
+                EXPECT_EQ(t.evidence.run_m, m.traced.runs->run_m.data[i]) << "a part of the picture gives the whole's";
+                EXPECT_EQ(t.evidence.edge_m, m.traced.runs->edge_m.data[i]);
+                const float gap = m.traced.reference->nearest_m.data[i];
+                EXPECT_EQ(std::isnan(t.gap_m), std::isnan(gap));
+                if (!std::isnan(gap)) {
+                    EXPECT_NEAR(t.gap_m, gap, 1e-6);
+                    ++dark;
+                }
+                ++kinds[std::size_t(t.cause.artefact)];
+            }
+    }
+    EXPECT_GT(dark, 20);
+    EXPECT_GT(kinds[std::size_t(Artefact::None)], 100);
+    EXPECT_GT(kinds[std::size_t(Artefact::EdgeAliasing)] + kinds[std::size_t(Artefact::Undersampled)], 2);
+    EXPECT_GT(kinds[std::size_t(Artefact::PeterPanning)], 5);
+    EXPECT_GT(kinds[std::size_t(Artefact::Acne)], 5);
+}
+
+TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    for (const char* kernel : {"hard", "hw2x2"})
+        for (const bool slope : {false, true}) {
+            Settings s = plain(kernel, 0.2);
+            if (slope) s.bias.slope = 0.6;
+            const MeasuredError before = measure(scene, s);
+            const auto pixel = find(before, Artefact::Acne);
+            ASSERT_TRUE(pixel) << kernel;
+            const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+            EXPECT_EQ(d.verdict.find("acne: needs"), 0u) << d.verdict;
+            EXPECT_FALSE(d.right);
+            EXPECT_LT(d.has.texels, d.least.texels);
+            EXPECT_TRUE(d.window_open());
+            EXPECT_TRUE(std::isinf(d.occluder.texels)) << "nothing stands over a bare floor";
+            int own = 0;
+            for (const KernelTap& t : probed.lights[0].taps) own += !t.lit && t.meets == KernelTap::Meets::Own;
+            EXPECT_GT(own, 0) << "what darkens it is the surface itself";
+            ASSERT_TRUE(d.fix) << kernel;
+            EXPECT_EQ(d.fix->settings[0].first, slope ? "bias.slope" : "bias.constant");
+            EXPECT_GT(d.fix->equivalent_bias_texels, 0.999 * d.least.texels);
+            EXPECT_LT(d.fix->equivalent_bias_texels, 1.02 * d.least.texels)
+                << "it is what the surface needs, rounded up";
+            apply(s, *d.fix);
+            EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
+            // The floor is one plane under one light: what cures a pixel cures all.
+            const ErrorMetrics after = measure(scene, s).metrics;
+            EXPECT_GT(before.metrics.acne, 0.1);
+            EXPECT_EQ(after.acne, 0) << kernel << d.fix->text;
+        }
+}
+
+TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = plain("pcf5", 1.5);
+    const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
+    EXPECT_TRUE(d.right);
+    EXPECT_LT(probed.lights[0].visibility, 0.99);
+    EXPECT_EQ(d.verdict.find("faint acne: lit"), 0u) << d.verdict;
+    ASSERT_TRUE(d.fix);
+    apply(s, *d.fix);
+    EXPECT_EQ(diagnosis(scene, s, {80, 60}).verdict.find("right: lit"), 0u);
+    EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
+}
+
+TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
+    const Scene scene = test::sheet_over_floor(0.6);
+    Settings s = plain("hard", 0);
+    s.bias.constant = 60;
+    const auto pixel = find(measure(scene, s), Artefact::PeterPanning);
+    ASSERT_TRUE(pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+    EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
+    EXPECT_TRUE(d.window_open());
+    EXPECT_GE(d.lifted.texels, d.occluder.texels);
+    // Along a ray at 40 degrees above the horizon.
+    EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
+    EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
+    ASSERT_TRUE(d.fix);
+    EXPECT_EQ(d.fix->settings[0].first, "bias.constant");
+    apply(s, *d.fix);
+    const PixelDiagnosis cured = diagnosis(scene, s, *pixel);
+    EXPECT_TRUE(cured.right) << cured.verdict;
+    EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
+}
+
+TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
+    const Scene scene = test::sheet_over_floor(0.3);
+    Settings s = plain("pcf7", 12);
+    s.map.resolution = 128;
+    s.camera.elevation = 5;  // beneath the sheet
+    s.camera.target_y = 0.1;
+    const auto pixel = find(measure(scene, s), Artefact::Leak);
+    ASSERT_TRUE(pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+    EXPECT_FALSE(d.window_open());
+    EXPECT_NE(d.verdict.find("no depth bias can be right here"), std::string::npos) << d.verdict;
+    EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
+    EXPECT_GT(d.opening_resolution, 128);
+    // At that resolution there is such a bias, at half of it there is none.
+    for (const auto& [resolution, open] :
+         {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
+        s.map.resolution = resolution;
+        EXPECT_EQ(diagnosis(scene, s, *pixel).window_open(), open) << resolution;
+    }
+    s.map.resolution = int(d.opening_resolution);
+    const PixelDiagnosis opened = diagnosis(scene, s, *pixel);
+    s.bias.constant = 0.5 * (opened.least.texels + opened.occluder.texels);
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
+}
+
+TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
+    const Scene scene = make_scene(make_plane(10, 10));
+    Settings s = plain("hard", 0);
+    s.bias.normal = 1;
+    const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
+    const BiasBreakdown& a = probed.lights[0].account;
+    const double cosine = std::sin(glm::radians(40.0));
+    EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
+    EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
+    EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
+    // The least offset by the theory is where the account comes out even.
+    s.bias.normal =
+        least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws, a.least.total()) /
+        a.receiver.texel_m;
+    const PixelDiagnosis even = diagnosis(scene, s, {80, 60});
+    EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
+}
+
+TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
+    const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = plain("hard", 3);
+    s.map.resolution = 64;
+    const auto edge = find(measure(box, s), Artefact::EdgeAliasing);
+    ASSERT_TRUE(edge);
+    const PixelDiagnosis at_edge = diagnosis(box, s, *edge);
+    EXPECT_EQ(at_edge.verdict.find("edge aliasing"), 0u) << at_edge.verdict;
+    EXPECT_FALSE(at_edge.fix);
+
+    const Scene sheet = test::sheet_over_floor(1.2);
+    s = plain("hard", 3);
+    s.caster.cull = Cull::Front;
+    const auto lost = find(measure(sheet, s), Artefact::LostCaster);
+    ASSERT_TRUE(lost);
+    const PixelDiagnosis d = diagnosis(sheet, s, *lost);
+    EXPECT_EQ(d.verdict.find("lost caster"), 0u) << d.verdict;
+    ASSERT_TRUE(d.fix);
+    apply(s, *d.fix);
+    EXPECT_TRUE(diagnosis(sheet, s, *lost).right);
+
+    s.lights[0].fit = LightFit::Manual;
+    s.lights[0].extent = 1.2;
+    const auto outside = find(measure(sheet, s), Artefact::OutsideMap);
+    ASSERT_TRUE(outside);
+    EXPECT_EQ(diagnosis(sheet, s, *outside).verdict.find("outside the map"), 0u);
+}
+
+TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
+    Settings s = plain("hard", 3);
+    s.map.blur_texels = 6;
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    const auto pixel = find(measure(scene, s), Artefact::Filter);
+    ASSERT_TRUE(pixel);
+    const PixelDiagnosis d = diagnosis(scene, s, *pixel);
+    EXPECT_EQ(d.verdict.find("filter"), 0u) << d.verdict;
+    EXPECT_NE(d.verdict.find("depth blur (map.blur_texels)"), std::string::npos) << d.verdict;
+    s.map.blur_texels = 0;
+    EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "as the verdict says";
+}
+
+TEST_F(DiagnosisTest, ValuesOfRemediesAreShortDecimals) {
+    for (const auto& [from, to] :
+         {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
+        EXPECT_EQ(round_up_3_digits(from), to);
+}
+
+TEST_F(DiagnosisTest, ALargeLightIsSeenInPart) {
+    const Scene scene = test::sheet_over_floor(1.2);
+    Settings s = plain("hard", 3);
+    s.lights[0].size = 8;
+    const MeasuredError m = measure(scene, s);
+    const auto edge = find(m, Artefact::EdgeAliasing);
+    ASSERT_TRUE(edge);
+    const PixelDiagnosis d = diagnosis(scene, s, *edge);
+    EXPECT_GT(d.reference.share, 0.02);
+    EXPECT_LT(d.reference.share, 0.98);
+    s.lights[0].size = 0;
+    const double share = diagnosis(scene, s, *edge).reference.share;
+    EXPECT_TRUE(share == 0 || share == 1) << share;
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,160 @@
+// Drivers that run out of memory, cannot build a shader or lose their context: by a seam, at every call of a frame.
+#include <fmt/format.h>
+
+#include <memory>
+#include <set>
+
+#include "renderer/gl/driver_failure.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
+
+namespace si {
+namespace {
+
+using gl::DriverFailure;
+
+class FailuresTest : public ::testing::Test {
+protected:
+    HeadlessContext context;
+    void SetUp() override { test::expect_requested_driver(); }
+    void TearDown() override { gl::fault_injection() = {}; }
+
+    /// Calls of a kind are counted; the one of this number fails. 0: none does.
+    struct Count {
+        int calls = 0, failing = 0;
+        std::string failed;  ///< what it was for
+    };
+    static std::shared_ptr<Count> fail(DriverFailure kind, int number) {
+        auto count = std::make_shared<Count>(Count{.failing = number});
+        gl::fault_injection().fails = [count, kind](DriverFailure of, std::string_view what) {
+            if (of != kind || ++count->calls != count->failing) return false;
+            count->failed = what;
+            return true;
+        };
+        return count;
+    }
+    /// Of what is called this.
+    static void always_fail(const std::string& name) {
+        gl::fault_injection().fails = [name](DriverFailure of, std::string_view what) {
+            return of == DriverFailure::Memory && what.find(name) != std::string_view::npos;
+        };
+    }
+    static FrameRequest request() {
+        FrameRequest r{.width = 48, .height = 32};
+        r.outputs = {.colour = true, .shadow_map = true, .visibility = true, .health = true};
+        return r;
+    }
+    static Settings settings(const Scene& scene) {
+        return settings_for(scene, {{"map.resolution", "64"},
+                                    {"light.count", "2"},
+                                    {"light.1.source", "volumes-zfail"},
+                                    {"filter.kernel", "vsm"},
+                                    {"view.overlay", "visibility"}});
+    }
+    static ByteImage draw(Renderer& renderer, const Scene& scene, const Settings& s) {
+        return renderer.read_colour(renderer.render(scene, s, request()).colour);
+    }
+    /// Draws whole frames with a new renderer, and in each another call fails. All that follow are as ever.
+    void survive_each(DriverFailure kind, std::size_t least_calls) {
+        const Scene scene = load_scene("boxes");
+        const Settings s = settings(scene);
+        ByteImage whole;
+        int calls = 0;
+        {
+            const auto count = fail(kind, 0);
+            Renderer renderer;
+            whole = draw(renderer, scene, s);
+            calls = count->calls;
+        }
+        ASSERT_GE(std::size_t(calls), least_calls);
+        std::set<std::string> what;
+        for (int n = 1; n <= calls; ++n) {
+            SCOPED_TRACE(fmt::format("call {} of {}", n, calls));
+            const auto count = fail(kind, n);
+            Renderer renderer;
+            try {
+                draw(renderer, scene, s);
+            } catch (const Error& e) {
+                const std::string text = e.what();
+                EXPECT_NE(text.find(kind == DriverFailure::Memory ? "no memory for" : "does not compile"),
+                          std::string::npos)
+                    << text;
+                EXPECT_NE(text.find(count->failed), std::string::npos) << "it does not say where: " << text;
+                EXPECT_NE(text.find("; "), std::string::npos) << "it names no remedy: " << text;
+            }
+            EXPECT_FALSE(count->failed.empty()) << "nothing failed";
+            what.insert(count->failed);
+            gl::fault_injection() = {};
+            Settings again = s;
+            again.map.resolution = 65;  // which no limit is known of
+            renderer.render(scene, again, request());
+            EXPECT_EQ(draw(renderer, scene, s), whole) << "after " << count->failed;
+        }
+        EXPECT_GE(what.size(), least_calls / 2);
+    }
+};
+
+SI_TESTS_ARE(DriverIndependent, FailuresTest);
+TEST_F(FailuresTest, MemoryMayEndAtEveryCallOfAFrame) {
+    survive_each(DriverFailure::Memory, 20);
+}
+
+TEST_F(FailuresTest, EveryShaderOfAFrameMayFail) {
+    survive_each(DriverFailure::Shader, 10);
+}
+
+TEST_F(FailuresTest, SmallerMapsAreTheWayOnAndNamed) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings_for(scene, {{"map.resolution", "512"}});
+    Settings smaller = s;
+    smaller.map.resolution = 128;
+    Renderer renderer;
+    gl::fault_injection().fails = [](DriverFailure of, std::string_view what) {
+        return of == DriverFailure::Memory && (what.find("shadow maps (512") != std::string_view::npos ||
+                                               what.find("shadow maps (256") != std::string_view::npos);
+    };
+    const FrameResult frame = renderer.render(scene, s, request());
+    EXPECT_EQ(frame.map_resolution, 128);
+    bool told = false;
+    for (const std::string& note : frame.notes)
+        told |= note.starts_with("maps of 128² are used in place of 512²: the driver has no memory for");
+    EXPECT_TRUE(told) << fmt::format("{}", fmt::join(frame.notes, "; "));
+    const ByteImage picture = renderer.read_colour(frame.colour);
+    gl::fault_injection() = {};
+    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried anew in every frame";
+    EXPECT_EQ(draw(renderer, scene, smaller), picture);
+    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512) << "another resolution ends it";
+}
+
+TEST_F(FailuresTest, WhereNoSizeHelpsTheSentenceSaysSo) {
+    const Scene scene = load_scene("boxes");
+    Renderer renderer;
+    always_fail("shadow maps");
+    try {
+        renderer.render(scene, settings_for(scene), request());
+        FAIL() << "drawn without memory";
+    } catch (const gl::OutOfMemory& e) {
+        EXPECT_NE(std::string(e.what()).find("use a smaller size, map.resolution or fewer lights"), std::string::npos);
+    }
+}
+
+TEST_F(FailuresTest, ALostContextIsSaidOnceAFrameAndEndsNothing) {
+    const Scene scene = load_scene("boxes");
+    const Settings s = settings(scene);
+    Renderer renderer;
+    const ByteImage whole = draw(renderer, scene, s);
+    for (int n = 1; n <= 2; ++n) {  // before the frame, and after it
+        const auto count = fail(DriverFailure::Context, n);
+        try {
+            renderer.render(scene, s, request());
+            FAIL() << "drawn without a context";
+        } catch (const gl::ContextLost& e) {
+            EXPECT_NE(std::string(e.what()).find("save the settings and start the program again"), std::string::npos);
+        }
+        gl::fault_injection() = {};
+        EXPECT_EQ(draw(renderer, scene, s), whole);
+    }
+}
+
+}  // namespace
+}  // namespace si

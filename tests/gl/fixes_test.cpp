@@ -1,0 +1,285 @@
+// The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
+#include "renderer/advise/fixes.h"
+
+#include <algorithm>
+
+#include "renderer/scenes/shapes.h"
+#include "renderer/settings/biases.h"
+#include "renderer/settings/fits.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/hard_case.h"
+#include "tests/support/traits.h"
+
+namespace si {
+namespace {
+
+class FixesTest : public FrameTest {
+protected:
+    ReferenceCache cache;
+    int width = 320, height = 240;
+
+    MeasuredError measure(const Scene& scene, const Settings& s) {
+        return measure_error(renderer, scene, s, {.width = width, .height = height}, 0, {}, cache);
+    }
+    static Settings with(Settings s, const MeasuredFix& fix) {
+        for (const auto& [key, value] : fix.settings) set_setting(s, key, value);
+        return s;
+    }
+
+    /// Finds cures, demands of every row that it keeps what it says, of one that it cures nine of ten pixels with one
+    /// of the causes, and of the first, which cures most of all causes together, that it cures eight.
+    FixTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
+        const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+        const MeasuredError before = measure(scene, s);
+        for (const MeasuredFix& row : table.rows) {
+            if (!row.untried.empty()) continue;
+            SCOPED_TRACE(row.name);
+            EXPECT_FALSE(row.settings.empty());
+            const MeasuredError after = measure(scene, with(s, row));
+            std::size_t cured = 0, broken = 0, of = 0;
+            for (std::size_t i = 0; i < before.classified.size(); ++i) {
+                const bool was = before.classified[i].artefact != Artefact::None,
+                           is = after.classified[i].artefact != Artefact::None;
+                cured += was && !is;
+                broken += !was && is;
+            }
+            for (const std::size_t n : row.cured_of) of += n;
+            EXPECT_EQ(row.cured, cured) << "exactly as predicted";
+            EXPECT_EQ(row.broken, broken);
+            EXPECT_EQ(row.cured, of);
+        }
+        for (std::size_t i = 1; i < table.rows.size(); ++i)
+            if (table.rows[i].untried.empty()) {
+                EXPECT_GE(table.rows[i - 1].gain(), table.rows[i].gain());
+            }
+        std::size_t wrong = 0, most = 0;
+        for (const Artefact a : causes) wrong += table.wrong_of[std::size_t(a)];
+        const auto cured_by = [&](const MeasuredFix& row) {
+            std::size_t right = 0;
+            for (const Artefact a : causes) right += row.cured_of[std::size_t(a)];
+            return right;
+        };
+        for (const MeasuredFix& row : table.rows) most = std::max(most, cured_by(row));
+        EXPECT_GE(wrong, least);
+        EXPECT_GE(double(most), 0.9 * double(wrong));
+        EXPECT_GE(double(cured_by(table.rows.at(0))), 0.8 * double(wrong)) << table.rows[0].name;
+        return table;
+    }
+    static const MeasuredFix* row(const FixTable& table, std::string_view name) {
+        for (const MeasuredFix& r : table.rows)
+            if (r.name == name) return &r;
+        return nullptr;
+    }
+};
+
+SI_TESTS_ARE(DriverIndependent, FixesTest);
+SI_TESTS_ARE(Repeated, FixesTest);
+TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
+    const Scene scene = test::wall_on_plane();
+    const Settings s = test::low_sun_settings("pcf3", 512, 11);
+    const FixTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
+    const MeasuredFix* least = row(table, "least bias, constant alone");
+    ASSERT_TRUE(least);
+    EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
+              0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
+}
+
+TEST_F(FixesTest, AnOffsetsStripIsCured) {
+    Settings s = test::texel_settings("pcf3", 2048, 2);
+    s.bias.normal = 60;
+    cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
+}
+
+TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
+    const Scene stage = load_scene("stage");
+    width = 320;
+    height = 180;
+    // A light under which few pixels are wrong for two causes at once.
+    const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
+        Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
+        for (const auto& [key, value] : sets) set_setting(s, key, value);
+        return s;
+    };
+    cured(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
+    cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
+}
+
+TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
+    Scene scene;
+    const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
+    add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
+    const int bar = add_mesh(scene, "bar", make_box({0.05, 1.6, 0.05}), grey);
+    for (int i = 0; i < 16; ++i)
+        add_object(scene, "bar " + std::to_string(i), -1, bar, moved(-3 + 0.4 * i + 0.013 * (i % 5), 0.9, 0));
+    finalise(scene);
+    Settings s = test::texel_settings("hard", 128, 3);
+    s.camera.distance = 7;
+    width = 480;
+    height = 360;
+    cured(scene, s, {Artefact::Undersampled}, 300);
+}
+
+TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
+    Settings s = test::texel_settings("hard", 512, 0);
+    const MeasuredError m = measure(scene, s);
+    glm::ivec2 pixel(-1);
+    for (int i = 0; i < width * height && pixel.x < 0; ++i)
+        if (m.classified[std::size_t(i + width * height / 2)].artefact == Artefact::Acne)
+            pixel = {(i + width * height / 2) % width, (i + width * height / 2) / width};
+    ASSERT_GE(pixel.x, 0);
+    s.lights[0].type = LightType::Directional;
+    const FixTable table =
+        find_fixes(renderer, scene, s, width, height, {.pixel = pixel, .time = true, .frames = 3}, cache);
+    ASSERT_FALSE(table.rows.empty());
+    EXPECT_TRUE(table.rows[0].pixel_right.value());
+    EXPECT_TRUE(table.rows[0].ms);
+    bool stays = false;
+    for (const MeasuredFix& r : table.rows)
+        if (r.untried.empty()) {
+            const MeasuredError after = measure(scene, with(s, r));
+            const std::size_t at = std::size_t(pixel.y * width + pixel.x);
+            EXPECT_EQ(*r.pixel_right, after.classified[at].artefact == Artefact::None) << r.name;
+            stays |= !*r.pixel_right;
+        }
+    EXPECT_TRUE(stays) << "not everything helps";
+    s.lights[0].type = LightType::Point;
+    const FixTable point = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* fit = row(point, "tighter fit");
+    ASSERT_TRUE(fit);
+    EXPECT_FALSE(fit->untried.empty());
+    EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
+}
+
+// All rows of the tables of fits and biases that suit the light, and cascades.
+TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
+    width = 160;
+    height = 120;
+    const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
+    struct Kind {
+        LightType type;
+        LightFit fit;
+        LightProjection projection;
+        bool narrows, cascades;
+    };
+    const Kind kinds[] = {{LightType::Directional, LightFit::Scene, LightProjection::Automatic, true, true},
+                          {LightType::Directional, LightFit::View, LightProjection::Automatic, true, true},
+                          {LightType::Directional, LightFit::Manual, LightProjection::Automatic, true, false},
+                          {LightType::Directional, LightFit::Scene, LightProjection::Perspective, false, false},
+                          {LightType::Spot, LightFit::Casters, LightProjection::Automatic, true, false},
+                          {LightType::Point, LightFit::Scene, LightProjection::Automatic, false, false}};
+    for (const Kind& kind : kinds) {
+        SCOPED_TRACE(testing::Message() << int(kind.type) << " " << int(kind.fit) << " " << int(kind.projection));
+        Settings s = test::texel_settings("pcf3", 256, 0);
+        s.lights[0].type = kind.type;
+        s.lights[0].fit = kind.fit;
+        s.lights[0].projection = kind.projection;
+        const MeasuredError m = measure(scene, s);
+        const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(m, s, renderer.driver()));
+        const auto tried = [&](auto&& like) {
+            return std::ranges::count_if(ideas,
+                                         [&](const FixCandidate& i) { return i.untried.empty() && like(i.settings); });
+        };
+        for (std::size_t i = 0; i < fits().size(); ++i) {
+            const auto fit = LightFit(i);
+            const bool other = fit != kind.fit && fit != LightFit::Manual;
+            const bool suits = kind.narrows || (kind.fit == LightFit::Manual && !fits()[i].narrows);
+            const auto count =
+                tried([&](const Settings& t) { return t.lights[0].fit == fit && t.lights[0].fit != s.lights[0].fit; });
+            EXPECT_EQ(count, other && suits ? 1 : 0) << fits()[i].key;
+        }
+        for (int n = 2; n <= kMaxCascades; n *= 2)
+            EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
+        for (const Choice& bias : bias_choices())
+            if (bias.key != "constant") {  // the slope's row spends the same by its constant
+                EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
+                          0)
+                    << bias.key;
+            }
+        EXPECT_GT(tried([&](const Settings& t) { return t.bias.normal > 0; }), 0);
+        EXPECT_GT(tried([&](const Settings& t) { return t.bias.raster_slope > 0; }), 0);
+    }
+    Settings s = test::texel_settings("pcf3", 256, 0);
+    s.lights[0].cascades = 3;
+    const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(measure(scene, s), s, renderer.driver()));
+    const auto of = [&](int n) {
+        return std::ranges::count_if(ideas, [&](const FixCandidate& i) { return i.settings.lights[0].cascades == n; });
+    };
+    EXPECT_EQ(of(2) + of(4), 2);
+    EXPECT_EQ(std::ranges::count_if(ideas, [](const FixCandidate& i) { return i.name.starts_with("fit: "); }), 0)
+        << "cascades are fitted by what they are";
+}
+
+// The least bias of each row of the table, families or not, clears flat ground wholly.
+TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
+    width = 240;
+    height = 180;
+    const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.6);
+    int numbers = 0;
+    for (const char* kernel : {"pcf3", "pcf7"})
+        for (const LightType type : {LightType::Directional, LightType::Spot}) {
+            Settings s = test::texel_settings(kernel, 512, 0);
+            s.lights[0].type = type;
+            s.lights[0].elevation = 35;
+            const MeasuredError before = measure(scene, s);
+            ASSERT_GT(before.metrics.artefacts[std::size_t(Artefact::Acne)], 1000u);
+            const FixFacts facts = fix_facts(before, s, renderer.driver());
+            ASSERT_EQ(facts.least_of_rows.size() + kBiasFamilies, biases().size());
+            for (const auto& [bias, least] : facts.least_of_rows) {
+                SCOPED_TRACE(std::string(bias->key) + " " + kernel);
+                Settings with = s;
+                with.bias = least;
+                const ErrorMetrics after = measure(scene, with).metrics;
+                EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
+                EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
+                if (bias->gives_needed_bias) {
+                    EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
+                }
+                Settings less = with;
+                for (const std::string_view key : bias->settings)
+                    if (key == "bias.raster_slope") {
+                        less.bias.raster_slope *= 0.5;
+                        ++numbers;
+                    }
+                if (!(less == with)) {
+                    EXPECT_GT(measure(scene, less).metrics.any_acne, 0.01) << "twice too much";
+                }
+            }
+        }
+    EXPECT_EQ(numbers, 4);
+}
+
+TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
+    width = 320;
+    height = 180;
+    const Scene scene = load_scene("landscape");
+    const Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.fit", "scene"}});
+    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* four = row(table, "4 cascades");
+    ASSERT_TRUE(four);
+    EXPECT_GT(four->gain(), 0.3 * double(table.wrong));
+    EXPECT_EQ(four->map_bytes, 3 * 512 * 512 * 4);
+    const MeasuredError after = measure(scene, with(s, *four));
+    EXPECT_EQ(after.lights[0].views.size(), 4u);
+    std::size_t left = 0;
+    for (std::size_t a = 1; a < kArtefacts; ++a) left += after.metrics.artefacts[a];
+    EXPECT_EQ(left, table.wrong - four->cured + four->broken);
+}
+
+TEST_F(FixesTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
+    const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
+    Settings s = test::texel_settings("hard", 256, 3);
+    s.camera.distance = 4;
+    s.lights[0].fit = LightFit::Scene;
+    const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
+    const MeasuredFix* fit = row(table, "fit: what is seen");
+    ASSERT_TRUE(fit);
+    EXPECT_GT(fit->gain(), 0);
+    EXPECT_EQ(fit->map_bytes, 0);
+    const MeasuredError after = measure(scene, with(s, *fit));
+    EXPECT_EQ(after.metrics.outside_map, 0);
+    EXPECT_LT(after.lights[0].views[0].half_width, 0.5 * measure(scene, s).lights[0].views[0].half_width);
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,195 @@
+// Frames of different scenes and settings, read and probed in turn: each answers for itself, or says that its images
+// are gone.
+#include "renderer/base/error.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
+
+namespace si {
+namespace {
+
+struct Shown {
+    Scene scene;
+    Settings settings;
+    FrameRequest request;
+};
+
+class FrameReadability : public FrameTest {
+protected:
+    /// Two that share nothing: scene, kinds and number of lights, formats, sizes, camera.
+    std::vector<Shown> shown() {
+        std::vector<Shown> out;
+        Scene boxes = load_scene("boxes"), plane = load_scene("stage");
+        out.push_back({std::move(boxes), {}, {.width = 160, .height = 120}});
+        out.push_back({std::move(plane), {}, {.width = 200, .height = 90}});
+        out[0].settings = settings_for(out[0].scene, {{"map.resolution", "64"},
+                                                      {"light.count", "2"},
+                                                      {"light.1.type", "point"},
+                                                      {"light.1.distance", "6"},
+                                                      {"view.light", "1"},
+                                                      {"view.face", "3"}});
+        out[1].settings = settings_for(out[1].scene, {{"map.resolution", "96"},
+                                                      {"map.format", "d16"},
+                                                      {"light.azimuth", "90"},
+                                                      {"view.map_source", "camera"},
+                                                      {"bias.constant", "3"}});
+        for (Shown& s : out) s.request.outputs.shadow_map = true;
+        return out;
+    }
+    FrameResult draw(const Shown& s) { return renderer.render(s.scene, s.settings, s.request); }
+    std::string why_not(const auto& read) {
+        try {
+            read();
+        } catch (const Error& e) {
+            return e.what();
+        }
+        return "";
+    }
+};
+
+SI_TESTS_ARE(DriverIndependent, FrameReadability);
+TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
+    const std::vector<Shown> both = shown();
+    std::vector<FloatImage> maps, views;
+    for (const Shown& s : both) {  // each by a renderer that has drawn nothing else
+        Renderer fresh;
+        const FrameResult f = fresh.render(s.scene, s.settings, s.request);
+        maps.push_back(fresh.read_shadow_map(f, 0, 0));
+        views.push_back(fresh.read_map_view_depth(f));
+        EXPECT_FALSE(renderer.holds(f)) << "of another renderer";
+        EXPECT_THROW(renderer.read_shadow_map(f, 0, 0), Error);
+    }
+    ASSERT_NE(maps[0].data.size(), maps[1].data.size());
+    std::vector<FrameResult> last(2);
+    for (int turn = 0; turn < 6; ++turn) {
+        const auto now = std::size_t(turn % 2), other = 1 - now;
+        const FrameResult f = draw(both[now]);
+        EXPECT_TRUE(renderer.holds(f));
+        EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, maps[now].data) << turn;
+        EXPECT_EQ(renderer.read_map_view_depth(f).data, views[now].data) << turn;
+        if (turn > 0) {
+            EXPECT_FALSE(renderer.holds(last[other])) << turn;
+            EXPECT_NE(why_not([&] {
+                          renderer.read_shadow_map(last[other], 0, 0);
+                      }).find("shadow maps of this frame are gone"),
+                      std::string::npos);
+            EXPECT_NE(why_not([&] { renderer.read_map_view_depth(last[other]); }).find("draw it again"),
+                      std::string::npos);
+        }
+        last[now] = f;
+    }
+}
+
+TEST_F(FrameReadability, OneThatDrawsNothingNewLeavesTheOtherAlone) {
+    const std::vector<Shown> both = shown();
+    const FrameResult f = draw(both[0]), again = draw(both[0]);
+    EXPECT_TRUE(renderer.holds(f)) << "all was reused";
+    EXPECT_TRUE(renderer.holds(again));
+    Shown less = both[0];
+    less.request.outputs = {.colour = false, .surface_ids = true};
+    const FrameResult ids = draw(less);
+    EXPECT_TRUE(renderer.holds(f)) << "other images of the same view";
+    EXPECT_NE(why_not([&] { renderer.read_shadow_map(ids, 0, 0); }).find("did not draw"), std::string::npos);
+    EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, renderer.read_shadow_map(again, 0, 0).data);
+    less.request.width += 8;  // the picture's shape, and so its camera's depth
+    less.request.outputs.colour = true;
+    draw(less);
+    EXPECT_FALSE(renderer.holds(f));
+    EXPECT_NO_THROW(renderer.read_shadow_map(f, 0, 0)) << "the maps are the same";
+}
+
+TEST_F(FrameReadability, ProbesInTurnEachAnswerForTheirOwn) {
+    const std::vector<Shown> both = shown();
+    const glm::ivec2 pixel{90, 60};
+    std::vector<Probe> alone;
+    for (const Shown& s : both) {
+        Renderer fresh;
+        alone.push_back(fresh.probe(s.scene, s.settings, s.request, pixel.x, pixel.y));
+        ASSERT_TRUE(alone.back().hit);
+    }
+    ASSERT_NE(alone[0].lights.size(), alone[1].lights.size());
+    ASSERT_GT(glm::length(alone[0].position_ws - alone[1].position_ws), 0.01);
+    for (int turn = 0; turn < 4; ++turn) {
+        const auto now = std::size_t(turn % 2);
+        const Shown& s = both[now];
+        const FrameResult f = draw(s);
+        const FloatImage before = renderer.read_map_view_depth(f);
+        const Probe p = renderer.probe(s.scene, s.settings, s.request, pixel.x, pixel.y);
+        EXPECT_EQ(p.position_ws, alone[now].position_ws);
+        ASSERT_EQ(p.lights.size(), alone[now].lights.size());
+        for (std::size_t i = 0; i < p.lights.size(); ++i) {
+            const Probe::PerLight &a = p.lights[i], &b = alone[now].lights[i];
+            EXPECT_EQ(a.visibility, b.visibility) << i;
+            ASSERT_EQ(a.taps.size(), b.taps.size()) << i;
+            for (std::size_t t = 0; t < a.taps.size(); ++t) {
+                EXPECT_EQ(a.taps[t].texel, b.taps[t].texel);
+                EXPECT_EQ(a.taps[t].stored, b.taps[t].stored);
+            }
+        }
+        EXPECT_TRUE(renderer.holds(f)) << "a probe leaves what is shown as it is";
+        EXPECT_EQ(renderer.read_map_view_depth(f).data, before.data);
+    }
+}
+
+SI_TEST_IS(Repeated, FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs);
+// Where it did not, a window that shows both would draw for ever.
+TEST_F(FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs) {
+    using Sets = std::vector<std::pair<std::string, std::string>>;
+    const std::vector<Sets> all = {
+        {},
+        {{"filter.kernel", "evsm4"}, {"view.map_channel", "moment-2"}},
+        {{"filter.kernel", "pcss"}, {"map.virtual", "true"}},
+        {{"light.cascades", "3"}, {"bias.raster_slope", "2"}, {"view.panes", "four"}},
+        {{"light.type", "point"}, {"light.contact", "0.2"}},
+        {{"light.source", "volumes-zfail"}, {"view.overlay", "depth-difference"}},
+        {{"light.source", "blob"}},
+        {{"light.cast", "false"}},
+        {{"view.slabs", "both"}, {"view.slabs_u", "0.5"}, {"view.slabs_v", "0.5"}, {"view.map_source", "camera"}},
+    };
+    using Ask = bool Outputs::*;
+    const std::vector<std::vector<Ask>> asks = {{},
+                                                {&Outputs::health},
+                                                {&Outputs::visibility, &Outputs::shadow_map, &Outputs::health,
+                                                 &Outputs::texels_read, &Outputs::map_coordinates, &Outputs::overlay}};
+    const Scene scene = load_scene("stage");
+    for (const Sets& sets : all) {
+        Settings s = settings_for(scene, {{"map.resolution", "128"}});
+        std::string what;
+        for (const auto& [key, value] : sets) {
+            set_setting(s, key, value);
+            what += key + "=" + value + " ";
+        }
+        for (const auto& ask : asks) {
+            FrameRequest request{.width = 96, .height = 64};
+            for (const Ask a : ask) request.outputs.*a = true;
+            int drawn = 0;
+            for (bool held = false; !held && drawn < 5; ++drawn) {
+                const FrameResult shown = renderer.render(scene, s, request);
+                renderer.probe(scene, s, request, 48, 40);
+                held = renderer.holds(shown);
+            }
+            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs maps as a whole
+        }
+    }
+}
+
+TEST_F(FrameReadability, OneWhoseImagesAreGivenUpIsGone) {
+    std::vector<Shown> frames(4, shown()[0]);
+    set_setting(frames[0].settings, "filter.kernel", "vsm");
+    set_setting(frames[1].settings, "map.blur_texels", "2");
+    set_setting(frames[2].settings, "light.source", "volumes-zfail");
+    set_setting(frames[2].settings, "light.1.source", "volumes-zfail");
+    set_setting(frames[3].settings, "view.panes", "two");
+    set_setting(frames[3].settings, "view.overlay", "normals");
+    for (const Shown& drawn : frames) {
+        const FrameResult f = draw(drawn);
+        EXPECT_TRUE(renderer.holds(f));
+        Shown plain = shown()[0];
+        set_setting(plain.settings, "light.azimuth", "33");
+        draw(plain);
+        EXPECT_FALSE(renderer.holds(f));
+        EXPECT_NE(why_not([&] { renderer.read_shadow_map(f, 1, 0); }), "");
+    }
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,219 @@
+// What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
+#include <chrono>
+#include <map>
+#include <thread>
+
+#include "app/editor/shader_warmup.h"
+#include "app/sweep/measuring_thread.h"
+#include "renderer/base/held_memory.h"
+#include "renderer/gl/driver_failure.h"
+#include "renderer/gl/program_cache.h"
+#include "renderer/gl/target.h"
+#include "renderer/software/llvmpipe_queue.h"
+#include "tests/gl/frame_fixture.h"
+#include "tests/support/traits.h"
+
+namespace si {
+namespace {
+
+class MemoryReportTest : public FrameTest {
+protected:
+    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
+    void TearDown() override {
+        gl::fault_injection() = {};
+        FrameTest::TearDown();
+    }
+    /// Beside what other renderers of this process hold.
+    MemoryUse of(const std::string& holder) const {
+        for (MemoryUse h : memory_report().holders) {
+            if (h.holder != holder) continue;
+            for (const MemoryUse& b : before_)
+                if (b.holder == holder) {
+                    h.bytes -= b.bytes;
+                    h.count -= b.count;
+                }
+            return h;
+        }
+        return {};
+    }
+    std::vector<MemoryUse> before_ = memory_report().holders;
+};
+
+SI_TESTS_ARE(DriverIndependent, MemoryReportTest);
+TEST_F(MemoryReportTest, ImagesByFormatSizeLayersLevelsAndSamples) {
+    const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
+        gl::Target t;
+        t.ensure("a test's image", format, w, h, layers, extent);
+        return of("a test's image").bytes;
+    };
+    EXPECT_EQ(bytes(GL_R32F, 64, 32, 0, {}), 64u * 32 * 4);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 3, {}), 64u * 64 * 3 * 4);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT16, 64, 64, 0, {}), 64u * 64 * 2);
+    EXPECT_EQ(bytes(GL_RGBA16F, 4, 4, 0, {.levels = 3}), (16u + 4 + 1) * 8);
+    EXPECT_EQ(bytes(GL_DEPTH_COMPONENT32F, 64, 64, 0, {.samples = 4}), 64u * 64 * 4 * 4);
+    EXPECT_EQ(of("a test's image").bytes, 0u);
+}
+
+TEST_F(MemoryReportTest, MapsOfTheFrameAsLargeAsTheyAre) {
+    const Scene scene = load_scene("boxes");
+    picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
+    EXPECT_EQ(of("shadow maps").bytes, 512u * 512 * 4);
+    picture(scene, settings_for(scene, {{"map.resolution", "64"}, {"map.format", "d32f"}}));
+    EXPECT_EQ(of("shadow maps").bytes, 64u * 64 * 4) << "the larger one is still there";
+    EXPECT_GT(of("scene's vertices").bytes, 100u);
+}
+
+#if !defined(__SANITIZE_ADDRESS__)  // whose allocator is not asked
+/// What is told to be let go is the driver's too, at the latest when nothing is drawn: 160 MB in forty layers.
+TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    const Scene scene = load_scene("boxes");
+    Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
+    s.light_count = 7;
+    for (int i = 0; i < s.light_count; ++i) s.lights[std::size_t(i)].type = LightType::Point;
+    const auto heap_at_rest = [&](int resolution) {
+        s.map.resolution = resolution;
+        picture(scene, s);
+        renderer.release_unused_memory();
+        return process_memory().heap;
+    };
+    const std::uint64_t before = heap_at_rest(32);
+    EXPECT_GT(heap_at_rest(1024), before + (150u << 20));
+    EXPECT_LT(heap_at_rest(32), before + (16u << 20));
+    EXPECT_TRUE(gl::release_finished_images()) << "not even the largest picture takes long";
+}
+
+/// Nor where it was drawn in the background, by a context of its own.
+TEST_F(MemoryReportTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
+    if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
+    const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
+    WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
+    next.settings.light_count = 7;
+    for (int i = 0; i < next.settings.light_count; ++i) next.settings.lights[std::size_t(i)].type = LightType::Point;
+    ShaderWarmup warmup;
+    const auto heap_after = [&](int resolution) {
+        next.settings.map.resolution = resolution;
+        warmup.foresee(next);
+        warmup.wait();
+        return process_memory().heap;
+    };
+    const std::uint64_t before = heap_after(32);
+    EXPECT_LT(heap_after(1024), before + (16u << 20));
+    EXPECT_GE(of("shadow maps").most, 160u << 20) << "none was drawn";
+    EXPECT_EQ(warmup.done(), 2u);
+}
+#endif
+
+/// A thread beside a window's has one picture drawn and one waiting at most.
+TEST_F(MemoryReportTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
+    constexpr int kSide = 8192;
+    gl::Target tiny, large;
+    tiny.ensure("a test's image", GL_R8, 1, 1);
+    large.ensure("a test's image", GL_R8, kSide, kSide);
+    const gl::Framebuffer into_tiny = gl::make_framebuffer("a test's image", &tiny, nullptr);
+    const gl::Framebuffer into_large = gl::make_framebuffer("a test's image", &large, nullptr);
+    constexpr float kBlack[4] = {};
+    glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
+    glFinish();
+    gl::set_background_drawing();
+    glBlitNamedFramebuffer(into_tiny.id(), into_large.id(), 0, 0, 1, 1, 0, 0, kSide, kSide, GL_COLOR_BUFFER_BIT,
+                           GL_LINEAR);
+    const GLsync drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl::throttle_background_drawing();
+    glClearNamedFramebufferfv(into_tiny.id(), GL_COLOR, 0, kBlack);
+    gl::throttle_background_drawing();
+    EXPECT_EQ(glClientWaitSync(drawn, 0, 0), GLenum(GL_ALREADY_SIGNALED));
+    glDeleteSync(drawn);
+    gl::set_background_drawing(false);
+}
+
+/// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
+/// for, nor the memory of the one that failed.
+TEST_F(MemoryReportTest, ATargetThatFoundNoMemoryIsNone) {
+    gl::Target t;
+    t.ensure("a test's image", GL_R32F, 64, 64);
+    t.key = 5;
+    gl::fault_injection().fails = [](gl::DriverFailure of, std::string_view) {
+        return of == gl::DriverFailure::Memory;
+    };
+    EXPECT_THROW(t.ensure("a test's image", GL_R32F, 256, 256), gl::OutOfMemory);
+    gl::fault_injection() = {};
+    EXPECT_FALSE(t.texture) << "what failed is still held";
+    EXPECT_EQ(t.key, 0u);
+    EXPECT_EQ(of("a test's image").bytes, 0u);
+    EXPECT_TRUE(t.ensure("a test's image", GL_R32F, 64, 64)) << "the image of before is taken for this one";
+    GLint width = 0;
+    glGetTextureLevelParameteriv(t.texture.id(), 0, GL_TEXTURE_WIDTH, &width);
+    EXPECT_EQ(width, 64);
+}
+
+TEST_F(MemoryReportTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
+    const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
+    MeasuringThread thread(std::chrono::milliseconds(300));
+    thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
+                              .scene_name = "boxes",
+                              .settings = s,
+                              .width = 64,
+                              .height = 48});
+    thread.wait();
+    EXPECT_TRUE(thread.status().measured) << thread.status().measure_problem;
+    EXPECT_GE(of("shadow maps").most, 256u * 256 * 4);
+    const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (of("shadow maps").bytes > 0 && std::chrono::steady_clock::now() < end)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(of("shadow maps").bytes, 0u) << "its maps stay for good";
+}
+
+gl::ProgramRequest plain_program(int number) {
+    return {.vertex = "passes/fullscreen.vert.glsl",
+            .fragment = "passes/volume_depth.frag.glsl",
+            .includes = {},
+            .defines = {},
+            .preamble = "// " + std::to_string(number) + "\n"};
+}
+
+TEST_F(MemoryReportTest, TheLongestUnusedProgramsGiveWay) {
+    gl::ProgramCache cache;
+    for (int i = 0; i < 6; ++i) {
+        cache.get(plain_program(i));
+        cache.end_frame(6);
+    }
+    const GLuint first = cache.get(plain_program(0));
+    cache.end_frame(6);
+    EXPECT_EQ(cache.size(), 6u);
+    for (int i = 6; i < 9; ++i) cache.get(plain_program(i));
+    cache.end_frame(6);
+    EXPECT_EQ(cache.size(), 6u);
+    EXPECT_EQ(cache.get(plain_program(0)), first) << "used since, and gone before those that were not";
+    EXPECT_TRUE(glIsProgram(first));
+    EXPECT_NE(cache.get(plain_program(1)), 0u) << "what gave way is made again";
+    EXPECT_EQ(cache.size(), 7u);
+    EXPECT_EQ(of("texts of shader programs").count, cache.size());
+    // All that one frame uses stay, however many.
+    for (int i = 0; i < 9; ++i) cache.get(plain_program(i));
+    cache.end_frame(2);
+    EXPECT_EQ(cache.size(), 9u);
+    cache.end_frame(2);
+    EXPECT_EQ(cache.size(), 2u);
+}
+
+TEST_F(MemoryReportTest, FramesKeepSoManyProgramsAndDrawTheSame) {
+    const Scene scene = load_scene("boxes");
+    const FrameRequest tiny{.width = 32, .height = 18};
+    gl::fault_injection().max_programs = 4;
+    std::map<std::string, ByteImage> first;
+    std::size_t most = 0;
+    for (int round = 0; round < 2; ++round)
+        for (const char* overlay : {"visibility", "normals", "stored-depth", "bias-applied", "light-uv", "n-dot-l"}) {
+            Settings s = settings_for(scene, {{"map.resolution", "64"}});
+            set_setting(s, "view.overlay", overlay);
+            const ByteImage drawn = picture(scene, s, tiny);
+            most = std::max(most, of("texts of shader programs").count);
+            const auto [known, is_new] = first.emplace(overlay, drawn);
+            EXPECT_EQ(known->second, drawn) << overlay;
+        }
+    EXPECT_LE(most, 7u) << "each frame's programs stay for good";
+}
+
+}  // namespace
+}  // namespace si

@@ -1,0 +1,238 @@
+// The dossier in the probe panel and the search for the least bias: buttons, undo, progress, and both on real frames.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/editor/headless_editor.h"
+#include "renderer/settings/param.h"
+#include "renderer/settings/sources.h"
+#include "tests/ui/ui_harness.h"
+#include "ui/scene_view/kernel_marks.h"
+
+namespace si::test {
+namespace {
+
+PixelDiagnosis acne_diagnosis() {
+    PixelDiagnosis d;
+    d.reference.state = PixelState::Counted;
+    d.least = {0.001, 1.8, 0.02};
+    d.has = {0.0003, 0.6, 0.007};
+    d.right = false;
+    d.verdict = "acne: needs 1.8 texels of bias here, has 0.6 texels";
+    d.fix = SuggestedFix{{{"bias.slope", "4.5"}}, "set bias.slope to 4.5 texels"};
+    return d;
+}
+
+TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
+    UiHarness ui(1280, 720);
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.window.open_tab = BottomTab::Probe;
+    ui.diagnoses = {acne_diagnosis()};
+    ui.frames(5);
+    const Settings before = ui.state.settings;
+    const int light = 0;
+    const auto id_of_light = std::string(reinterpret_cast<const char*>(&light), sizeof light);
+    const auto at = ui.find("Probe", id_of_light, "Fix: Slope bias 4.5 texels");
+    ASSERT_TRUE(at) << "no button for the remedy";
+    ui.click(*at);
+    EXPECT_EQ(ui.state.settings.bias.slope, 4.5);
+    ui.frames(3);
+    EXPECT_EQ(ui.state.history.undo(), before);
+    EXPECT_FALSE(ui.state.history.can_undo());
+}
+
+TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+    const PixelDiagnosis d = acne_diagnosis();
+    SuggestedFix worth = *d.fix;
+    worth.equivalent_bias_texels = 1.804;
+    EXPECT_EQ(fix_text(worth, Settings{}) + equivalent_bias_text(worth),
+              "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
+    EXPECT_EQ(equivalent_bias_text(*d.fix), "");
+    const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
+    EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
+    UiHarness ui(1600, 900);
+    ui.state.probe_pixel = glm::ivec2(3, 4);
+    ui.state.window.open_tab = BottomTab::Probe;
+    ui.diagnoses = {d};
+    ui.diagnoses[0].fix = worth;
+    ui.frames(5);
+    EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
+    EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
+}
+
+TEST(DiagnosisPanel, DrawsWhileTheTruthIsTracedAtAnySize) {
+    for (const auto& [w, h, scale] : {std::tuple{1280, 720, 1.0f}, {3840, 2160, 2.0f}, {700, 480, 1.0f}}) {
+        UiHarness ui(w, h, scale);
+        ui.state.probe_pixel = glm::ivec2(3, 4);
+        ui.state.window.open_tab = BottomTab::Probe;
+        ui.tracing_probe = true;
+        ui.frames(4);
+        ui.tracing_probe = false;
+        ui.diagnoses = {acne_diagnosis()};
+        ui.frames(4);
+        ui.diagnoses[0].occluder = {0.0001, 0.3, 0.002};  // no bias is right
+        ui.frames(4);
+    }
+}
+
+TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
+    UiHarness ui(1280, 720);
+    ui.frames(4);
+    const auto button = ui.find("/rows_", "bias", "Auto bias");
+    ASSERT_TRUE(button);
+    ui.click(*button);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_FALSE(ui.last_requests.tune->max_error || ui.last_requests.tune->max_ms);
+
+    const auto limits = ui.find("/rows_", "bias", "Tune...");
+    ASSERT_TRUE(limits);
+    ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .max_error = 0.02, .max_ms = 7};
+    ui.click(*limits);
+    const auto search = ui.find("##Popup", "", "Search");
+    ASSERT_TRUE(search);
+    ui.click(*search);
+    ASSERT_TRUE(ui.last_requests.tune);
+    EXPECT_EQ(ui.last_requests.tune->max_error, 0.02);
+    EXPECT_EQ(ui.last_requests.tune->max_ms, 7);
+    EXPECT_TRUE(ui.last_requests.tune->area);
+
+    ui.tuning = SearchProgress{"normal offset, 2 texels", 0.4};
+    ui.frames(2);
+    EXPECT_FALSE(ui.find("/rows_", "bias", "Auto bias")) << "one search at a time";
+    const auto cancel = ui.find("/rows_", "bias", "Cancel");
+    ASSERT_TRUE(cancel);
+    ui.click(*cancel);
+    EXPECT_TRUE(ui.last_requests.cancel_tune);
+}
+
+TEST(TuneControls, WithoutAMapThereIsNothingToSearch) {
+    UiHarness ui(1280, 720);
+    ui.state.settings.lights[0].source = 1;
+    ASSERT_FALSE(source_of(ui.state.settings, 0).needs.map);
+    ui.frames(4);
+    for (const char* label : {"Auto bias", "Tune..."}) {
+        const auto button = ui.find("/rows_", "bias", label);
+        ASSERT_TRUE(button) << label;
+        ui.click(*button);
+        EXPECT_FALSE(ui.last_requests.tune) << label;
+        EXPECT_FALSE(ui.find("##Popup", "", "Search"));
+    }
+}
+
+TEST(KernelMarks, TapsAreColouredByWhatTheyMeet) {
+    KernelTap lit{.weight = 1, .lit = true}, own{.weight = 1, .lit = false, .meets = KernelTap::Meets::Own},
+        dark{.weight = 1, .lit = false, .meets = KernelTap::Meets::Nearer}, light{.weight = 0.1, .lit = true};
+    EXPECT_NE(tap_colour(lit, 1), tap_colour(dark, 1));
+    EXPECT_NE(tap_colour(own, 1), tap_colour(dark, 1));
+    EXPECT_LT(tap_colour(light, 1) >> IM_COL32_A_SHIFT, tap_colour(lit, 1) >> IM_COL32_A_SHIFT);
+}
+
+EditorOptions boxes() {
+    EditorOptions o;
+    o.session.scene = "boxes";
+    o.session.sets = {"bias.normal=0", "bias.constant=0.1", "map.resolution=512"};
+    o.width = 1280;
+    o.height = 720;
+    o.headless = true;
+    return o;
+}
+
+TEST(EditorDiagnosisTest, AClickedPixelIsExplainedAndTheRemedyCuresIt) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorState& state = editor.model().state;
+    // A pixel that acne darkens: some on a grid of the picture.
+    const PixelDiagnosis* found = nullptr;
+    PixelDiagnosis diagnosis;
+    for (int y = 100; y < 400 && !found; y += 12)
+        for (int x = 40; x < 500 && !found; x += 12) {
+            state.probe_pixel = glm::ivec2(x, y);
+            editor.settle();
+            const EditorFrame facts = editor.model().facts();
+            EXPECT_FALSE(facts.tracing_probe) << "settled";
+            if (!facts.probe || !facts.probe->hit) continue;
+            ASSERT_EQ(facts.diagnoses.size(), facts.probe->lights.size());
+            if (facts.diagnoses[0].cause().artefact == Artefact::Acne) {
+                diagnosis = facts.diagnoses[0];
+                found = &diagnosis;
+            }
+        }
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->verdict.find("acne: needs"), 0u) << found->verdict;
+    ASSERT_TRUE(found->fix);
+    for (const auto& [key, value] : found->fix->settings) set_setting(state.settings, key, value);
+    editor.settle();
+    const EditorFrame after = editor.model().facts();
+    ASSERT_EQ(after.diagnoses.size(), 1u);
+    EXPECT_TRUE(after.diagnoses[0].right) << after.diagnoses[0].verdict;
+}
+
+TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorModel& model = editor.model();
+    const Settings before = model.state.settings;
+    EditorRequests request;
+    request.scene_width = 320;
+    request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
+    EXPECT_TRUE(model.facts().tuning) << "it goes on in the background";
+    EXPECT_EQ(model.state.settings, before) << "and the editor went on at once";
+    editor.settle();
+    EXPECT_FALSE(model.facts().tuning);
+    const Settings after = model.state.settings;
+    EXPECT_NE(after.bias, before.bias);
+    Settings only_bias = before;
+    only_bias.bias = after.bias;
+    EXPECT_EQ(after, only_bias);
+    const auto& lines = model.state.log.lines();
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const auto& line) {
+        return line.text.find("least bias without acne") != std::string::npos &&
+               line.text.find("gap beside casters") != std::string::npos;
+    }));
+    EXPECT_GT(model.facts().tuned.size(), 1u);
+    EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";
+    EditorRequests resize;
+    resize.scene_width = 320;
+    resize.scene_height = 180;
+    model.fulfil(resize);
+    EXPECT_TRUE(model.facts().tuned_current);
+    EXPECT_EQ(model.state.history.undo(), before);
+    EXPECT_FALSE(model.state.history.can_undo());
+    model.state.settings = before;
+    EXPECT_TRUE(model.facts().tuned_current) << "whatever the bias";
+    model.state.settings.lights[0].azimuth += 10;
+    EXPECT_FALSE(model.facts().tuned_current);
+}
+
+TEST(EditorTuning, IsNotAppliedToWhatItWasNotSearchedFor) {
+    HeadlessEditor editor(boxes());
+    editor.settle();
+    EditorModel& model = editor.model();
+    EditorRequests request;
+    request.scene_width = 320;
+    request.scene_height = 180;
+    model.fulfil(request);
+    request.tune = TuneRequest{};
+    model.fulfil(request);
+    model.state.settings.lights[0].elevation += 10;
+    const Settings turned = model.state.settings;
+    editor.settle();
+    EXPECT_EQ(model.state.settings, turned);
+
+    model.fulfil(request);
+    EditorRequests cancel;
+    cancel.scene_width = 320;
+    cancel.scene_height = 180;
+    cancel.cancel_tune = true;
+    model.fulfil(cancel);
+    editor.settle();
+    EXPECT_FALSE(model.facts().tuning);
+    EXPECT_EQ(model.state.settings, turned);
+}
+
+}  // namespace
+}  // namespace si::test

@@ -1,0 +1,17 @@
+// Table of fixes. A click on a row applies it.
+#pragma once
+
+#include "renderer/settings/settings.h"
+#include "ui/panels/fixes.h"
+
+namespace si {
+
+/// Draws the button that starts the search, or its progress. @param pixel pixel to make right; none: the picture
+/// @param ready there is a picture @param wrong some pixel is wrong
+void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
+                  bool wrong);
+/// Draws the fixes that were found for that pixel or picture, if any. @param settings changed by a click on a row
+void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& requests,
+                    std::optional<glm::ivec2> pixel);
+
+}  // namespace si
