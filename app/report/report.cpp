@@ -74,7 +74,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
     json["projection"] = first.curve.perspective ? "perspective" : first.warped() ? "warped" : "orthographic";
     json["matrices"] = view_json(first);
     if (first.warped()) {
-        const TexelSize sizes = first.texel_sizes(frame.map_resolution);
+        const TexelSize sizes = first.texel_size_range(frame.map_resolution);
         json["texel_sizes_m"] = {sizes.shortest, sizes.longest};
         json["texel_size_m"] = first.texel_size_at(session.scene.bounds.centre(), frame.map_resolution).longest;
     } else {
@@ -88,7 +88,7 @@ Json light_json(const Session& session, const FrameResult& frame, std::size_t i)
         for (const LightView& view : light.views) json["faces"].push_back(view_json(view));
     for (std::size_t v = 0; light.is_cascaded() && v < light.views.size(); ++v) {
         Json cascade = view_json(light.views[v]);
-        cascade["texel_size_m"] = light.views[v].texel_sizes(frame.map_resolution).longest;
+        cascade["texel_size_m"] = light.views[v].texel_size_range(frame.map_resolution).longest;
         cascade["depth_range_m"] = {light.views[v].curve.near, light.views[v].curve.far};
         const ViewSpan& span = light.chooser.spans[v];
         if (light.chooser.choice == ViewChoice::Interval) {
@@ -130,7 +130,7 @@ Json pages_json(const PageFacts& p) {
             {"held", p.held},
             {"pool", p.pool},
             {"requested_by_level", p.by_level},
-            {"finest_texel_m", p.finest_texel_m},
+            {"finest_texel_m", p.smallest_texel_m},
             {"drawn_texels", p.drawn_texels()},
             {"read_texels", p.read_texels()},
             {"fixed_map_texels", p.fixed_map_texels}};

@@ -104,7 +104,7 @@ void measured_depths(const Settings& s, const AdviceFacts& f, const Offer& offer
           std::move(boxes), f.light);
 }
 
-void unread_texels(const Settings& s, const AdviceFacts& f, const Offer& offer) {
+void unread_texels_part(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || f.fitted()->views.size() != 1 || f.read_share > 0.25 || f.read_share <= 0) return;
     if ((f.fitted()->type == LightType::Directional) == f.fitted()->is_perspective()) return;
     const double halvings = std::floor(std::log2(std::sqrt(1 / f.read_share)) + 1e-9);
@@ -134,7 +134,8 @@ void beyond_the_picture(const Settings& s, const AdviceFacts& f, const Offer& of
 
 void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    const double reach = reach_under(s, *f.fitted(), f.map_resolution).edge, width_px = 2 * reach * f.texel_px;
+    const double reach = kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge,
+                 width_px = 2 * reach * f.texel_px;
     if (!(width_px < 1.5)) return;
     const bool moments = filter_of(s).samples == Samples::Moments;
     for (const std::string_view kernel : plain_kernels(s, 0, 2))
@@ -147,7 +148,7 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
-    const double width_px = 2 * reach_under(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
+    const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
         offer(fmt::format("{} prepares the map to blur {} pixels: comparing depths directly may do", kernel_label(s),
                           digits_text(width_px)),
@@ -300,7 +301,8 @@ constexpr AdviceRule kRules[] = {
     {"cascades", "Fewer cascades", "There are several; measured down to one.", Claim::Same, one_cascade},
     {"cascade-overlap", "Cascades that overlap", "light.cascade_blend is above 0.", Claim::Same, cascade_overlap},
     {"depth-bounds", "Depths that are measured", "light.depth_bounds is sdsm.", Claim::Same, measured_depths},
-    {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same, unread_texels},
+    {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same,
+     unread_texels_part},
     {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same,
      beyond_the_picture},
     {"unseen-blur", "A kernel wider than visible", "The kernel blurs over less than 1.5 pixels.", Claim::Same,

@@ -56,7 +56,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
                 .polygon = driver.offset[std::size_t(settings.map.format)],
                 .per_texel = a.plane.gradient / double(resolution),
                 .quantum = depth_quantum(settings.map.format, view.curve, r.uvd.z)};
-    const double kappa = reach_under(settings, light, resolution).bias;
+    const double kappa = kernel_reach_in_light(settings, light, resolution).bias;
     const double extent = extent_m(light, r, resolution, p);
     a.least = least_bias(a.plane.gradient, kappa, resolution, b.quantum, driver.subpixel_bits,
                          rounding_bias(view, p.position_ws, extent));
@@ -69,7 +69,7 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     }
     b.least = a.least.total();
     r.bias_depth = row.amount(bias, b);
-    r.bias_m = a.curve.metres_nearer(r.tap_m, r.bias_depth);
+    r.bias_m = a.curve.metres_towards_light(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
     r.compared = r.tap.z - away * r.bias_depth;
     BiasSettings level = bias;

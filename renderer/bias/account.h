@@ -56,7 +56,7 @@ struct BiasBreakdown {
     double compared_depth_at(const glm::dvec2& centre) const;
     /// Converts a shift in depth-buffer units at this point to texels and metres.
     DepthShift amount(double depth) const {
-        const double along_axis = curve.metres_nearer(receiver.own_m, depth);
+        const double along_axis = curve.metres_towards_light(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};
     }
     /// Returns the width in metres of the lit strip next to a caster that touches the receiver (peter-panning): the

@@ -45,7 +45,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.ndc = glm::dvec3(r.clip) / w;
     r.uvd = to_unit(r.ndc);
     r.texel_m = view.texel_size_at(position_ws, resolution).longest;
-    r.curve = view.curve_through(position_ws);
+    r.curve = view.ray_depth_curve(position_ws);
     r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
     r.normal_offset_m = bias_at(BiasStage::LookUp).amount(bias, {.curve = r.curve, .texel_m = r.texel_m});

@@ -65,15 +65,15 @@ LeastBias least_bias(const glm::dvec2& gradient, double kappa_texels, int resolu
 
 double rounding_bias(const LightView& view, const glm::dvec3& point_ws, double extent_m) {
     const double z = glm::dot(view.eye - point_ws, view.axes[2]);
-    const DepthCurve curve = view.curve_through(point_ws);
+    const DepthCurve curve = view.ray_depth_curve(point_ws);
     return 4 * 0x1p-23 *
-           std::max(extent_m * (curve.slope(z) + view.warp_per_m(point_ws) * curve.depth(z)), curve.depth(z));
+           std::max(extent_m * (curve.slope(z) + view.relative_dw_per_m(point_ws) * curve.depth(z)), curve.depth(z));
 }
 
 double uv_rounding_bias(const LightView& view, const glm::dvec3& point_ws, const glm::dvec2& gradient, double extent_m,
                         int resolution) {
     const double across_m = view.texel_size_at(point_ws, resolution).shortest * resolution;
-    return 4 * 0x1p-23 * extent_m * (1 / across_m + view.warp_per_m(point_ws)) *
+    return 4 * 0x1p-23 * extent_m * (1 / across_m + view.relative_dw_per_m(point_ws)) *
            (std::abs(gradient.x) + std::abs(gradient.y));
 }
 
@@ -83,7 +83,8 @@ double least_normal_offset(const LightView& view, const glm::dvec3& point_ws, co
     const double z = -glm::dot(relative, view.axes[2]);
     // Ray to the point, one metre long along the view's axis.
     const glm::dvec3 ray = view.curve.perspective ? relative / z : -view.axes[2];
-    return view.curve_through(point_ws).metres_nearer(z, b_min) * std::abs(glm::dot(glm::normalize(normal_ws), ray));
+    return view.ray_depth_curve(point_ws).metres_towards_light(z, b_min) *
+           std::abs(glm::dot(glm::normalize(normal_ws), ray));
 }
 
 double contact_gap(double bias_m, double theta_rad) {

@@ -62,14 +62,14 @@ shared::LightBlock light_block(const FrameState& f, std::size_t i) {
     b.position = glm::vec4(glm::vec3(light.position - f.origin), float(light.range_m));
     b.to_light = glm::vec4(glm::vec3(light.to_light), float(light.cos_cone_outer));
     if (light.type == LightType::Directional) b.to_light.w = float(light.radiance.r);
-    const Reach reach = reach_under(f.settings, light, f.map_resolution);
+    const Reach reach = kernel_reach_in_light(f.settings, light, f.map_resolution);
     b.kernel = glm::vec4(light.size, reach.bias, reach.edge, reach.read);
     b.radiance = glm::vec4(glm::vec3(light.radiance), float(light.cos_cone_inner));
     return b;
 }
 
 void put_sky(const FrameState& f, shared::FrameBlock& block) {
-    const Sky sky = sky_of(sun_of(f.gl.fitted));
+    const Sky sky = sky_for_sun(direction_to_brightest_sun(f.gl.fitted));
     const ShadingSettings& s = f.settings.shading;
     const double exposure = std::exp2(s.exposure);
     const auto lit = [](const glm::dvec3& colour) { return glm::vec4(glm::vec3(colour), 0); };
@@ -147,7 +147,7 @@ shared::FrameBlock frame_block(const FrameState& f) {
 
 void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
     TexelBuffer& frame = f.gl.blocks.frame;
-    frame.put(std::as_bytes(std::span(&block, 1)));
+    frame.upload(std::as_bytes(std::span(&block, 1)));
     frame.bind_block(shared::BLOCK_FRAME);
     if (f.blocks_as_images()) frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
 }
@@ -155,11 +155,11 @@ void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
 void upload_blocks(const FrameState& f) {
     Blocks& blocks = f.gl.blocks;
     put_frame_block(f, frame_block(f));
-    blocks.settings.put(settings_block_bytes(f.settings));
+    blocks.settings.upload(settings_block_bytes(f.settings));
     blocks.settings.bind_block(shared::BLOCK_SETTINGS);
     if (f.blocks_as_images()) blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);
     if (!f.disk_texels.empty()) {
-        blocks.disk.put(std::as_bytes(std::span(f.disk_texels)));
+        blocks.disk.upload(std::as_bytes(std::span(f.disk_texels)));
         blocks.disk.bind_image(shared::IMAGE_DISK_PLACES, GL_RG32UI);
     }
     set_samplers(f);

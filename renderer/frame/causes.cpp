@@ -91,7 +91,7 @@ Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseCo
 
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels) {
     return {.has_map = light.casts,
-            .edge_reach_texels = reach_under(settings, light, map_resolution).edge,
+            .edge_reach_texels = kernel_reach_in_light(settings, light, map_resolution).edge,
             .raster_bias = offsets_polygons(settings),
             .mask_levels = mask_levels,
             .depth_blur = settings.map.blur_texels > 0};

@@ -22,7 +22,7 @@ double shown_depth(double stored, const DepthCurve& curve, MapView view, double 
         case MapView::Raw:
             return stored;
         case MapView::Linear:
-            return (curve.at_row(row).distance(stored) - curve.near) / (curve.far - curve.near);
+            return (curve.curve_at_row(row).distance(stored) - curve.near) / (curve.far - curve.near);
         case MapView::Bands:
             return curve.convention.reversed ? 1 - stored : stored;
     }
@@ -48,7 +48,7 @@ DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curv
         s.stored_min = std::min(s.stored_min, lo);
         s.stored_max = std::max(s.stored_max, hi);
         // Depth grows or falls with distance, never both.
-        const DepthCurve row = curve.at_row(row_of_image(depth, y));
+        const DepthCurve row = curve.curve_at_row(row_of_image(depth, y));
         const double a = row.distance(lo), b = row.distance(hi);
         s.metres_min = std::min({s.metres_min, a, b});
         s.metres_max = std::max({s.metres_max, a, b});

@@ -58,12 +58,12 @@ GLenum FrameState::map_format() const {
 }
 
 bool FrameState::shades_by(std::size_t light) const {
-    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
+    return !adds_no_light(gl.fitted[light], settings) || request.forced.contains(Optimisation::DeadPasses);
 }
 
 bool FrameState::takes_for_lit(std::size_t light) const {
-    return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
-           !request.forced.contains(Optimisation::Uncalled);
+    return !separate_visibility && is_always_lit(gl.fitted[light], settings) &&
+           !request.forced.contains(Optimisation::DeadPasses);
 }
 
 bool FrameState::draws_unfiltered() const {

@@ -59,7 +59,7 @@ struct Resources {
     std::shared_ptr<SceneFindings> found;  ///< see optimisations/scene_findings.h
     std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
-    std::vector<FittedLight> as_placed;  ///< fitted without a camera
+    std::vector<FittedLight> fitted_without_camera;  ///< fitted without a camera
     std::uint64_t as_placed_key = 0;
     std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
     std::uint64_t fit_key = 0;
@@ -91,7 +91,7 @@ struct FrameState {
     bool blurs_depths() const;                    ///< map.blur_texels has maps to blur
     bool has_contacts(std::size_t light) const;   ///< contact shadows darken the light
     bool shades_by(std::size_t light) const;      ///< the light may change the picture: else shading leaves it out
-    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see never_shadows()
+    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see is_always_lit()
     bool paged = false;                           ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn

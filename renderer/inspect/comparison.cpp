@@ -170,13 +170,13 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
     const StoredDepths depths(map, settings, n, view.curve);
     const bool guarded = settings.map.wrap == MapWrap::Range && !depths.inside(p.texel);
     p.stored = guarded ? depths.border() : depths.at(p.texel);
-    p.stored_m = range.at_row(row_of(p.texel)).distance(p.stored);
+    p.stored_m = range.curve_at_row(row_of(p.texel)).distance(p.stored);
     p.stored_linear = linear(p.stored_m);
     p.gap_m = (p.own_m - p.stored_m) / r.axis_per_ray;
     if (r.place != MapPlace::Behind && r.place != MapPlace::OutsideCasterRegion) {
         const auto compared = [&](const RecordedTap& recorded) {
             KernelTap tap{.texel = recorded.texel, .weight = recorded.weight, .stored = recorded.stored};
-            tap.stored_m = range.at_row(row_of(tap.texel)).distance(tap.stored);
+            tap.stored_m = range.curve_at_row(row_of(tap.texel)).distance(tap.stored);
             const glm::dvec2 at = (glm::dvec2(tap.texel) + 0.5) / double(n);
             tap.plane = p.account.plane.depth_at(at);
             tap.compared = as_compared(settings, p.account.compared_depth_at(at));

@@ -53,7 +53,8 @@ private:
     /// The gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(reference_.gap_m)) return kInfinite;
-        return p_.account.curve.depth_nearer(p_.own_m, reference_.gap_m * p_.account.receiver.axis_per_ray);
+        return p_.account.curve.depth_change_towards_light(p_.own_m,
+                                                           reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
     void weigh() {

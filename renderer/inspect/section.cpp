@@ -50,10 +50,10 @@ public:
         return d / glm::length(d);
     }
     /// Of the row of the look-up; all of a warped map's rays in the cut along u.
-    DepthCurve curve() const { return view_.curve.at_row(tap_.y); }
+    DepthCurve curve() const { return view_.curve.curve_at_row(tap_.y); }
     /// Metres along the axis at a depth so much nearer to the light than that of the look-up.
     double nearer_m(double depth) const {
-        const double z = tap_m_ - curve().metres_nearer(tap_m_, depth);
+        const double z = tap_m_ - curve().metres_towards_light(tap_m_, depth);
         if (!view_.curve.perspective) return z;
         return std::clamp(z, 1e-3 * view_.curve.near, 4 * std::max(view_.curve.far, tap_m_));
     }
@@ -217,7 +217,7 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     // Moments are read of an area that their blur has gathered; other kernels say which texels they read.
     const int look_up = p.texel[cut.axis];
     if (p.taps.empty()) {
-        cut.reach_texels = reach_under(settings, p.fitted, resolution).read;
+        cut.reach_texels = kernel_reach_in_light(settings, p.fitted, resolution).read;
     } else {
         const int last = p.taps_first[cut.axis] + p.taps_size[cut.axis];
         cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);

@@ -20,7 +20,7 @@ namespace {
 ///     32, 64, 128: pcss (searching and comparing by as many) 1.03, 0.76, 0.82;
 ///     16, 25, 64: pcf 0.97, 0.88, 0.80; smrt, whose rays end at once where nothing is, 0.97 to 1.00.
 /// `bench --benchmark_filter=lookups` measures it.
-constexpr int kLeastCalls = 64;
+constexpr int kMinTextureCalls = 64;
 
 /// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
 /// reference to the format's steps, and depths of stored distances rise but for rounding.
@@ -47,7 +47,7 @@ bool may_ask(const FrameState& f) {
 }
 
 bool fetches_many(const FrameState& f) {
-    return may_ask(f) && calls_of(f) >= kLeastCalls;
+    return may_ask(f) && calls_of(f) >= kMinTextureCalls;
 }
 
 std::string saved_or_not(const FrameState& f, Optimisation saving) {
@@ -62,30 +62,30 @@ std::string glsl_list(std::span<const glm::vec2> places) {
 }
 
 /// Of so many taps Mesa unrolls a loop; a compiler for CPUs then has places as numbers within the code.
-constexpr std::size_t kMostUnrolled = 32;
+constexpr std::size_t kMaxUnrolledTaps = 32;
 
 }  // namespace
 
 int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
     // Centres that are read, the half texel around them, and what rounding moves them by.
-    const double texels = std::ceil(reach_under(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
+    const double texels = std::ceil(kernel_reach_in_light(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
     return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_resolution)));
 }
 
-std::string why_no_bounds(const FrameState& f) {
+std::string map_bounds_skip_reason(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     if (f.view_count == 0) return "no light has a shadow map";
     if (f.request.forced.contains(Optimisation::EarlyOut)) return "look-ups are to fetch all their taps";
     if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
     if (!may_ask(f)) return "the kernel's rays end at once where the map holds nothing";
     if (!fetches_many(f))
-        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), kLeastCalls);
+        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), kMinTextureCalls);
     if (f.paged) return "the map is drawn by pages, each when it is wanted";
     if (row.reads_light_size &&
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "how far the kernel reaches differs over a warped map";
     // Finding them takes a fifth to a third of a frame in which PCSS or 64 taps look up a map of 2048 texels a side.
-    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kBoundsWaitForMaps);
+    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kMapBoundsWaitReason);
     return {};
 }
 
@@ -95,11 +95,11 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
             {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
             {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
             {"BOUNDS_CELL", std::to_string(kBoundsCell)},
-            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::Blockers)},
-            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::Facing)}};
+            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::BlockerSearch)},
+            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::BackFacingReceivers)}};
 }
 
-void choose_taps(FrameState& f, bool asks_bounds) {
+void define_kernel_taps(FrameState& f, bool asks_bounds) {
     const Filter& row = filter_of(f.settings);
     const std::pair<const char*, std::vector<glm::vec2>> lists[] = {
         {"TAP", disk_of(row, f.settings, f.settings.filter.taps)},
@@ -108,7 +108,7 @@ void choose_taps(FrameState& f, bool asks_bounds) {
     // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
     const bool keeps_loops = asks_bounds && f.driver.software;
     const bool from_image = f.blocks_as_images() && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
-                                                         return list.second.size() > kMostUnrolled;
+                                                         return list.second.size() > kMaxUnrolledTaps;
                                                      }));
     f.defines.push_back({"MAP_BOUNDS", asks_bounds ? "1" : "0"});
     f.defines.push_back({"KEEPS_LOOPS", keeps_loops ? "1" : "0"});

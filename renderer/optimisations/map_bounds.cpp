@@ -49,8 +49,8 @@ void MapBoundsPass::declare(FrameState& f) {
     pass.writes = {Result::MapBounds};
     pass.idle_reason = "nothing samples a shadow map";
     pass.aid = true;
-    pass.unneeded = why_no_bounds(f);
-    choose_taps(f, pass.unneeded.empty());
+    pass.unneeded = map_bounds_skip_reason(f);
+    define_kernel_taps(f, pass.unneeded.empty());
     if (!pass.unneeded.empty()) {
         f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));

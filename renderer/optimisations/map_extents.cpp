@@ -13,11 +13,11 @@
 namespace si {
 namespace {
 
-const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
+const VisibleBodies& bodies_seen(FrameState& f, CameraMapReads& known) {
     const std::uint64_t key = f.surfaces_key().value();
     if (known.key == key && known.bodies) return *known.bodies;
-    known.bodies =
-        seen_bodies(f.scene, f.camera, f.request.height, [&](std::size_t mesh) { return clusters_of_mesh(f, mesh); });
+    known.bodies = find_visible_bodies(f.scene, f.camera, f.request.height,
+                                       [&](std::size_t mesh) { return mesh_clusters(f, mesh); });
     known.key = key;
     return *known.bodies;
 }
@@ -25,51 +25,51 @@ const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
 }  // namespace
 
 bool reads_whole_maps(const FrameState& f) {
-    if (f.request.forced.contains(Optimisation::Views)) return true;
+    if (f.request.forced.contains(Optimisation::UnreadViews)) return true;
     Outputs more = f.request.outputs;
     more.colour = more.visibility = more.surface_ids = more.overlay = false;
     if (!(more == Outputs{.colour = false}) || f.slabs_shown) return true;
     return std::ranges::any_of(f.panes, [](const FrameState::ShownPane& pane) { return pane.overlay > 0; });
 }
 
-std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
+std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name) {
     const std::uint64_t each = std::uint64_t(f.map_resolution) * std::uint64_t(f.map_resolution);
     std::uint64_t left_out = 0;
     for (const MapCells& held : f.layers_held) {
         std::uint64_t made = 0;
-        for (const TexelRect& r : held.texels(f.map_resolution))
+        for (const TexelRect& r : held.texel_rects(f.map_resolution))
             made += std::uint64_t(r.to.x - r.from.x) * std::uint64_t(r.to.y - r.from.y);
         left_out += each - std::min(made, each);
     }
     if (left_out == 0) return std::nullopt;
     PartInfo part{.name = std::move(name), .unit = "texels"};
     part.left_out = left_out;
-    part.by = Optimisation::Views;
+    part.by = Optimisation::UnreadViews;
     part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
                               100.0 * double(left_out) / double(each * f.layers_held.size()));
     return part;
 }
 
-NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps) {
+NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps) {
     const FittedLight& fitted = f.gl.fitted[light];
     if (reads_whole_maps(f)) return {std::vector<MapCells>(fitted.views.size(), MapCells::whole()), {}};
     if (f.takes_for_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
     const Settings& s = f.settings;
     const LookupArea area{.resolution = f.map_resolution,
-                          .reach_texels = reach_under(s, fitted, f.map_resolution).read + s.map.blur_texels,
+                          .reach_texels = kernel_reach_in_light(s, fitted, f.map_resolution).read + s.map.blur_texels,
                           .normal_texels = s.bias.normal,
                           .wrap = s.map.wrap,
                           .whole_maps = filter_of(s).moments.summed || keeps_mips(s),
-                          .weighs_rim = filter_of(s).samples == Samples::Moments,
-                          .light_alone = !f.separate_visibility && s.shading.composition != Composition::DimLit};
-    SeenFromCamera& known = f.gl.found->seen;
-    const SeenBodies& seen = bodies_seen(f, known);
-    SeenFromCamera::OfLight& of_light = known.lights[light];
+                          .reads_border_texels = filter_of(s).samples == Samples::Moments,
+                          .only_lit_points = !f.separate_visibility && s.shading.composition != Composition::DimLit};
+    CameraMapReads& known = f.gl.found->seen;
+    const VisibleBodies& seen = bodies_seen(f, known);
+    CameraMapReads::LightReads& of_light = known.lights[light];
     Key key;
     key.add(known.key).add(maps).add(f.gl.fit_key).add(area.resolution).add(area.reach_texels).add(area.normal_texels);
-    key.add(area.wrap).add(area.whole_maps).add(area.weighs_rim).add(area.light_alone);
+    key.add(area.wrap).add(area.whole_maps).add(area.reads_border_texels).add(area.only_lit_points);
     if (of_light.key != key.value()) of_light = {key.value(), needed_maps(fitted, seen, area)};
-    return of_light.called;
+    return of_light.needed;
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Boxes about parts of meshes, found when first asked for.
+// Bounding boxes of parts of meshes, computed on first use.
 #pragma once
 
 #include <optional>
@@ -10,15 +10,17 @@
 
 namespace si {
 
-/// Boxes of one mesh.
-struct BoxesOfMesh {
-    std::vector<Cluster> clusters;
-    std::optional<std::vector<Bounds>> runs;
+/// Bounding boxes of the clusters and index runs of one mesh.
+struct MeshBoxes {
+    std::vector<Cluster> clusters;            ///< build_clusters(); empty until needed
+    std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// See build_clusters(); none of a mesh that changes with the pose.
-std::span<const Cluster> clusters_of_mesh(const FrameState& f, std::size_t mesh);
-/// See index_run_boxes(); none of a mesh that changes with the pose.
-std::span<const Bounds> run_boxes_of_mesh(const FrameState& f, std::size_t mesh);
+/// Returns build_clusters() of a mesh, cached in the renderer; empty for a mesh that is deformed by the pose.
+/// @param mesh index into Scene::meshes
+std::span<const Cluster> mesh_clusters(const FrameState& f, std::size_t mesh);
+/// Returns index_run_boxes() of a mesh, cached in the renderer; empty for a mesh that is deformed by the pose.
+/// @param mesh index into Scene::meshes
+std::span<const Bounds> mesh_run_boxes(const FrameState& f, std::size_t mesh);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Facts that optimisations find of a scene once and keep between frames.
+// Cached facts about the scene that optimisations share between frames.
 #pragma once
 
 #include "renderer/optimisations/map_extents.h"
@@ -8,12 +8,12 @@
 
 namespace si {
 
-/// Boxes of meshes and the parts that the camera sees, each found when first needed. One object a renderer
-/// (Resources::found).
+/// Cache of mesh boxes and of the parts of the scene that the camera sees, each computed on first use. One object a
+/// renderer (Resources::found).
 struct SceneFindings {
-    OfMeshes<BoxesOfMesh> boxes;
-    SeenFromCamera seen;
-    SeenObjects seen_objects;
+    OfMeshes<MeshBoxes> boxes;
+    CameraMapReads seen;          ///< map cells read
+    VisibleObjects seen_objects;  ///< draw order of the picture
 };
 
 }  // namespace si

@@ -7,25 +7,25 @@
 namespace si {
 namespace {
 
-bool comes_before(const WeighedCaster& a, const WeighedCaster& b) {
+bool comes_before(const StaticCandidate& a, const StaticCandidate& b) {
     return a.content < b.content;
 }
 
-std::uint64_t triangles_of(std::span<const WeighedCaster> casters) {
+std::uint64_t triangles_of(std::span<const StaticCandidate> casters) {
     std::uint64_t sum = 0;
-    for (const WeighedCaster& c : casters) sum += c.triangles;
+    for (const StaticCandidate& c : casters) sum += c.triangles;
     return sum;
 }
 
 }  // namespace
 
-std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> contents,
-                                           std::span<const std::uint64_t> triangles) {
-    std::vector<WeighedCaster> all, out;
+std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
+                                              std::span<const std::uint64_t> triangles) {
+    std::vector<StaticCandidate> all, out;
     for (std::size_t i = 0; i < contents.size(); ++i)
         if (contents[i] != 0) all.push_back({contents[i], triangles[i]});
     std::ranges::sort(all, comes_before);
-    for (const WeighedCaster& c : all)
+    for (const StaticCandidate& c : all)
         if (!out.empty() && out.back().content == c.content)
             out.back().triangles += c.triangles;
         else
@@ -33,13 +33,13 @@ std::vector<WeighedCaster> weighed_casters(std::span<const std::uint64_t> conten
     return out;
 }
 
-bool StaticCasters::rests(std::uint64_t content) const {
-    return std::ranges::binary_search(static_casters_, WeighedCaster{content}, comes_before);
+bool StaticCasters::is_static(std::uint64_t content) const {
+    return std::ranges::binary_search(static_casters_, StaticCandidate{content}, comes_before);
 }
 
-StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<WeighedCaster> casters,
+StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<StaticCandidate> casters,
                                            std::string_view& reason) {
-    const std::vector<WeighedCaster> before = std::exchange(last_, std::move(casters));
+    const std::vector<StaticCandidate> before = std::exchange(last_, std::move(casters));
     if (of_views != views_) {
         static_casters_.clear();
         views.clear();
@@ -47,29 +47,29 @@ StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<W
         return Draws::All;
     }
     const bool holds = !static_casters_.empty() && std::ranges::includes(last_, static_casters_, comes_before);
-    std::vector<WeighedCaster> rested;
+    std::vector<StaticCandidate> rested;
     std::ranges::set_intersection(last_, before, std::back_inserter(rested), comes_before);
     if (!holds) {
         // What began to move goes on, and so may what moved before: it is not taken for resting after one frame.
-        std::vector<WeighedCaster> still;
+        std::vector<StaticCandidate> still;
         std::ranges::set_intersection(rested, static_casters_, std::back_inserter(still), comes_before);
         return choose_again(2 * triangles_of(still) >= triangles_of(rested) ? still : rested, reason);
     }
     // Whatever comes to rest is drawn on until it has cost as much as to draw all that rests once more.
     drawn_in_vain_ += triangles_of(rested) - std::min(triangles_of(rested), triangles_of(static_casters_));
-    return drawn_in_vain_ > triangles_of(rested) ? choose_again(rested, reason) : Draws::Moved;
+    return drawn_in_vain_ > triangles_of(rested) ? choose_again(rested, reason) : Draws::MovingOnly;
 }
 
-StaticCasters::Draws StaticCasters::choose_again(const std::vector<WeighedCaster>& rested, std::string_view& reason) {
-    const bool pays = !rested.empty() && kLeastStaticShare * triangles_of(rested) >= triangles_of(last_);
+StaticCasters::Draws StaticCasters::choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason) {
+    const bool pays = !rested.empty() && kMaxTrianglesPerStatic * triangles_of(rested) >= triangles_of(last_);
     drawn_in_vain_ = 0;
-    static_casters_ = pays ? rested : std::vector<WeighedCaster>();
+    static_casters_ = pays ? rested : std::vector<StaticCandidate>();
     views.clear();
     if (!pays && !last_.empty())
         reason = rested.empty()
                      ? "all that casts has moved"
                      : "what rests is of few triangles beside what moves: they are drawn about as soon as copied";
-    return pays ? Draws::Anew : Draws::All;
+    return pays ? Draws::StaticAndMoving : Draws::All;
 }
 
 }  // namespace si

@@ -11,11 +11,11 @@ namespace si {
 namespace {
 
 /// Of the scene's size: what floats make of a vertex and of its depth.
-constexpr double kRoomShare = 1e-5;
+constexpr double kTouchingPadShare = 1e-5;
 
 }  // namespace
 
-void SeenObjects::learn_boxes(const FrameState& f) {
+void VisibleObjects::update_boxes(const FrameState& f) {
     const SceneGpu& gpu = *f.gl.scene;
     if (of_ == gpu.key().value()) return;
     of_ = gpu.key().value();
@@ -28,28 +28,28 @@ void SeenObjects::learn_boxes(const FrameState& f) {
         boxes_.emplace_back(local, o.world);
         all.add(local.transformed(o.world));
     }
-    touching_ = touching_boxes(boxes_, kRoomShare * all.radius());
+    touching_ = touching_boxes(boxes_, kTouchingPadShare * all.radius());
 }
 
-void SeenObjects::arrange(const FrameState& f) {
+void VisibleObjects::arrange(const FrameState& f) {
     SceneGpu& gpu = *f.gl.scene;
-    learn_boxes(f);
-    const bool all = f.request.forced.contains(Optimisation::InSight);
+    update_boxes(f);
+    const bool all = f.request.forced.contains(Optimisation::FrustumCulling);
     // Depths that crowd at the far plane would put into one place what lies far apart.
     const bool sorts =
-        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::Order);
+        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::DepthOrder);
     const std::uint64_t key = Key(gpu.key()).add(f.camera_key.value()).add(all).add(sorts).value();
     if (of_seen_ == key) return;
     of_seen_ = key;
-    left_out_ = 0;
-    const BoxSight sight(f.camera.clip_from_relative(f.origin), f.origin, f.camera.curve.convention, false,
-                         std::min(f.request.width, f.request.height));
+    skipped_ = 0;
+    const BoxCuller sight(f.camera.clip_from_relative(f.origin), f.origin, f.camera.curve.convention, false,
+                          std::min(f.request.width, f.request.height));
     const glm::dvec3 forward = -f.camera.axes[2];
-    std::vector<DrawnBox> drawn(boxes_.size());
+    std::vector<SortedBox> drawn(boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         const Batch& batch = gpu.batches()[gpu.instance_batches()[i]];
-        drawn[i].seen = all || !sight.misses(boxes_[i]);
-        left_out_ += !drawn[i].seen;
+        drawn[i].seen = all || !sight.is_outside(boxes_[i]);
+        skipped_ += !drawn[i].seen;
         drawn[i].group = batch.blend ? 2 : batch.masked ? 1 : 0;
         if (batch.blend) continue;  // whoever draws them sorts them
         double far_m = glm::dot(boxes_[i].centre - f.camera.eye, forward);
@@ -57,7 +57,7 @@ void SeenObjects::arrange(const FrameState& f) {
         drawn[i].far_m = std::isfinite(far_m) ? far_m : std::numeric_limits<double>::max();
     }
     if (sorts) {
-        gpu.arrange_seen(nearest_first(drawn, *touching_));
+        gpu.arrange_seen(sort_front_to_back(drawn, *touching_));
         return;
     }
     std::vector<std::uint32_t> order;

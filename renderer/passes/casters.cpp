@@ -156,9 +156,9 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Optimisation::Casters)),
+          skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Optimisation::Fragments)),
+                 !f.request.forced.contains(Optimisation::CasterFragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
@@ -183,7 +183,7 @@ private:
     const SeenOf& seen_;
     CasterPrograms& programs_;
     PassInfo& info_;
-    BoxSight sight_;
+    BoxCuller sight_;
     glm::dvec4 rays_from_;
     bool offset_, skips_, bares_;
     glm::dmat4 uvd_from_relative_;
@@ -192,7 +192,7 @@ private:
     /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
         if (which_.only && !(*which_.only)[instance]) return finish(run);
-        if (skips_ && sight_.misses(box_of(instance))) {
+        if (skips_ && sight_.is_outside(box_of(instance))) {
             ++spared.beside;
             return finish(run);
         }
@@ -207,7 +207,7 @@ private:
         }
         if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
         const bool fronts_alone =
-            closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
+            closed && what != Seen::Nothing && sight_.is_in_front(box_of(instance)) && !shows_edge(instance);
         const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
         spared.closed += fronts_alone;
         spared.bare += bare;
@@ -231,7 +231,7 @@ private:
     /// Of an instance of which something is called for. Large meshes are drawn in runs.
     Seen needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
-        const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
+        const std::span<const Bounds> runs = mesh_run_boxes(f_, std::size_t(object.mesh));
         if (runs.empty()) return Seen::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
@@ -244,7 +244,7 @@ private:
     /// What it may cover; nothing: any texel.
     std::optional<MapRect> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
-        std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
+        std::optional<MapRect> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
         const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
         if (rect) {
             rect->lo -= room;
@@ -255,7 +255,7 @@ private:
 
     bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
-        return !rect || which_.called->meets(*rect);
+        return !rect || which_.called->overlaps(*rect);
     }
 
     void note_covered(const SkewBox& box) {
@@ -316,7 +316,7 @@ private:
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
-        if (run.fronts_alone && f_.request.forced.contains(Optimisation::BackFaces)) draw_backs(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Optimisation::CasterBackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
 

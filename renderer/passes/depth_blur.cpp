@@ -28,7 +28,7 @@ void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Frameb
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
-        FrameState::draw_fullscreen(f.layers_held[std::size_t(layer)].texels(n), info);
+        FrameState::draw_fullscreen(f.layers_held[std::size_t(layer)].texel_rects(n), info);
     };
     draw(rows.id(), "0");
     const int target_layer = t.maps.layers == 0 ? -1 : layer;
@@ -69,7 +69,7 @@ void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
         if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
-    if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels_part(f, "blurred depths that nothing reads"))
         info.parts.push_back(std::move(*part));
     info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
 }

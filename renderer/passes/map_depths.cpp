@@ -23,7 +23,7 @@ std::vector<float> read_map_depths(const PagePasses& pages, const gl::Target& ma
     std::vector<float> out =
         of.paged ? pages.read_depths(of.layer, first, size, empty) : read_whole(maps, of.layer, first, size);
     if (of.holds_distances)
-        for (float& d : out) d = float(of.curve.depth_of_share(double(d)));
+        for (float& d : out) d = float(of.curve.depth_at_fraction(double(d)));
     return out;
 }
 

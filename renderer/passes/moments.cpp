@@ -53,7 +53,7 @@ public:
         const FilterSettings& s = f_.settings.filter;
         view_ = &view;
         layer_ = layer;
-        texels_ = held.texels(f_.map_resolution);
+        texels_ = held.texel_rects(f_.map_resolution);
         From from = From::Depths;
         if (sampled(f_)) {
             draw_samples(light, view, held);
@@ -221,7 +221,7 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
                 maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-    if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels_part(f, "moments that nothing reads"))
         info.parts.push_back(std::move(*part));
     info.reason += description(f);
 }

@@ -37,13 +37,14 @@ struct Across {
     std::vector<Rect> whole;
     std::vector<std::vector<Rect>> parts;
     Across() = default;
-    /// @param rect_of the corners of a box
+    /// @param projected_rect the corners of a box
     template <typename RectOf>
-    Across(const Casters& casters, RectOf rect_of) : whole(casters.corners.size()), parts(casters.corners.size()) {
+    Across(const Casters& casters, RectOf projected_rect)
+        : whole(casters.corners.size()), parts(casters.corners.size()) {
         for (std::size_t i = 0; i < whole.size(); ++i) {
             if (!casters.content[i]) continue;
-            whole[i] = rect_of(casters.corners[i]);
-            for (const Box& part : casters.parts[i]) parts[i].push_back(rect_of(part));
+            whole[i] = projected_rect(casters.corners[i]);
+            for (const Box& part : casters.parts[i]) parts[i].push_back(projected_rect(part));
         }
     }
     Seen seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
@@ -136,7 +137,7 @@ public:
     std::uint64_t key_of(glm::ivec2 page) const {
         Key key = identity_;
         key.add(grid.corner.x + page.x).add(grid.corner.y + page.y);
-        const Rect rect = rect_of(page);
+        const Rect rect = projected_rect(page);
         for (std::size_t i = 0; i < across_.whole.size(); ++i)
             if (casters_.content[i] && across_.whole[i].meets(rect)) key.add(casters_.content[i]);
         return key.value();
@@ -159,7 +160,7 @@ public:
         glScissor(first.x, first.y, page_, page_);
         glViewport(viewport.x, viewport.y, across, across);
         clear_casters(f, framebuffer, view_.curve.convention);
-        const Rect rect = rect_of(page.page);
+        const Rect rect = projected_rect(page.page);
         draw_casters(
             f,
             {view.clip_from_relative(light_.map_origin), view_.curve, light_.map_origin, unfiltered, view_.clamps_near,
@@ -171,7 +172,7 @@ public:
     }
 
     /// Of a texel where the view is coarsest.
-    double texel_m() const { return view_.texel_sizes(resolution_).longest; }
+    double texel_m() const { return view_.texel_size_range(resolution_).longest; }
     /// Metres along the side of the square that holds these pages; of other views all they hold.
     double width_m(glm::ivec2 lo, glm::ivec2 hi) const {
         if (!level_) return texel_m() * resolution_;
@@ -181,7 +182,7 @@ public:
     const ClipLevel* level() const { return level_; }
 
 private:
-    Rect rect_of(glm::ivec2 page) const {
+    Rect projected_rect(glm::ivec2 page) const {
         const double texel = level_ ? level_->texel_m() : 1;
         const glm::dvec2 lo = glm::dvec2(grid.corner + glm::i64vec2(page)) * (page_ * texel);
         return {lo - texel, lo + (page_ + 1) * texel};
@@ -338,7 +339,7 @@ PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std:
                     .held = t.cache.held(),
                     .pool = t.cache.room()};
     facts.kept = int(choice.read.size()) - facts.drawn;
-    facts.finest_texel_m = std::numeric_limits<double>::infinity();
+    facts.smallest_texel_m = std::numeric_limits<double>::infinity();
     int layer = 0, most = -1;
     for (const FittedLight& light : f.gl.fitted) {
         if (!light.casts) continue;
@@ -361,14 +362,14 @@ PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std:
             width = std::max(width, of.width_m(lo, hi));
             if (!of.level()) facts.fixed_map_texels += double(f.map_resolution) * f.map_resolution;
         }
-        facts.finest_texel_m = std::min(facts.finest_texel_m, finest);
+        facts.smallest_texel_m = std::min(facts.smallest_texel_m, finest);
         if (!light.levels.empty() && width > 0) facts.fixed_map_texels += width / finest * (width / finest);
         if (all > most) {
             most = all;
             facts.by_level = std::move(by_level);
         }
     }
-    if (!std::isfinite(facts.finest_texel_m)) facts.finest_texel_m = 0;
+    if (!std::isfinite(facts.smallest_texel_m)) facts.smallest_texel_m = 0;
     return facts;
 }
 

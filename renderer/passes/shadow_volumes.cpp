@@ -70,7 +70,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
         light.open_triangles += mesh->open_triangles;
         Part part{.instance = instance, .mesh = std::uint32_t(object.mesh)};
         std::size_t list = 0;
-        for (const auto* indices : {&found.caps, &found.turned_caps, &found.rest}) {
+        for (const auto* indices : {&found.caps, &found.clockwise_caps, &found.rest}) {
             part.first[list++] = light.indices.size();
             light.indices.insert(light.indices.end(), indices->begin(), indices->end());
         }

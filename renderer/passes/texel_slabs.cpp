@@ -16,7 +16,7 @@ TexelRegion slab_region(const ViewSettings& view, int resolution) {
 
 std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
                                         const glm::dvec2& uv) {
-    const DepthCurve curve = view.curve.at_row(uv.y);
+    const DepthCurve curve = view.curve.curve_at_row(uv.y);
     const double c = bias.constant;
     if (bias.unit == BiasUnit::Depth) {
         const double shifted = curve.convention.reversed ? stored - c : stored + c;
@@ -46,7 +46,7 @@ std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bi
             if (!std::isfinite(stored) || stored == view.curve.convention.far_depth()) continue;
             const glm::ivec2 texel = region.first + glm::ivec2(x, y);
             const glm::dvec2 uv = (glm::dvec2(texel) + 0.5) / double(resolution);
-            if (which != Slabs::Biased) add(texel, view.curve.at_row(uv.y).distance(stored), false);
+            if (which != Slabs::Biased) add(texel, view.curve.curve_at_row(uv.y).distance(stored), false);
             if (which == Slabs::Stored) continue;
             if (const auto z = compared_distance(view, bias, resolution, stored, uv)) add(texel, *z, true);
         }

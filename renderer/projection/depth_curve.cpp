@@ -14,7 +14,7 @@ constexpr double kNearestShare = 1e-3;  // of the near plane, as in shaders/lib/
 // A depth buffer holds the same values under both clip ranges ([-w,w] is halved and shifted by the viewport), so that
 // zero_to_one enters the matrix only. Each formula is written so that it is exact at both ends of the range.
 
-DepthCurve DepthCurve::at_row(double v) const {
+DepthCurve DepthCurve::curve_at_row(double v) const {
     if (!warp) return *this;
     DepthCurve row = *this;
     row.warp.reset();
@@ -39,7 +39,7 @@ double DepthCurve::distance(double d) const {
     return near * far / (far * from_far + near * from_near);
 }
 
-double DepthCurve::depth_of_share(double share) const {
+double DepthCurve::depth_at_fraction(double share) const {
     if (!perspective || !(share > 0 && share < 1)) return share;
     const double z = convention.reversed ? far - share * (far - near) : near + share * (far - near);
     return (convention.reversed ? near : far) * share / z;
@@ -50,13 +50,13 @@ double DepthCurve::slope(double z) const {
     return near / z * (far / z) / (far - near);
 }
 
-double DepthCurve::depth_nearer(double z, double metres) const {
+double DepthCurve::depth_change_towards_light(double z, double metres) const {
     if (!perspective) return metres / (far - near);
     const double moved = std::min(metres, z - kNearestShare * near);
     return near / z * (far / (z - moved)) * (moved / (far - near));
 }
 
-double DepthCurve::metres_nearer(double z, double depth) const {
+double DepthCurve::metres_towards_light(double z, double depth) const {
     if (!perspective) return depth * (far - near);
     if (std::isinf(depth)) return depth;
     const double by_slope = depth / slope(z);

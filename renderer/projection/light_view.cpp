@@ -59,7 +59,7 @@ TexelSize LightView::texel_size_at(const glm::dvec3& point_ws, int resolution) c
     return {larger / (determinant * resolution), 1 / (larger * resolution)};
 }
 
-TexelSize LightView::texel_sizes(int resolution) const {
+TexelSize LightView::texel_size_range(int resolution) const {
     if (!warped()) {
         const double a = texel_size(curve.near, resolution), b = texel_size(curve.far, resolution);
         return {std::max(a, b), std::min(a, b)};
@@ -74,11 +74,11 @@ TexelSize LightView::texel_sizes(int resolution) const {
     return all;
 }
 
-DepthCurve LightView::curve_through(const glm::dvec3& point_ws) const {
-    return warped() ? curve.at_row(coordinates(*this, point_ws).y) : curve;
+DepthCurve LightView::ray_depth_curve(const glm::dvec3& point_ws) const {
+    return warped() ? curve.curve_at_row(coordinates(*this, point_ws).y) : curve;
 }
 
-double LightView::warp_per_m(const glm::dvec3& point_ws) const {
+double LightView::relative_dw_per_m(const glm::dvec3& point_ws) const {
     if (!warped()) return 0;
     return std::abs(projection[1][3]) / std::abs(clip_from_relative(point_ws)[3][3]);
 }

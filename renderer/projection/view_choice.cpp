@@ -61,14 +61,14 @@ ChosenView ViewChooser::choose(std::span<const LightView> views, const glm::dvec
     return {};
 }
 
-std::string view_mark(ViewChoice choice, std::size_t view) {
+std::string view_short_name(ViewChoice choice, std::size_t view) {
     constexpr const char* kFaces[] = {"+x", "-x", "+y", "-y", "+z", "-z"};
     return choice == ViewChoice::Face ? kFaces[std::min<std::size_t>(view, 5)] : std::to_string(view + 1);
 }
 
 std::string view_name(ViewChoice choice, std::size_t view, std::size_t views) {
     if (choice == ViewChoice::One || views < 2) return {};
-    const std::string mark = view_mark(choice, view);
+    const std::string mark = view_short_name(choice, view);
     if (choice == ViewChoice::Face) return "face " + mark;
     return fmt::format("{} {} of {}", choice == ViewChoice::Distance ? "clip level" : "cascade", mark, views);
 }

@@ -49,7 +49,7 @@ Key lights_as_placed_key(const FrameState& f) {
     const BiasSettings& b = f.settings.bias;
     for (int i = 0; i < f.settings.light_count; ++i)
         if (f.settings.lights[std::size_t(i)].near_far == NearFar::Pancaking)
-            key.add(b.unit).add(b.constant).add(b.slope).add(reach_of_lookups(f.settings));
+            key.add(b.unit).add(b.constant).add(b.slope).add(lookup_reach_texels(f.settings));
     key.add(draws_pages(f.settings)).add(page_texels(f.settings));
     key.add(f.settings.map.virtual_levels).add(f.settings.map.virtual_bias);
     for (const auto& [path, o] : f.settings.objects) key.add(path).add(o.cull).add(o.cast).add(o.receive);
@@ -84,23 +84,23 @@ void fit(FrameState& f) {
     Key key = lights_as_placed_key(f);
     if (key.value() != r.as_placed_key) {
         r.placed = place_lights(f.scene, f.settings);
-        r.as_placed = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
+        r.fitted_without_camera = fit_maps(r.placed, f.scene, f.settings, nullptr, f.driver.max_texture_size);
         r.as_placed_key = key.value();
     }
-    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.as_placed);
+    f.camera = make_camera(f.scene, f.settings, double(f.request.width) / f.request.height, r.fitted_without_camera);
     const bool camera = any_fit_reads_camera(f.settings);
     const MapCamera own{f.camera, any_fit_reads_depths(f.settings) ? r.seen.span : std::nullopt};
     const MapCamera& maps = f.request.map_camera ? *f.request.map_camera : own;
     if (camera) {
         add_camera(key, maps.camera);
-        key.add(reach_of_lookups(f.settings));
+        key.add(lookup_reach_texels(f.settings));
         if (draws_pages(f.settings)) key.add(f.request.height);
         if (maps.seen_m) key.add(maps.seen_m->from_m).add(maps.seen_m->to_m);
     }
     if (key.value() != r.fit_key) {
         r.fitted = camera ? fit_maps(r.placed, f.scene, f.settings, &maps.camera, f.driver.max_texture_size,
                                      maps.seen_m, f.request.height)
-                          : r.as_placed;
+                          : r.fitted_without_camera;
         r.fit_key = key.value();
     }
     f.view_count = 0;
@@ -379,7 +379,7 @@ void arrange_panes(FrameState& f) {
     const Outputs& o = f.request.outputs;
     find_reference(f);
     f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
-                            f.request.forced.contains(Optimisation::Fused) ||
+                            f.request.forced.contains(Optimisation::FusedVisibility) ||
                             (f.reference.met && (o.error || o.classified || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);

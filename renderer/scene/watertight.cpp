@@ -10,7 +10,7 @@ namespace si {
 namespace {
 
 /// Limit of triangle pairs of one mesh that are tested for intersection.
-constexpr std::size_t kMostPairs = 20'000'000;
+constexpr std::size_t kMaxPairs = 20'000'000;
 
 using Triple = std::array<std::uint32_t, 3>;
 using Corner3d = std::array<glm::dvec3, 3>;
@@ -235,7 +235,7 @@ bool self_intersects(const Welded& mesh, const std::vector<std::uint32_t>& part_
     std::size_t pairs = 0;
     for (std::size_t i = 0; i < entries.size(); ++i)
         for (std::size_t k = i + 1; k < entries.size() && entries[k].lo.x <= entries[i].hi.x; ++k) {
-            if (++pairs > kMostPairs) return true;
+            if (++pairs > kMaxPairs) return true;
             const Entry &a = entries[i], &b = entries[k];
             if (a.lo.y > b.hi.y || b.lo.y > a.hi.y || a.lo.z > b.hi.z || b.lo.z > a.hi.z) continue;
             if (part_of[a.triangle] != part_of[b.triangle]) continue;

@@ -11,7 +11,7 @@ namespace {
 /// An amount in bias.unit as depth.
 double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
     if (bias.unit == BiasUnit::Depth) return amount;
-    return b.curve.depth_nearer(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
+    return b.curve.depth_change_towards_light(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
 }
 
 double constant_bias(const BiasSettings& bias, const BiasInput& b) {

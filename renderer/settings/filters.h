@@ -131,7 +131,7 @@ std::span<const Choice> filter_choices();
 /// Every row at its own short list of sizes, as --set filter.kernel takes them: pcf3, pcf5, ...
 std::span<const std::string_view> swept_kernels();
 
-/// The row that the settings choose, and its reach under them. Under a given light: reach_under().
+/// The row that the settings choose, and its reach under them. Under a given light: kernel_reach_in_light().
 const Filter& filter_of(const Settings& settings);
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 

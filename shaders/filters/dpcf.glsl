@@ -6,7 +6,7 @@
 float filter_visibility(Receiver r) {
     float own_m = compared_metres(r);
     vec2 turn = disk_turn(r);
-    float widest = clamp(widest_penumbra_texels(r, own_m), 0.5, filter_max_radius);
+    float widest = clamp(max_penumbra_radius_texels(r, own_m), 0.5, filter_max_radius);
     Blockers blockers = blockers_within(r, own_m, turn, looped(TAP_COUNT), widest, true);
     found.taps = float(TAP_COUNT);
     if (blockers.share == 0.0) return 1.0;

@@ -6,7 +6,7 @@ float filter_visibility(Receiver r) {
     float own_m = compared_metres(r);
     vec2 turn = disk_turn(r);
 
-    float search = min(widest_penumbra_texels(r, own_m), filter_max_radius);
+    float search = min(max_penumbra_radius_texels(r, own_m), filter_max_radius);
     int searched = searched_of(BLOCKER_COUNT, search);
     Blockers blockers = blockers_within(r, own_m, turn, searched, search, false);
     found.taps = float(searched);

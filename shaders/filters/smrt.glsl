@@ -9,7 +9,7 @@ float filter_visibility(Receiver r) {
     // Sideways a ray goes evenly with `t`, 1 where the penumbra gets widest. Towards the light it does so under parallel
     // rays; under those from a place it is the quotient of what it went and what is left that grows evenly.
     bool even = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL || LIGHT_PERSPECTIVE[r.light] == 0;
-    float full = widest_penumbra_texels(r, own_m), widest = min(full, filter_max_radius);
+    float full = max_penumbra_radius_texels(r, own_m), widest = min(full, filter_max_radius);
     float share = full > 0.0 ? widest / full : 1.0;
     float end_m = even ? (own_m - near) * share : (own_m - near) / near * share;
     vec2 turn = disk_turn(r);

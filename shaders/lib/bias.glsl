@@ -67,12 +67,12 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
     return (reach_texels + snapping) * per_texel + depth_quantum(r) +
-           exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.warp_per_m * r.uvd.z), r.uvd.z);
+           exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.relative_dw_per_m * r.uvd.z), r.uvd.z);
 }
 
 /// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
 float rest_bias(Receiver r, vec2 gradient) {
-    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.warp_per_m;
+    float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.relative_dw_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
 
@@ -92,9 +92,9 @@ struct BiasInput {
 /// An amount in bias.unit as depth.
 float unit_depth(BiasInput b, float amount) {
 #if bias_unit == bias_unit_texels
-    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
+    return depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
 #elif bias_unit == bias_unit_metres
-    return depth_nearer(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount);
+    return depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount);
 #else
     return amount;
 #endif

@@ -13,6 +13,6 @@ float axis_per_ray(Receiver r) {
 /// Metres, of the geometric normal's slope: bias of the compared depth along the view's axis, and the normal offset's
 /// share.
 float bias_along_ray_m(Receiver r) {
-    float along_axis_m = metres_nearer(r, depth_bias(bias_input(r, r.geometric_n_dot_l, r.z)));
+    float along_axis_m = metres_towards_light(r, depth_bias(bias_input(r, r.geometric_n_dot_l, r.z)));
     return along_axis_m / axis_per_ray(r) + bias_normal * r.texel_m * r.geometric_n_dot_l;
 }

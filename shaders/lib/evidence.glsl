@@ -87,7 +87,7 @@ void take_looks(Receiver r) {
 /// Depth from the receiver to a surface that lies so many metres before it along its ray; 0 for none.
 float depth_of_gap(Receiver r, float metres) {
     if (metres < 0.0) return 0.0;
-    return depth_nearer(r, r.z, metres * axis_per_ray(r));
+    return depth_change_towards_light(r, r.z, metres * axis_per_ray(r));
 }
 
 /// @param v visibility as drawn, which stands for trials that the settings make no difference to
@@ -106,7 +106,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     e.worth = bias_worth(r, gradient);
     float raster = e.worth - e.offset - e.own;
     e.applied = away(r.uvd.z - r.reference) + raster;
-    float reach_depth = depth_nearer(r, r.z, reach * r.texel_m);
+    float reach_depth = depth_change_towards_light(r, r.z, reach * r.texel_m);
     e.bent = 2.0 * whole + reach_depth;
     e.most = more.z > (light_of(r.light).kernel.z + 1.0) * r.texel_m ? e.bent : e.least;
     e.far = 2.0 * max(e.own, whole) + reach_depth;

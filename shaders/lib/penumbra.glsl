@@ -18,6 +18,6 @@ float held_metres(Receiver r, vec2 at, float depth) { return metres_at(r, at, cl
 float compared_metres(Receiver r) { return held_metres(r, r.uvd_offset.xy, r.reference); }
 
 /// The widest that any penumbra gets there, of an occluder at the near plane, before filter.max_radius.
-float widest_penumbra_texels(Receiver r, float own_m) {
+float max_penumbra_radius_texels(Receiver r, float own_m) {
     return penumbra_texels(r, own_m, own_m - begins_m(r, r.uvd_offset.xy));
 }

@@ -37,7 +37,7 @@ struct Receiver {
     float w;
     float texel_m;      // world size of a texel here, along its longest direction
     float texel_short_m;  // along its shortest: another where LIGHT_WARPED
-    float warp_per_m;   // what a metre across the rays changes w by, as a share of w; 0 elsewhere
+    float relative_dw_per_m;   // what a metre across the rays changes w by, as a share of w; 0 elsewhere
     mat2 disk;          // of LIGHT_WARPED: a disk in the map, in texel_short_m, from one across the rays
     float z;            // metres along the axis from a perspective light, kept above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
@@ -80,11 +80,11 @@ bool faces_light(Surface s, int light) {
 const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
 
 /// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to a light:
-/// DepthCurve::depth_nearer(), where the slope at a receiver is not enough, as depth rises faster towards a perspective
+/// DepthCurve::depth_change_towards_light(), where the slope at a receiver is not enough, as depth rises faster towards a perspective
 /// light.
 /// @param nearest metres along the axis: nothing comes nearer
 /// @param own_z of the receiver whose slope is depth_per_m
-float depth_nearer(bool perspective, float nearest, float own_z, float depth_per_m, float z, float metres) {
+float depth_change_towards_light(bool perspective, float nearest, float own_z, float depth_per_m, float z, float metres) {
     float moved = perspective ? min(metres, z - nearest) : metres;
     float steeper = perspective ? (own_z / z) * (own_z / (z - moved)) : 1.0;
     return moved * depth_per_m * steeper;
@@ -106,12 +106,12 @@ float begins_m(Receiver r, vec2 at) {
 float nearest_z(Receiver r) { return NEAREST_SHARE * view_of(r.layer).curve.x; }
 
 /// The same of r's light.
-float depth_nearer(Receiver r, float z, float metres) {
-    return depth_nearer(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), r.z, r.depth_per_m, z, metres);
+float depth_change_towards_light(Receiver r, float z, float metres) {
+    return depth_change_towards_light(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), r.z, r.depth_per_m, z, metres);
 }
 
-/// The inverse at r: metres along the axis; see DepthCurve::metres_nearer().
-float metres_nearer(Receiver r, float depth) {
+/// The inverse at r: metres along the axis; see DepthCurve::metres_towards_light().
+float metres_towards_light(Receiver r, float depth) {
     float by_slope = depth / r.depth_per_m;
     if (LIGHT_PERSPECTIVE[r.light] == 0) return by_slope;
     float left = 1.0 + by_slope / r.z;
@@ -119,7 +119,7 @@ float metres_nearer(Receiver r, float depth) {
 }
 
 /// The same in texels, as bias.unit counts them.
-float texels_nearer(Receiver r, float depth) { return metres_nearer(r, depth) / r.texel_m; }
+float texels_nearer(Receiver r, float depth) { return metres_towards_light(r, depth) / r.texel_m; }
 
 /// The unit normal that bias.normal_source chooses.
 vec3 bias_normal_of(Surface s) {
@@ -144,7 +144,7 @@ vec4 uvd_from_eye(ViewBlock view, vec3 position) {
 }
 
 /// Of a warped view: how map coordinates and depth change about the point, by the quotient rule on its matrix.
-/// LightView::texel_size_at() and warp_per_m().
+/// LightView::texel_size_at() and relative_dw_per_m().
 void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
     mat4 m = transpose(view.uvd_from_relative);
     vec3 u = (m[0].xyz - h.x / h.w * m[3].xyz) / h.w, v = (m[1].xyz - h.y / h.w * m[3].xyz) / h.w;
@@ -154,7 +154,7 @@ void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
     r.disk = mat2(dot(u, right), 0.0, dot(u, up), dot(v, up)) / larger;
     r.texel_m = 1.0 / (abs(r.disk[0].x * r.disk[1].y) * larger * float(map_resolution));
     r.texel_short_m = 1.0 / (larger * float(map_resolution));
-    r.warp_per_m = length(m[3].xyz) / h.w;
+    r.relative_dw_per_m = length(m[3].xyz) / h.w;
     r.depth_per_m = abs(dot(m[2].xyz, r.to_light)) / h.w;
 }
 
@@ -183,7 +183,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
     r.z = perspective ? max(h.w, NEAREST_SHARE * near) : 1.0;
     r.texel_m = r.texel_short_m = divides ? 2.0 * view.curve.z * r.z * view.curve.w : view.span.z;
-    r.warp_per_m = 0.0;
+    r.relative_dw_per_m = 0.0;
     r.depth_per_m = perspective ? near * far / ((far - near) * r.z * r.z) : view.span.w;
 
     if (LIGHT_WARPED[index] != 0) find_warped_texel(r, h, view);

@@ -29,7 +29,7 @@ float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map
 layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
 
 #if MAP_HOLDS_DISTANCES
-/// Depths of stored shares of a view's range: see DepthCurve::depth_of_share().
+/// Depths of stored shares of a view's range: see DepthCurve::depth_at_fraction().
 vec4 depth_of_stored(vec4 share, int layer) {
     ViewBlock view = view_of(layer);
     if (!is_perspective(view)) return share;

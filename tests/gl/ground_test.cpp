@@ -233,7 +233,7 @@ TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
             ASSERT_EQ(a[0].views.size(), b[0].views.size());
             const LightView &stands = a[0].views[0], &floats = b[0].views[0];
             EXPECT_LE(stands.half_width, floats.half_width * (1 + 1e-9));
-            EXPECT_NEAR(stands.texel_sizes(512).longest / floats.texel_sizes(512).longest, 1, 1e-9);
+            EXPECT_NEAR(stands.texel_size_range(512).longest / floats.texel_size_range(512).longest, 1, 1e-9);
             EXPECT_EQ(a[0].closed, b[0].closed);
         }
     }

@@ -335,13 +335,13 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
 
 TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {
     for (const double sine : {-1.0, -0.1, 0.0, 0.3, 0.7, 1.0}) {
-        const Sky sky = sky_of({std::sqrt(1 - sine * sine), sine, 0});
+        const Sky sky = sky_for_sun({std::sqrt(1 - sine * sine), sine, 0});
         EXPECT_NEAR(luminance(sky.ambient), 1, 1e-9) << sine;
         EXPECT_GT(sky.rise, 0);
         EXPECT_LT(sky.rise, 1) << "what is turned away is not black";
         EXPECT_GT(luminance(sky.horizon), luminance(sky.zenith));
     }
-    EXPECT_GT(luminance(sky_of({0, 1, 0}).zenith), luminance(sky_of({1, 0, 0}).zenith));
+    EXPECT_GT(luminance(sky_for_sun({0, 1, 0}).zenith), luminance(sky_for_sun({1, 0, 0}).zenith));
 }
 
 }  // namespace

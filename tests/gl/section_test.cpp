@@ -63,18 +63,19 @@ protected:
         const Probe::PerLight& p = light();
         const glm::dmat4 uvd_from_surface =
             uvd_from_clip(view().curve.convention) * view().clip_from_relative(probed.position_ws);
-        const auto depth_nearer = [&](double metres) {
+        const auto depth_change_towards_light = [&](double metres) {
             const glm::dvec4 h = uvd_from_surface * glm::dvec4(metres * p.account.receiver.to_light, 1);
             return (view().curve.convention.reversed ? -1 : 1) * (p.uvd.z - h.z / h.w);
         };
-        EXPECT_NEAR(depth_nearer(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
+        EXPECT_NEAR(depth_change_towards_light(s.window_from), diagnosis.least.depth, 1e-6 * diagnosis.least.depth);
         if (s.light == LightType::Directional) {
             EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-6 * diagnosis.least.metres);
             EXPECT_NEAR(s.window_from, s.least.texels * p.texel_m, 1e-6 * diagnosis.least.metres) << "as is printed";
         }
         EXPECT_EQ(std::isfinite(s.window_to), std::isfinite(diagnosis.occluder.depth));
         if (std::isfinite(s.window_to)) {
-            EXPECT_NEAR(depth_nearer(s.window_to), diagnosis.occluder.depth, 1e-6 * diagnosis.occluder.depth);
+            EXPECT_NEAR(depth_change_towards_light(s.window_to), diagnosis.occluder.depth,
+                        1e-6 * diagnosis.occluder.depth);
         }
         const auto end = std::ranges::find_if(d.marks, [](const Mark& m) {
             return m.kind == Mark::Kind::Line && (m.ink == Ink::Window || m.ink == Ink::NoWindow);

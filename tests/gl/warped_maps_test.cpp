@@ -188,7 +188,7 @@ TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
                 for (int y = 3; y < 256; y += 11)
                     for (int x = 5; x < 256; x += 13) {
                         const glm::dvec2 uv((x + 0.5) / 256, (255 - y + 0.5) / 256);
-                        const DepthCurve row = view.curve.at_row(uv.y);
+                        const DepthCurve row = view.curve.curve_at_row(uv.y);
                         const double before = row.near - 50;
                         const glm::dvec3 from = view.position_ws(uv, before);
                         const auto hit = rays.first_hit(from, -view.axes[2]);

@@ -87,8 +87,8 @@ double most_of(std::size_t count, const std::function<double(std::size_t i)>& va
 double texel_size_m(const Guided& g) {
     return g.shot.view().texel_size(1, g.shot.frame.map_resolution);
 }
-TexelSize texel_sizes(const Guided& g) {
-    return g.shot.view().texel_sizes(g.shot.frame.map_resolution);
+TexelSize texel_size_range(const Guided& g) {
+    return g.shot.view().texel_size_range(g.shot.frame.map_resolution);
 }
 const auto& spans_of(const Guided& g) {
     return g.shot.light().chooser.spans;
@@ -185,8 +185,8 @@ const std::map<std::string, double (*)(S, G)> kOfOne = {
          return sum;
      }},
     {"texel_size_m", [](S, G g) { return texel_size_m(g); }},
-    {"shortest_texel_m", [](S, G g) { return texel_sizes(g).shortest; }},
-    {"longest_texel_m", [](S, G g) { return texel_sizes(g).longest; }},
+    {"shortest_texel_m", [](S, G g) { return texel_size_range(g).shortest; }},
+    {"longest_texel_m", [](S, G g) { return texel_size_range(g).longest; }},
     {"near_side_texel_m",
      [](S, G g) {
          const LightView& view = g.shot.view();

@@ -13,14 +13,16 @@ namespace {
 
 /// Errors beyond the reach of the kernel and its blur.
 ReferenceErrors errors(const DrawnCase& c, const Shot& shot) {
-    const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
+    const double reach =
+        kernel_reach_in_light(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
     return compare(shot, c.scene, reach + 2);
 }
 
 /// Of the lit sheet of hard_slope(), away from its sides and from the bar's shadow: the share that is not lit.
 double grey_share(const DrawnCase& c) {
     const Shot shot = shoot(c);
-    const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
+    const double reach =
+        kernel_reach_in_light(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
     const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, reach + 2);
     int grey = 0, sheet = 0;
@@ -123,7 +125,7 @@ TEST(HardCase26, NothingAndAllBeforeTheSurface) {
             SCOPED_TRACE(std::string(kernel) + " " + size);
             const DrawnCase c = hard_view("no-blockers", true, {{"filter.kernel", kernel}, {"light.size", size}});
             const Shot shot = shoot(c);
-            const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
+            const double reach = kernel_reach_in_light(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
             const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(),
                                                              shot.width, shot.height, shot.frame.map_resolution, reach);
             double worst = 0;

@@ -126,7 +126,7 @@ const Claims& guided_view_claims() {
         {"lispsm",
          [] {
              const Drawn warped("lispsm"), even("lispsm", {"light.fit=view"});
-             const TexelSize sizes = warped.shot.view().texel_sizes(1024);
+             const TexelSize sizes = warped.shot.view().texel_size_range(1024);
              EXPECT_GT(sizes.longest, 100 * sizes.shortest);
              EXPECT_LT(sizes.shortest, 0.25 * even.shot.view().texel_size(1, 1024));
              EXPECT_LT(warped.mae(), 0.65 * even.mae());

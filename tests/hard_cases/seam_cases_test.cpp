@@ -28,7 +28,7 @@ protected:
     /// elsewhere.
     Seams count(const Scene& scene, const Settings& s) {
         const test::Shot shot = test::shoot(scene, s, 200, 150);
-        const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
+        const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
         const test::ReferenceImage reference = test::trace_reference(
             test::RayReference(scene), shot.frame.camera, shot.light(), 200, 150, shot.frame.map_resolution, reach);
         Seams out;

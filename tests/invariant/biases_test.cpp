@@ -170,7 +170,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     Settings bare = s;
     if (row.brings_need) set_setting(bare, "bias.kind", "constant");
     const Shot none = shoot(scene, bare);
-    const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
+    const double reach = kernel_reach_in_light(s, none.light(), none.frame.map_resolution).edge + 1;
     const auto reference_within = [&](double texels) {
         return trace_reference(RayReference(scene), none.frame.camera, none.light(), none.width, none.height,
                                none.frame.map_resolution, texels);
@@ -220,7 +220,7 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         // The floor alone does not cast: whatever lies away from the box's shadow reads an empty map.
         s.objects["box"].cast = true;
         const Shot shot = shoot(scene, s, 64, 48);
-        const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 5;
+        const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 5;
         const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
                                                          shot.width, shot.height, shot.frame.map_resolution, reach);
         int lit = 0;

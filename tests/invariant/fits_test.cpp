@@ -94,7 +94,7 @@ TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
-    const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
+    const double reach = kernel_reach_in_light(s, wider, whole.frame.map_resolution).edge + 1.5;
     const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
     // Of a warped map some texels are wider, and some are not.
@@ -183,7 +183,7 @@ TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
             as_mapped.position = shot.view().eye;
             const ReferenceImage reference =
                 trace_reference(RayReference(scene), shot.frame.camera, as_mapped, shot.width, shot.height,
-                                shot.frame.map_resolution, reach_under(s, shot.light(), 512).edge + 1.5);
+                                shot.frame.map_resolution, kernel_reach_in_light(s, shot.light(), 512).edge + 1.5);
             int lit = 0, dark = 0;
             for (std::size_t i = 0; i < reference.lit.size(); ++i) {
                 const Lit is = reference.lit[i];

@@ -84,7 +84,7 @@ void give_bias(Settings& s, const FittedLight& light, double steepest_tan) {
     s.bias.kind = kind;
     s.bias.unit = BiasUnit::Texels;
     // Both axes of the map may rise; the sub-pixel grid's share and the depth's step come on top.
-    const double kappa = std::max(reach_under(s, light, s.map.resolution).bias, 0.5) + 0.1;
+    const double kappa = std::max(kernel_reach_in_light(s, light, s.map.resolution).bias, 0.5) + 0.1;
     s.bias.constant = kappa * glm::root_two<double>() * steepest_tan + 1;
 }
 
@@ -136,7 +136,7 @@ TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
     s.lights[0].elevation = 60;
     give_bias(s, fitted(scene, s), 2.5);  // a point light's faces see the floor at up to 68 degrees there
     const Shot shot = shoot(scene, s);
-    const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
+    const double reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
     for_pixels(shot, scene, reach, [&](Lit reference, double v) {
@@ -235,7 +235,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
                 weights += t.weight;
                 const glm::dvec2 off =
                     glm::abs(glm::dvec2(t.texel) + 0.5 - glm::dvec2(l.tap) * double(p.map_resolution));
-                EXPECT_LE(std::max(off.x, off.y), reach_under(s, l.fitted, p.map_resolution).read + 1e-3);
+                EXPECT_LE(std::max(off.x, off.y), kernel_reach_in_light(s, l.fitted, p.map_resolution).read + 1e-3);
             }
             ++told;
             EXPECT_NEAR(weights, 1, 1e-5);
@@ -243,7 +243,7 @@ TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
             partly += l.visibility > 0.01 && l.visibility < 0.99;
         }
     EXPECT_GT(told, 0);
-    if (reach_under(s, fitted(scene, s), s.map.resolution).read > 0.5) {
+    if (kernel_reach_in_light(s, fitted(scene, s), s.map.resolution).read > 0.5) {
         EXPECT_GT(partly, 0) << "no pixel at an edge, so this says little";
     }
 }

@@ -132,11 +132,12 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
             EXPECT_NEAR(found_m, 0.16, 0.1 * 0.16);
             const double texel_m = shot.view().texel_size(
                 type == LightType::Directional ? 1 : shot.light().position.y - kThere.y, shot.frame.map_resolution);
-            const Reach reach = reach_under(s, shot.light(), shot.frame.map_resolution);
+            const Reach reach = kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution);
             EXPECT_GE(reach.read, 0.08 / texel_m + 0.5 - 1e-6);
             EXPECT_LE(reach.read, s.filter.max_radius + 0.5);
             s.filter.max_radius = 2;
-            EXPECT_NEAR(reach_under(s, shot.light(), shot.frame.map_resolution).read, 2.5, 1e-9) << "no more than that";
+            EXPECT_NEAR(kernel_reach_in_light(s, shot.light(), shot.frame.map_resolution).read, 2.5, 1e-9)
+                << "no more than that";
         }
 }
 

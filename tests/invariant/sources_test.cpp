@@ -103,7 +103,7 @@ TEST_P(EachSource, LightsAPlaneAndDarkensWhatIsCovered) {
     for (const LightMapNeed& map : shot.frame.light_maps) slack_m += std::numbers::sqrt2 / map.texels_per_metre;
     if (row.needs.map) {
         const FittedLight& light = shot.light();
-        const double kernel = reach_under(settings(), light, shot.frame.map_resolution).edge + 1;
+        const double kernel = kernel_reach_in_light(settings(), light, shot.frame.map_resolution).edge + 1;
         for (const LightView& view : light.views)
             slack_m = std::max(slack_m, kernel * view.texel_size(view.curve.perspective ? view.curve.far : 1, 512));
     }

@@ -133,7 +133,7 @@ TEST(BiasTheory, OrthographicClosedForm) {
         const double phi = std::atan2(in_map.y, in_map.x), texel = s.view.texel_size(1, 512);
         const double expected = 0.5 * texel * std::tan(theta) * (std::abs(std::cos(phi)) + std::abs(std::sin(phi)));
         const double b = least_bias(plane.gradient, 0.5, 512, 0, 0).total();
-        EXPECT_NEAR(s.view.curve.metres_nearer(1, b) / expected, 1, 1e-9);
+        EXPECT_NEAR(s.view.curve.metres_towards_light(1, b) / expected, 1, 1e-9);
     }
 }
 
@@ -187,14 +187,14 @@ TEST(BiasTheory, Quanta) {
             EXPECT_NEAR(step_m, 19.5 / 65535, 1e-5 + 4 * 0x1p-23 * z * z);
             // What a 16-bit map at that distance holds is no farther than half a step.
             const double share = (reversed ? 20 - z : z - 0.5) / 19.5, kept = std::round(share * 65535) / 65535;
-            EXPECT_LE(std::abs(curve.distance(curve.depth_of_share(kept)) - z), 0.5 * step_m);
+            EXPECT_LE(std::abs(curve.distance(curve.depth_at_fraction(kept)) - z), 0.5 * step_m);
         }
-        EXPECT_EQ(curve.depth_of_share(0), 0);
-        EXPECT_EQ(curve.depth_of_share(1), 1);
-        EXPECT_TRUE(std::isnan(curve.depth_of_share(std::nan(""))));
+        EXPECT_EQ(curve.depth_at_fraction(0), 0);
+        EXPECT_EQ(curve.depth_at_fraction(1), 1);
+        EXPECT_TRUE(std::isnan(curve.depth_at_fraction(std::nan(""))));
     }
     const DepthCurve parallel{false, 0, 10, {}};
-    EXPECT_EQ(parallel.depth_of_share(0.3), 0.3);
+    EXPECT_EQ(parallel.depth_at_fraction(0.3), 0.3);
     EXPECT_EQ(depth_quantum(MapFormat::Linear16, parallel, 0.3), 1.0 / 65535);
 }
 

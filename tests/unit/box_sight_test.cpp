@@ -36,14 +36,14 @@ SkewBox random_box(Random& random) {
     return {bounds, moved(at.x, at.y, at.z) * turned(random.in(0, 360), random.direction())};
 }
 
-TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
+TEST(BoxCuller, MissesNoBoxOfWhichAPointIsSeen) {
     Random random(5);
     int missed = 0, before = 0, all = 0;
     for (const bool perspective : {false, true})
         for (const DepthConvention convention : {DepthConvention{true, false}, DepthConvention{false, false},
                                                  DepthConvention{true, true}, DepthConvention{false, true}}) {
             const Looker looker(perspective, convention);
-            const BoxSight sight(looker.clip, looker.origin, convention, false, 512);
+            const BoxCuller sight(looker.clip, looker.origin, convention, false, 512);
             for (int i = 0; i < 400; ++i, ++all) {
                 const SkewBox box = random_box(random);
                 double most = -1e9, nearest = 1e9;
@@ -55,11 +55,11 @@ TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
                     nearest = std::min(nearest, -p.z);
                 }
                 if (most >= 0) {
-                    EXPECT_FALSE(sight.misses(box));
+                    EXPECT_FALSE(sight.is_outside(box));
                 }
-                EXPECT_EQ(sight.has_before_it(box), nearest > 1 + 1e-4) << nearest;
-                missed += sight.misses(box);
-                before += sight.has_before_it(box);
+                EXPECT_EQ(sight.is_in_front(box), nearest > 1 + 1e-4) << nearest;
+                missed += sight.is_outside(box);
+                before += sight.is_in_front(box);
             }
         }
     EXPECT_GT(missed, all / 4);
@@ -67,17 +67,18 @@ TEST(BoxSight, MissesNoBoxOfWhichAPointIsSeen) {
     EXPECT_GT(before, all / 8);
 }
 
-TEST(BoxSight, OfClampedDepthsNothingIsBeforeOrBehind) {
+TEST(BoxCuller, OfClampedDepthsNothingIsBeforeOrBehind) {
     const Looker looker(false, {});
-    const BoxSight clamps(looker.clip, looker.origin, {}, true, 512), clips(looker.clip, looker.origin, {}, false, 512);
+    const BoxCuller clamps(looker.clip, looker.origin, {}, true, 512),
+        clips(looker.clip, looker.origin, {}, false, 512);
     Bounds unit;
     unit.add({-1, -1, -1});
     unit.add({1, 1, 1});
     const SkewBox behind_eye(unit, moved(115, 0, 5)), far(unit, moved(115, 0, -40)), cut(unit, moved(115, 0, -1));
-    EXPECT_TRUE(clips.misses(behind_eye) && clips.misses(far));
-    EXPECT_FALSE(clamps.misses(behind_eye) || clamps.misses(far));
-    EXPECT_FALSE(clips.has_before_it(cut));
-    EXPECT_TRUE(clamps.has_before_it(cut));
+    EXPECT_TRUE(clips.is_outside(behind_eye) && clips.is_outside(far));
+    EXPECT_FALSE(clamps.is_outside(behind_eye) || clamps.is_outside(far));
+    EXPECT_FALSE(clips.is_in_front(cut));
+    EXPECT_TRUE(clamps.is_in_front(cut));
 }
 
 }  // namespace

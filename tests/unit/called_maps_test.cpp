@@ -109,18 +109,18 @@ TEST(MapCells, MeetWhatTheyHold) {
     r.add({{1.2, 0.2}, {1.3, 0.3}}, false);
     EXPECT_TRUE(r.empty()) << "it lies beyond the map";
     r.add({{1.2, 0.2}, {1.3, 0.3}}, true);
-    EXPECT_TRUE(r.meets({{0.99, 0.25}, {0.995, 0.26}})) << "the rim stands for it";
-    EXPECT_FALSE(r.meets({{0.5, 0.25}, {0.6, 0.26}}));
-    EXPECT_FALSE(r.meets({{0.99, 0.5}, {1, 0.6}}));
-    EXPECT_TRUE(r.meets({{-1, -1}, {2, 2}}));
-    EXPECT_TRUE(MapCells::whole().holds(r));
-    EXPECT_FALSE(r.holds(MapCells::whole()));
+    EXPECT_TRUE(r.overlaps({{0.99, 0.25}, {0.995, 0.26}})) << "the rim stands for it";
+    EXPECT_FALSE(r.overlaps({{0.5, 0.25}, {0.6, 0.26}}));
+    EXPECT_FALSE(r.overlaps({{0.99, 0.5}, {1, 0.6}}));
+    EXPECT_TRUE(r.overlaps({{-1, -1}, {2, 2}}));
+    EXPECT_TRUE(MapCells::whole().contains(r));
+    EXPECT_FALSE(r.contains(MapCells::whole()));
     r.add({{-1, -1}, {2, 2}}, false);
     EXPECT_TRUE(r.is_whole());
     MapCells rim;
-    rim.add_rim();
-    EXPECT_FALSE(rim.meets({{0.1, 0.1}, {0.9, 0.9}}));
-    EXPECT_TRUE(rim.meets({{0.1, 0.1}, {0.9, 0.99}}));
+    rim.add_border_cells();
+    EXPECT_FALSE(rim.overlaps({{0.1, 0.1}, {0.9, 0.9}}));
+    EXPECT_TRUE(rim.overlaps({{0.1, 0.1}, {0.9, 0.99}}));
 }
 
 struct Kind {
@@ -191,14 +191,14 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
             const Camera camera = make_camera(scene, s, 1.5);
             const FittedLight light = fit_lights(scene, s, &camera)[0];
             ASSERT_TRUE(light.casts) << light.reason;
-            const SeenBodies seen =
-                seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
-            const bool light_alone = round % 2 == 0;
+            const VisibleBodies seen = find_visible_bodies(
+                scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+            const bool only_lit_points = round % 2 == 0;
             const LookupArea area{.resolution = 512,
                                   .reach_texels = 20,
                                   .normal_texels = 4,
                                   .wrap = s.map.wrap,
-                                  .light_alone = light_alone};
+                                  .only_lit_points = only_lit_points};
             const NeededMaps called = needed_maps(light, seen, area);
             ASSERT_EQ(called.views.size(), light.views.size());
             for (const MapCells& r : called.views) {
@@ -221,7 +221,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                         if (!(at.w > 0 && at.x >= 0 && at.x <= 150 && at.y >= 0 && at.y <= 100 && at.z >= 0 &&
                               at.z <= 1))
                             continue;
-                        if (light_alone && light.range_m > 0 && glm::distance(p, light.position) > light.range_m)
+                        if (only_lit_points && light.range_m > 0 && glm::distance(p, light.position) > light.range_m)
                             continue;
                         if (is_turned_away(object, p0, p1, p2, p, camera, light)) continue;
                         const ChosenView chosen = light.chooser.choose(light.views, p);
@@ -230,7 +230,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                             const glm::dvec4 h = (uvd_from_clip(view.curve.convention) * view.clip_from_relative(p))[3];
                             if (!(h.w > 0)) continue;
                             // In its cone alone does a spot light bring anything.
-                            if (light_alone && light.type == LightType::Spot &&
+                            if (only_lit_points && light.type == LightType::Spot &&
                                 glm::dot(glm::normalize(light.position - p), light.to_light) < light.cos_cone_outer)
                                 continue;
                             ++looked_up;
@@ -240,7 +240,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                                 const glm::dvec2 held =
                                     repeats ? glm::fract(uv) : glm::clamp(uv, glm::dvec2(0), glm::dvec2(1));
                                 if (uv != held && ((!clamps && !repeats) || light.is_cascaded())) continue;
-                                ASSERT_TRUE(called.views[v].meets({held, held}))
+                                ASSERT_TRUE(called.views[v].overlaps({held, held}))
                                     << kind.name << ", round " << round << ", view " << v << ", at " << uv.x << ", "
                                     << uv.y;
                             }
@@ -267,13 +267,13 @@ TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
         s.camera.azimuth = 40;
         s.lights[0].azimuth = against ? 220 : 40;
         const Camera camera = make_camera(scene, s, 1.5);
-        const SeenBodies seen =
-            seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+        const VisibleBodies seen = find_visible_bodies(
+            scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
         const NeededMaps maps = needed_maps(fit_lights(scene, s, &camera)[0], seen, {.resolution = 512});
         int& cells = called[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
-                cells += maps.views[0].meets({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
+                cells += maps.views[0].overlaps({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
     }
     EXPECT_GT(called[false], 1500) << "a disc that nearly fills the map";
     EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
@@ -284,14 +284,15 @@ TEST(NeededMaps, SayWhyNothingOfThemIs) {
     Settings s = settings_of({{"light.intensity", "0"}});
     const Camera camera = make_camera(scene, s, 1.5);
     const auto clusters = all_clusters(scene);
-    const SeenBodies seen =
-        seen_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
+    const VisibleBodies seen =
+        find_visible_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
     const FittedLight dark = fit_lights(scene, s, &camera)[0];
-    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .light_alone = true}).uncalled.find("intensity"),
+    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .only_lit_points = true}).unneeded_reason.find("intensity"),
               std::string::npos);
-    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
-    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
-    SeenBodies unknown{seen.view, {}, true};
+    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).unneeded_reason, "") << "its visibility may be looked at";
+    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).unneeded_reason.find("sees nothing"),
+              std::string::npos);
+    VisibleBodies unknown{seen.view, {}, true};
     EXPECT_TRUE(needed_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
 }
 

@@ -79,7 +79,7 @@ TEST(Cascades, SeenCornersEncloseWhatIsSeen) {
         Box box;
         for (std::size_t k = 0; k < 8; ++k)
             box[k] = at + half * glm::dvec3(k & 1 ? 1 : -1, k & 2 ? 1 : -1, k & 4 ? 1 : -1);
-        const auto corners = CameraSlice(camera, from, to).seen_of(box);
+        const auto corners = CameraSlice(camera, from, to).visible_points(box);
         for (const glm::dvec3& p : corners) {
             EXPECT_TRUE(sees(camera, p, from, to, 1e-9 * 3e4)) << i;
             EXPECT_LE(glm::length(glm::max(glm::abs(p - at) - half, 0.0)), 1e-9 * 3e4) << i;

@@ -50,16 +50,16 @@ TEST_P(DepthCurves, MetresNearerAndDepthNearerAreDistancesAndEachOthersInverse) 
     for (const double share : {0.1, 0.5, 0.9, 1.0})
         for (const double part : {-0.4, 1e-6, 0.3, 0.95}) {
             const double z = c.near + share * (c.far - c.near), metres = part * (c.perspective ? z : c.far - c.near);
-            const double depth = c.depth_nearer(z, metres);
-            EXPECT_NEAR(c.metres_nearer(z, depth) / metres, 1, 1e-9);
+            const double depth = c.depth_change_towards_light(z, metres);
+            EXPECT_NEAR(c.metres_towards_light(z, depth) / metres, 1, 1e-9);
             if (c.perspective && z - metres < c.near) continue;  // depths have no meaning before it
             const double moved = sign * (c.depth(z - metres) - c.depth(z));
             EXPECT_NEAR(depth, moved, 1e-12 + 1e-9 * std::abs(moved));
         }
-    EXPECT_TRUE(std::isinf(c.metres_nearer(c.far, std::numeric_limits<double>::infinity())));
+    EXPECT_TRUE(std::isinf(c.metres_towards_light(c.far, std::numeric_limits<double>::infinity())));
     if (c.perspective) {
-        EXPECT_LT(c.metres_nearer(c.far, 1e300), c.far * (1 + 1e-12)) << "no farther than to the light";
-        EXPECT_TRUE(std::isfinite(c.depth_nearer(c.far, 10 * c.far)));
+        EXPECT_LT(c.metres_towards_light(c.far, 1e300), c.far * (1 + 1e-12)) << "no farther than to the light";
+        EXPECT_TRUE(std::isfinite(c.depth_change_towards_light(c.far, 10 * c.far)));
     }
 }
 

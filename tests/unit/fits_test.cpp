@@ -72,7 +72,7 @@ struct Made {
                    moved(offset.x, offset.y, offset.z) * local);
     }
     /// A fit of the finished scene.
-    std::optional<MapRegion> fit(Fit f, const LightView& view, const Settings& settings = {},
+    std::optional<MapRegion> fit(FitFunction f, const LightView& view, const Settings& settings = {},
                                  const Camera* camera = nullptr) const {
         const SceneShape shape = scene_shape(scene, settings);
         return f({.scene = scene, .shape = shape, .view = view, .camera = camera});
@@ -480,7 +480,8 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         const auto all = s.made.fit(fit_casters, view);
         if (!region) continue;
         ASSERT_TRUE(all);
-        EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).holds(*region)) << "at most what casters need";
+        EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).contains(*region))
+            << "at most what casters need";
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
         const test::RayReference rays(scene);
@@ -542,14 +543,14 @@ Mesh bounded(Mesh mesh) {
 }
 
 TEST(FlatMeshes, AreFoundByGeometry) {
-    EXPECT_TRUE(plane_of(bounded(make_plane(3, 4, 20, 20))));
-    EXPECT_TRUE(plane_of(bounded(make_quad(3, 4))));
-    EXPECT_FALSE(plane_of(bounded(make_box({1, 1, 1}))));
-    EXPECT_FALSE(plane_of(bounded(make_sphere(1))));
+    EXPECT_TRUE(mesh_plane(bounded(make_plane(3, 4, 20, 20))));
+    EXPECT_TRUE(mesh_plane(bounded(make_quad(3, 4))));
+    EXPECT_FALSE(mesh_plane(bounded(make_box({1, 1, 1}))));
+    EXPECT_FALSE(mesh_plane(bounded(make_sphere(1))));
     // A dent of a thousandth of its size is one.
     Mesh dented = make_plane(2, 2, 8, 8);
     dented.positions.edit()[40].y += 2e-3f;
-    EXPECT_FALSE(plane_of(bounded(dented)));
+    EXPECT_FALSE(mesh_plane(bounded(dented)));
     EXPECT_TRUE(is_convex(bounded(make_box({1, 2, 3}))));
     EXPECT_FALSE(is_convex(bounded(make_torus(1, 0.2))));
     Mesh inside_out = bounded(make_box({1, 2, 3}));

@@ -47,27 +47,27 @@ TEST(PictureOrder, GivesUpWhereAllTouchAll) {
 }
 
 TEST(PictureOrder, NearestFirstWithinGroupsAndOnlyWhatIsSeen) {
-    const std::vector<DrawnBox> boxes = {{.far_m = 9, .seen = true},
-                                         {.far_m = 3, .seen = true},
-                                         {.far_m = 1, .seen = false},
-                                         {.group = 1, .far_m = 2, .seen = true},
-                                         {.far_m = 5, .seen = true}};
-    EXPECT_EQ(nearest_first(boxes, {}), (std::vector<std::uint32_t>{1, 4, 0, 3}));
+    const std::vector<SortedBox> boxes = {{.far_m = 9, .seen = true},
+                                          {.far_m = 3, .seen = true},
+                                          {.far_m = 1, .seen = false},
+                                          {.group = 1, .far_m = 2, .seen = true},
+                                          {.far_m = 5, .seen = true}};
+    EXPECT_EQ(sort_front_to_back(boxes, {}), (std::vector<std::uint32_t>{1, 4, 0, 3}));
 }
 
 TEST(PictureOrder, WhatTouchesKeepsItsOrder) {
-    std::vector<DrawnBox> boxes = {{.far_m = 9, .seen = true}, {.far_m = 3, .seen = true}, {.far_m = 5, .seen = true}};
+    std::vector<SortedBox> boxes = {{.far_m = 9, .seen = true}, {.far_m = 3, .seen = true}, {.far_m = 5, .seen = true}};
     const std::vector<BoxPair> touching = {{0, 1}};
-    EXPECT_EQ(nearest_first(boxes, touching), (std::vector<std::uint32_t>{2, 0, 1}));
+    EXPECT_EQ(sort_front_to_back(boxes, touching), (std::vector<std::uint32_t>{2, 0, 1}));
     boxes[0].seen = false;  // nothing waits for what is not drawn
-    EXPECT_EQ(nearest_first(boxes, touching), (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(sort_front_to_back(boxes, touching), (std::vector<std::uint32_t>{1, 2}));
 }
 
 TEST(PictureOrder, OfManyAllAreDrawnOnceAndPairsInOrder) {
     Random random(11);
-    std::vector<DrawnBox> boxes(5000);
+    std::vector<SortedBox> boxes(5000);
     std::size_t seen = 0;
-    for (DrawnBox& b : boxes) {
+    for (SortedBox& b : boxes) {
         b = {.group = random.in(0, 1) < 0.5 ? 0 : 1, .far_m = random.in(0, 100), .seen = random.in(0, 1) < 0.8};
         seen += b.seen;
     }
@@ -76,7 +76,7 @@ TEST(PictureOrder, OfManyAllAreDrawnOnceAndPairsInOrder) {
         const auto a = std::uint32_t(random.in(0, 4999)), b = std::uint32_t(random.in(0, 4999));
         if (a != b) touching.emplace_back(std::min(a, b), std::max(a, b));
     }
-    const std::vector<std::uint32_t> order = nearest_first(boxes, touching);
+    const std::vector<std::uint32_t> order = sort_front_to_back(boxes, touching);
     ASSERT_EQ(order.size(), seen);
     std::vector<std::size_t> place(boxes.size(), boxes.size());
     for (std::size_t i = 0; i < order.size(); ++i) {

@@ -44,7 +44,7 @@ public:
             }
         };
         add(found.caps, false);
-        add(found.turned_caps, true);
+        add(found.clockwise_caps, true);
         add(found.rest, false);
         sides = found.rest.size() / 3;
     }

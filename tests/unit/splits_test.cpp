@@ -40,7 +40,7 @@ Divided divided(const LightSettings& light, const glm::dvec3& at = glm::dvec3(0)
     Divided out;
     for (const ViewSpan& span : fitted.chooser.spans) out.ends.push_back(span.ends);
     const SceneShape shape = scene_shape(scene, s);
-    out.all = *seen_depths(camera, shape.boxes, shape.box_receives);
+    out.all = *visible_depths(camera, shape.boxes, shape.box_receives);
     out.notes = fitted.notes;
     return out;
 }

@@ -28,7 +28,7 @@ TEST(Stabilised, TheSphereIsTheSmallest) {
                     s.camera.azimuth = azimuth;
                     s.camera.target_x = azimuth * 1e3;
                     const Camera camera = make_camera(scene, s, 16.0 / 9);
-                    const Sphere sphere = sphere_around(camera, {near, far});
+                    const Sphere sphere = bounding_sphere(camera, {near, far});
                     EXPECT_TRUE(radius < 0 || std::abs(sphere.radius - radius) <= 1e-9 * radius);
                     radius = sphere.radius;
                     const double half = orthographic ? 0.5 * camera.height : std::tan(0.5 * camera.fov_y_rad);
@@ -61,7 +61,7 @@ TEST(Stabilised, DepthsHoldTheScene) {
         camera.eye =
             centre + 40.0 * std::exp2(3 * unit(random)) * glm::normalize(glm::dvec3(unit(random), unit(random), 0.3));
         camera.axes = orthonormal_basis(glm::normalize(glm::dvec3(unit(random), unit(random), unit(random))));
-        const DepthSpan span = steady_depths(camera, centre, 20);
+        const DepthSpan span = rotation_stable_depths(camera, centre, 20);
         for (int k = 0; k < 50; ++k) {
             const glm::dvec3 way = glm::normalize(glm::dvec3(unit(random), unit(random), unit(random)));
             const double depth = glm::dot(camera.eye - (centre + 20.0 * way), camera.axes[2]);
@@ -74,7 +74,7 @@ TEST(Stabilised, DepthsHoldTheScene) {
         const DepthSpan turned = [&] {
             Camera other = camera;
             other.axes = orthonormal_basis(glm::normalize(glm::dvec3(unit(random), unit(random), unit(random))));
-            return steady_depths(other, centre, 20);
+            return rotation_stable_depths(other, centre, 20);
         }();
         EXPECT_TRUE(camera.orthographic || turned == span);
         EXPECT_GT(span.to_m, span.from_m);

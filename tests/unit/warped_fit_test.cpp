@@ -85,12 +85,12 @@ TEST(WarpedFit, HoldsAllThatIsSeenAndTheCastersBeforeIt) {
             const Fitted f = fitted(scene, s);
             ASSERT_TRUE(f.light.is_warped());
             for (const LightView& view : f.light.views) {
-                const TexelSize sizes = view.texel_sizes(s.map.resolution);
+                const TexelSize sizes = view.texel_size_range(s.map.resolution);
                 most_ratio = std::max(most_ratio, sizes.longest / sizes.shortest);
             }
             const CameraSlice slice(f.camera, f.camera.curve.near, f.camera.curve.far);
             for (const Box& box : f.shape->boxes)
-                for (const glm::dvec3& p : slice.seen_of(box)) {
+                for (const glm::dvec3& p : slice.visible_points(box)) {
                     const LightView& view = f.light.views[f.light.chooser.choose(f.light.views, p).view];
                     const glm::dvec4 at_map = test::uvdw(view, p);
                     ASSERT_GT(at_map.w, 0);
@@ -145,7 +145,7 @@ TEST(WarpedFit, TexelsGrowByThePapersFormula) {
         glm::dvec3 first(0), last(0);
         const CameraSlice slice(f.camera, f.camera.curve.near, f.camera.curve.far);
         for (const Box& box : f.shape->boxes)
-            for (const glm::dvec3& p : slice.seen_of(box)) {
+            for (const glm::dvec3& p : slice.visible_points(box)) {
                 nearest = std::min(nearest, glm::dot(p - f.camera.eye, forward));
                 const double y = glm::dot(p, along);
                 if (y < lo) {
@@ -185,10 +185,10 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
             s.lights[0].azimuth = 25;
             s.map.reversed_z = reversed;
             const LightView view = fitted(scene, s).light.views[0];
-            const TexelSize all = view.texel_sizes(512);
+            const TexelSize all = view.texel_size_range(512);
             for (int i = 0; i < 200; ++i) {
                 const glm::dvec2 uv(unit(random), unit(random));
-                const DepthCurve row = view.curve.at_row(uv.y);
+                const DepthCurve row = view.curve.curve_at_row(uv.y);
                 EXPECT_GE(row.near, view.curve.near - 1e-9);
                 EXPECT_LE(row.far, view.curve.far + 1e-9);
                 const double z = row.near + unit(random) * (row.far - row.near);
@@ -197,7 +197,7 @@ TEST(WarpedFit, TexelSizesAndDepthsAreThoseOfTheMatrix) {
                 EXPECT_NEAR(back.x, uv.x, 1e-10);
                 EXPECT_NEAR(back.y, uv.y, 1e-10);
                 EXPECT_NEAR(back.z, row.depth(z), 1e-10);
-                EXPECT_NEAR(view.curve_through(p).distance(back.z), z, 1e-6);
+                EXPECT_NEAR(view.ray_depth_curve(p).distance(back.z), z, 1e-6);
                 EXPECT_NEAR(glm::dot(view.eye - p, view.axes[2]), z, 1e-9);
                 // The longest and the shortest step across the rays that changes the place by a texel, by turns.
                 double longest = 0, shortest = 1e300;

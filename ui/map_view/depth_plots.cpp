@@ -130,7 +130,7 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m,
                       ImVec2 size) {
     // Rows of a warped map differ in range only: the curve is that of the middle row.
-    const DepthCurve curve = result.map_view_curve.at_row(0.5);
+    const DepthCurve curve = result.map_view_curve.curve_at_row(0.5);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
     // The number that surprises: how little of the way takes half of the depth values under perspective.
     const double half_m = distance_at_share(curve, 0.5);

@@ -27,7 +27,7 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
     }
     if (!values || values->width != size.x || values->height != size.y) return {where, {}};
     const double stored = values->at(texel.x, size.y - 1 - texel.y);
-    const DepthCurve here = curve.at_row((texel.y + 0.5) / size.y);
+    const DepthCurve here = curve.curve_at_row((texel.y + 0.5) / size.y);
     if (shown.channel > 0 && linear)
         return {where, fmt::format("{}   of a depth alone at {:.6g} of the range   {}", shown.name, stored,
                                    exact_metres(here.near + stored * (here.far - here.near)))};

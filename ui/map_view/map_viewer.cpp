@@ -161,7 +161,7 @@ std::pair<std::string, std::string> title(const Settings& s, const FrameResult& 
     std::string format = "?";
     if (const auto ref = find_setting("map.format")) format = ref->param->choices()[std::size_t(s.map.format)].label;
     const LightView& view = fitted->views[std::size_t(shown_face(s, result))];
-    const TexelSize sizes = view.texel_sizes(n.x);
+    const TexelSize sizes = view.texel_size_range(n.x);
     const std::string texel = curve.perspective || view.warped()
                                   ? fmt::format("{} to {}", metres_text(sizes.shortest), metres_text(sizes.longest))
                                   : metres_text(sizes.longest);
@@ -371,7 +371,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                                  state.frozen.has_value(), result.shown_map, state.settings.view.map != MapView::Raw);
             if (result.shown_map.channel == 0 && frame.map_values && frame.map_values->width == n.x &&
                 frame.map_values->height == n.y)
-                marked_m = result.map_view_curve.at_row((texel.y + 0.5) / n.y)
+                marked_m = result.map_view_curve.curve_at_row((texel.y + 0.5) / n.y)
                                .distance(frame.map_values->at(texel.x, n.y - 1 - texel.y));
         }
     }

@@ -159,7 +159,7 @@ void cube_cross(Settings& s, const FrameResult& result) {
     const int now = shown_face(s, result);
     ImGui::PushID("cube");
     for (int face = 0; face < kFaces; ++face) {
-        const std::string mark = view_mark(ViewChoice::Face, std::size_t(face));
+        const std::string mark = view_short_name(ViewChoice::Face, std::size_t(face));
         ImGui::SetCursorPos({at.x + float(kColumn[face]) * (size.x + gap), at.y + float(kRow[face]) * (size.y + gap)});
         if (toggle(mark.c_str(), face == now, size)) s.view.face = face;
         wrapped_tooltip(fmt::format("The map viewer shows the face towards {}", mark));

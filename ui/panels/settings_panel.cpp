@@ -95,7 +95,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
 }
 
 /// Sorts groups for a search: those whose label matches first, then those with a setting whose label matches.
-void nearest_first(std::vector<Group>& list, const EditorState& state) {
+void sort_front_to_back(std::vector<Group>& list, const EditorState& state) {
     if (state.settings_panel.search.empty()) return;
     const auto rank = [&](const Group& group) {
         if (matches_all_words(state.settings_panel.search, {group.label, group.prefix})) return 0;
@@ -215,7 +215,7 @@ void draw_settings(EditorState& state, const EditorFrame& frame, EditorRequests&
     bool any = false;
     const SceneSettings placed = state.settings.scene;
     std::vector<Group> shown = groups();
-    nearest_first(shown, state);
+    sort_front_to_back(shown, state);
     for (const Group& group : shown) {
         any |= !rows_of(state, group.prefix).shown.empty();
         draw_group(state, frame, requests, group);

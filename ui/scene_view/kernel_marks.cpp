@@ -107,7 +107,7 @@ void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight
     const double n = view.texel_size_at(p.point.position_ws, 1).longest / p.texel_m;
     const auto corner = [&](const glm::ivec2& texel) {
         const glm::dvec2 uv = glm::dvec2(texel) / n;
-        return view.position_ws(uv, view.curve.at_row(uv.y).distance(p.account.plane.depth_at(uv)));
+        return view.position_ws(uv, view.curve.curve_at_row(uv.y).distance(p.account.plane.depth_at(uv)));
     };
     const double heaviest = heaviest_tap(p);
     for (const KernelTap& t : p.taps) {

@@ -34,7 +34,7 @@ constexpr float kRounding = 0.25f;  ///< radius of corners, ems
 std::vector<std::string> view_labels(const FittedLight* light) {
     std::vector<std::string> labels;
     if (!light || !light->casts || light->views.size() < 2) return labels;
-    for (std::size_t i = 0; i < light->views.size(); ++i) labels.push_back(view_mark(light->chooser.choice, i));
+    for (std::size_t i = 0; i < light->views.size(); ++i) labels.push_back(view_short_name(light->chooser.choice, i));
     return labels;
 }
 

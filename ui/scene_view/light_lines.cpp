@@ -8,7 +8,7 @@ namespace si {
 std::vector<Segment> frustum_edges(const LightView& view) {
     const auto corner = [&](int i, bool far) {
         const glm::dvec2 uv(i & 1, i >> 1);
-        const DepthCurve curve = view.curve.at_row(uv.y);
+        const DepthCurve curve = view.curve.curve_at_row(uv.y);
         return view.position_ws(uv, far ? curve.far : curve.near);
     };
     constexpr std::array<std::pair<int, int>, 4> sides{{{0, 1}, {1, 3}, {3, 2}, {2, 0}}};

@@ -20,7 +20,7 @@ void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::spa
     for (const auto& corners : kSides) {
         side.clear();
         for (const int i : corners) side.push_back(body[std::size_t(i)]);
-        for (const HalfSpace& plane : planes) clip(side, plane);
+        for (const HalfSpace& plane : planes) clip_polygon(side, plane);
         points.insert(points.end(), side.begin(), side.end());
     }
 }
@@ -46,24 +46,24 @@ std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points) {
     return hull;
 }
 
-double area_of(std::span<const glm::dvec2> polygon) {
+double polygon_area(std::span<const glm::dvec2> polygon) {
     double twice = 0;
     for (std::size_t i = 0; i < polygon.size(); ++i)
         twice += cross(glm::dvec2(0), polygon[i], polygon[(i + 1) % polygon.size()]);
     return 0.5 * twice;
 }
 
-Lies lies(const Box& body, std::span<const HalfSpace> planes) {
+BoxPlacement classify_box(const Box& body, std::span<const HalfSpace> planes) {
     bool within = true;
     for (const HalfSpace& plane : planes) {
         const auto held = std::ranges::count_if(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
-        if (held == 0) return Lies::Beyond;
+        if (held == 0) return BoxPlacement::Outside;
         within &= held == std::ssize(body);
     }
-    return within ? Lies::Within : Lies::Across;
+    return within ? BoxPlacement::Inside : BoxPlacement::Crossing;
 }
 
-void clip(Polygon& polygon, const HalfSpace& plane) {
+void clip_polygon(Polygon& polygon, const HalfSpace& plane) {
     if (polygon.empty()) return;
     if (std::ranges::all_of(polygon, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; })) return;
     Polygon left;
@@ -80,7 +80,7 @@ void clip(Polygon& polygon, const HalfSpace& plane) {
     polygon = std::move(left);
 }
 
-std::vector<HalfSpace> half_spaces_of(const Box& body) {
+std::vector<HalfSpace> box_half_spaces(const Box& body) {
     glm::dvec3 centre(0);
     for (const glm::dvec3& p : body) centre += p / 8.0;
     const double size = extent_m(body);
@@ -100,20 +100,20 @@ std::vector<HalfSpace> half_spaces_of(const Box& body) {
     return planes;
 }
 
-std::vector<glm::dvec3> points_within(const Box& body, std::span<const HalfSpace> planes) {
+std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes) {
     std::vector<glm::dvec3> points;
-    const Lies where = lies(body, planes);
-    if (where == Lies::Within) points.assign(body.begin(), body.end());
-    if (where == Lies::Across) add_sides_within(points, body, planes);
+    const BoxPlacement where = classify_box(body, planes);
+    if (where == BoxPlacement::Inside) points.assign(body.begin(), body.end());
+    if (where == BoxPlacement::Crossing) add_sides_within(points, body, planes);
     return points;
 }
 
-std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody> bodies) {
+std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies) {
     bool within = true;
     for (const ConvexBody& body : bodies) {
-        const Lies where = lies(box, body.sides);
-        if (where == Lies::Beyond) return {};
-        within &= where == Lies::Within;
+        const BoxPlacement where = classify_box(box, body.sides);
+        if (where == BoxPlacement::Outside) return {};
+        within &= where == BoxPlacement::Inside;
     }
     if (within) return {box.begin(), box.end()};
     std::vector<HalfSpace> planes;
@@ -121,7 +121,7 @@ std::vector<glm::dvec3> common_points(const Box& box, std::span<const ConvexBody
     std::vector<glm::dvec3> points;
     add_sides_within(points, box, planes);
     // A flat body holds no corner of another; its own sides say it all.
-    const std::vector<HalfSpace> sides_of_box = half_spaces_of(box);
+    const std::vector<HalfSpace> sides_of_box = box_half_spaces(box);
     if (sides_of_box.size() < 6) return points;
     for (const ConvexBody& body : bodies) {
         planes = sides_of_box;

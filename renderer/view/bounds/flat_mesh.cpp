@@ -6,29 +6,29 @@
 namespace si {
 namespace {
 
-constexpr std::size_t kTried = 64;  // triangles, of which the largest gives the plane
+constexpr std::size_t kMaxPlaneTriangles = 64;  // triangles, of which the largest gives the plane
 
-constexpr std::size_t kMostTests = 1 << 18;  // of vertices against triangles
+constexpr std::size_t kMaxTests = 1 << 18;  // of vertices against triangles
 
 /// Of a body's radius: what rounded vertices may stand out by where shadows on them matter to no texel of a map.
-constexpr double kMostRounding = 1e-4;
+constexpr double kMaxRoundingOfRadius = 1e-4;
 
-/// Of a mesh's coordinates, in its own space. Beyond kMostRounding what is rounded has a relief of its own, with
+/// Of a mesh's coordinates, in its own space. Beyond kMaxRoundingOfRadius what is rounded has a relief of its own, with
 /// shadows.
 double tolerance_of(const Mesh& mesh) {
     const double radius = mesh.bounds.radius();
     const double farthest = std::max(glm::length(glm::max(glm::abs(mesh.bounds.lo), glm::abs(mesh.bounds.hi))), radius);
-    return std::max(flat_tolerance(radius), std::min(0x1p-22 * farthest, kMostRounding * radius));
+    return std::max(flat_tolerance(radius), std::min(0x1p-22 * farthest, kMaxRoundingOfRadius * radius));
 }
 
 }  // namespace
 
-std::optional<HalfSpace> plane_of(const Mesh& mesh) {
+std::optional<HalfSpace> mesh_plane(const Mesh& mesh) {
     const std::size_t count = mesh.indices.size() / 3;
     glm::dvec3 normal(0), at(0);
     const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
-    for (std::size_t i = 0; i < std::min(count, kTried); ++i) {
-        const std::size_t t = count <= kTried ? i : i * (count / kTried);
+    for (std::size_t i = 0; i < std::min(count, kMaxPlaneTriangles); ++i) {
+        const std::size_t t = count <= kMaxPlaneTriangles ? i : i * (count / kMaxPlaneTriangles);
         const glm::dvec3 a = corner(3 * t), n = glm::cross(corner(3 * t + 1) - a, corner(3 * t + 2) - a);
         if (glm::dot(n, n) > glm::dot(normal, normal)) {
             normal = n;
@@ -46,7 +46,7 @@ std::optional<HalfSpace> plane_of(const Mesh& mesh) {
 
 bool is_convex(const Mesh& mesh) {
     const std::size_t triangles = mesh.indices.size() / 3;
-    if (triangles * mesh.positions.size() > kMostTests) return false;
+    if (triangles * mesh.positions.size() > kMaxTests) return false;
     const double tolerance = tolerance_of(mesh);
     const auto corner = [&](std::size_t i) { return glm::dvec3(mesh.positions[mesh.indices[i]]); };
     for (std::size_t t = 0; t < triangles; ++t) {
@@ -58,7 +58,7 @@ bool is_convex(const Mesh& mesh) {
     return true;
 }
 
-std::optional<HalfSpace> transformed(const HalfSpace& plane, const glm::dmat4& world) {
+std::optional<HalfSpace> transform_plane(const HalfSpace& plane, const glm::dmat4& world) {
     // Two directions within the plane span what it becomes.
     const glm::dmat3 axes = glm::dmat3(world);
     const glm::dvec3 n = plane.normal;

@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 constexpr std::size_t kMaxFitObjects = 20000;
-constexpr std::size_t kMostShadowVertices = 1 << 16;  // of all casters, that are projected onto the ground; else boxes
+constexpr std::size_t kMaxShadowVertices = 1 << 16;  // of all casters, that are projected onto the ground; else boxes
 
 bool finite(const Box& box) {
     return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
@@ -33,16 +33,16 @@ void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::
     shape.box_receives.push_back(receives);
     shape.box_objects.push_back(object);
     shape.box_planes.push_back(plane);
-    shape.box_travels.push_back(travels);
+    shape.box_spans_animation.push_back(travels);
     shape.box_tolerance.push_back(flat_tolerance(0.5 * glm::distance(box[0], box[7])));
 }
 
 bool clipped(const Box& box, const LightView& view) {
     if (view.warped()) return false;  // no setting moves where it begins
     const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
-    if (!view.curve.perspective) return extent_within(box, view).lo.z < near;
-    const ViewExtent e = extent_of(box, view);
-    return e.hi.z > 0 && std::max(0.0, entry_into_pyramid(e, view.half_width)) < near;
+    if (!view.curve.perspective) return extent_inside_view(box, view).lo.z < near;
+    const ViewExtent e = extent_in_view(box, view);
+    return e.hi.z > 0 && std::max(0.0, pyramid_entry_m(e, view.half_width)) < near;
 }
 
 std::vector<HalfSpace> sides_of(const LightView& view) {
@@ -87,11 +87,11 @@ void visit_casters(const SceneShape& shape, const Scene& scene, const Add& add) 
     };
     std::size_t vertices = 0;
     for (std::size_t i = 0; i < shape.boxes.size() && !shape.one_box; ++i)
-        if (shape.box_casts[i] && !shape.box_travels[i]) vertices += mesh_of(i).positions.size();
-    const bool boxes_only = shape.one_box || vertices > kMostShadowVertices;
+        if (shape.box_casts[i] && !shape.box_spans_animation[i]) vertices += mesh_of(i).positions.size();
+    const bool boxes_only = shape.one_box || vertices > kMaxShadowVertices;
     for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
         if (!shape.box_casts[i]) continue;
-        if (boxes_only || shape.box_travels[i]) {
+        if (boxes_only || shape.box_spans_animation[i]) {
             for (const glm::dvec3& p : shape.boxes[i]) add(p);
             continue;
         }
@@ -125,8 +125,8 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         std::optional<HalfSpace> plane;
         if (!travels) {
             auto& known = planes[std::size_t(o.mesh)];
-            if (!known) known = plane_of(mesh);
-            if (*known) plane = transformed(**known, o.world);
+            if (!known) known = mesh_plane(mesh);
+            if (*known) plane = transform_plane(**known, o.world);
         }
         if (o.ground) s.ground = s.boxes.size();
         add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane, travels);
@@ -165,8 +165,8 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
     for (const int axis : {0, 2}) {
         glm::dvec3 inwards(0);
         inwards[axis] = 1;
-        clip(part, HalfSpace::through(lo, inwards));
-        clip(part, HalfSpace::through(hi, -inwards));
+        clip_polygon(part, HalfSpace::through(lo, inwards));
+        clip_polygon(part, HalfSpace::through(hi, -inwards));
     }
     // Where nothing casts onto it, a point of it under the scene says no more than the scene does.
     if (part.empty()) part.push_back({0.5 * (lo.x + hi.x), hi.y, 0.5 * (lo.z + hi.z)});
@@ -177,7 +177,7 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
     return out;
 }
 
-ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view) {
+ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view) {
     const glm::dmat3 view_from_world = glm::transpose(view.axes);
     ViewExtent e;
     for (const glm::dvec3& p : points) {
@@ -187,25 +187,26 @@ ViewExtent extent_of(std::span<const glm::dvec3> points, const LightView& view) 
     return e;
 }
 
-ViewExtent extent_within(const Box& box, const LightView& view) {
-    return extent_of(points_within(box, sides_of(view)), view);
+ViewExtent extent_inside_view(const Box& box, const LightView& view) {
+    return extent_in_view(points_inside_planes(box, sides_of(view)), view);
 }
 
-ViewExtent extent_within(const SceneShape& shape, std::size_t box, const LightView& view) {
-    return extent_of(points_within(shape, box, sides_of(view)), view);
+ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view) {
+    return extent_in_view(points_inside_planes(shape, box, sides_of(view)), view);
 }
 
-std::vector<glm::dvec3> points_within(const SceneShape& shape, std::size_t box, std::span<const HalfSpace> planes) {
-    if (box != shape.ground || shape.ground_shadow.empty()) return points_within(shape.boxes[box], planes);
+std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
+                                             std::span<const HalfSpace> planes) {
+    if (box != shape.ground || shape.ground_shadow.empty()) return points_inside_planes(shape.boxes[box], planes);
     Polygon part = shape.ground_shadow;
-    for (const HalfSpace& plane : planes) clip(part, plane);
+    for (const HalfSpace& plane : planes) clip_polygon(part, plane);
     return part;
 }
 
-void add_shadow_on_ground(ViewExtent& model, const ViewExtent& ground) {
+void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground) {
     const glm::dvec3 size = model.hi - model.lo;
     for (int axis = 0; axis < 2; ++axis) {
-        const double rounding = kNoWider * std::max(size.x, size.y);
+        const double rounding = kMinGroundWidening * std::max(size.x, size.y);
         if (!(ground.lo[axis] >= model.lo[axis] - rounding)) model.lo[axis] = std::min(model.lo[axis], ground.lo[axis]);
         if (!(ground.hi[axis] <= model.hi[axis] + rounding)) model.hi[axis] = std::max(model.hi[axis], ground.hi[axis]);
     }
@@ -213,12 +214,12 @@ void add_shadow_on_ground(ViewExtent& model, const ViewExtent& ground) {
     model.hi.z = std::max(model.hi.z, ground.hi.z);
 }
 
-ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
+ViewExtent extent_in_view(const SceneShape& shape, const LightView& view) {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     ViewExtent all;
     for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
         const bool shadow = i == shape.ground && !shape.ground_shadow.empty();
-        ViewExtent e = shadow ? extent_of(shape.ground_shadow, view) : extent_of(shape.boxes[i], view);
+        ViewExtent e = shadow ? extent_in_view(shape.ground_shadow, view) : extent_in_view(shape.boxes[i], view);
         if (i == shape.ground) {
             e.lo.x = e.lo.y = kFar;
             e.hi.x = e.hi.y = -kFar;
@@ -228,13 +229,13 @@ ViewExtent extent_of(const SceneShape& shape, const LightView& view) {
     return all;
 }
 
-double entry_into_pyramid(const ViewExtent& e, double tan_half) {
+double pyramid_entry_m(const ViewExtent& e, double tan_half) {
     const double aside_x = std::max({0.0, e.lo.x, -e.hi.x}), aside_y = std::max({0.0, e.lo.y, -e.hi.y});
     const double z = std::max(e.lo.z, std::max(aside_x, aside_y) / tan_half);
     return z <= e.hi.z ? z : std::numeric_limits<double>::infinity();
 }
 
-int count_clipped(const SceneShape& shape, const std::vector<LightView>& views) {
+int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views) {
     int count = 0;
     for (std::size_t i = 0; i < shape.boxes.size(); ++i)
         count += shape.box_casts[i] && std::any_of(views.begin(), views.end(),

@@ -64,7 +64,7 @@ std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
     return points;
 }
 
-/// Where the camera looks from that frames_shadow(): from higher over what is flat, whose shadows are hidden from
+/// Where the camera looks from that should_frame_shadow(): from higher over what is flat, whose shadows are hidden from
 /// beside it, and across what is long.
 struct ShadowView {
     double azimuth_deg, elevation_deg;
@@ -107,7 +107,7 @@ double shadow_seen(const Camera& c, const std::vector<glm::dvec3>& standing, con
             const double reach = tan_y * std::max(-v.z, 1e-12);
             seen.emplace_back(v.x / (reach * c.aspect), v.y / reach);
         }
-        return 0.25 * area_of(convex_hull(std::move(seen)));
+        return 0.25 * polygon_area(convex_hull(std::move(seen)));
     };
     return covered(all) - covered(standing);
 }
@@ -134,7 +134,7 @@ void frame_bounds(Camera& c, const Bounds& bounds) {
     c.eye = bounds.centre() + c.axes[2] * c.focus;
 }
 
-bool frames_shadow(const Scene& scene, const Settings& settings) {
+bool should_frame_shadow(const Scene& scene, const Settings& settings) {
     const double size = scene.bounds_without_floor.radius();
     return settings.scene.ground == Ground::Auto && !scene.file_scenes.empty() && std::isfinite(size) &&
            size > std::max(1e-7, 1e-9 * glm::length(scene.bounds_without_floor.centre()));

@@ -95,7 +95,7 @@ double clamped_fov_rad(double fov_deg) {
 }  // namespace
 
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
-                   std::span<const FittedLight> as_placed) {
+                   std::span<const FittedLight> fitted_without_camera) {
     const CameraSettings& s = settings.camera;
     const Bounds bounds = view_bounds(scene);
     Camera c;
@@ -107,8 +107,8 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
     double near = 0, far = 0;
     if (s.source == CameraSource::Light) {
         std::vector<FittedLight> own;
-        if (as_placed.empty()) as_placed = own = fit_lights(scene, settings);
-        if (look_through_light(c, settings, bounds, as_placed)) {
+        if (fitted_without_camera.empty()) fitted_without_camera = own = fit_lights(scene, settings);
+        if (look_through_light(c, settings, bounds, fitted_without_camera)) {
             c.curve.perspective = !c.orthographic;
             return c;
         }
@@ -132,7 +132,7 @@ Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
         const CameraSettings standard;
         c.orthographic = false;
         c.fov_y_rad = clamped_fov_rad(standard.fov);
-        if (frames_shadow(scene, settings)) {
+        if (should_frame_shadow(scene, settings)) {
             frame_with_shadow(c, scene);
         } else {
             c.axes = orbit_axes(standard.azimuth, standard.elevation, 0);

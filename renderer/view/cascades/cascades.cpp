@@ -55,48 +55,48 @@ Box CameraSlice::in_view(const Box& box) const {
     return out;
 }
 
-std::vector<glm::dvec3> CameraSlice::seen_in_view(const Box& box) const {
+std::vector<glm::dvec3> CameraSlice::visible_points_in_view_space(const Box& box) const {
     const ConvexBody own{corners_, planes_};
-    return common_points(in_view(box), {&own, 1});
+    return intersection_points(in_view(box), {&own, 1});
 }
 
-std::vector<glm::dvec3> CameraSlice::seen_of(const Box& box, const Box* within) const {
+std::vector<glm::dvec3> CameraSlice::visible_points(const Box& box, const Box* within) const {
     std::vector<glm::dvec3> points;
     if (within) {
         const Box body = in_view(*within);
-        const std::vector<HalfSpace> sides = half_spaces_of(body);
+        const std::vector<HalfSpace> sides = box_half_spaces(body);
         const ConvexBody both[] = {{corners_, planes_}, {body, sides}};
-        points = common_points(in_view(box), both);
+        points = intersection_points(in_view(box), both);
     } else {
-        points = seen_in_view(box);
+        points = visible_points_in_view_space(box);
     }
     for (glm::dvec3& p : points) p = in_world(p);
     return points;
 }
 
-std::vector<glm::dvec3> CameraSlice::seen_of(const SceneShape& shape, std::size_t box) const {
-    if (box != shape.ground || shape.ground_shadow.empty()) return seen_of(shape.boxes[box]);
+std::vector<glm::dvec3> CameraSlice::visible_points(const SceneShape& shape, std::size_t box) const {
+    if (box != shape.ground || shape.ground_shadow.empty()) return visible_points(shape.boxes[box]);
     Polygon part = shape.ground_shadow;
     for (glm::dvec3& p : part) p = in_view(p);
-    for (const HalfSpace& plane : planes_) clip(part, plane);
+    for (const HalfSpace& plane : planes_) clip_polygon(part, plane);
     for (glm::dvec3& p : part) p = in_world(p);
     return part;
 }
 
-std::optional<DepthSpan> seen_depths(const Camera& camera, const std::vector<Box>& boxes,
-                                     const std::vector<bool>& wanted) {
+std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<Box>& boxes,
+                                        const std::vector<bool>& wanted) {
     const CameraSlice all(camera, camera.curve.near, camera.curve.far);
     DepthSpan span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (!wanted[i]) continue;
-        for (const glm::dvec3& p : all.seen_in_view(boxes[i]))
+        for (const glm::dvec3& p : all.visible_points_in_view_space(boxes[i]))
             span = {std::min(span.from_m, p.z), std::max(span.to_m, p.z)};
     }
     if (!(span.from_m <= span.to_m)) return {};
     return span;
 }
 
-DepthSpan steady_depths(const Camera& camera, const glm::dvec3& centre, double radius) {
+DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre, double radius) {
     if (camera.orthographic) {
         const double depth = glm::dot(camera.eye - centre, camera.axes[2]);
         const double from = radius * std::floor(depth / radius - 1);
@@ -109,7 +109,7 @@ DepthSpan steady_depths(const Camera& camera, const glm::dvec3& centre, double r
     return {(octave - radius) / std::hypot(1.0, corner_tangent(camera)), 2 * octave + radius};
 }
 
-Sphere sphere_around(const Camera& camera, const DepthSpan& span) {
+Sphere bounding_sphere(const Camera& camera, const DepthSpan& span) {
     const double near = span.from_m, far = span.to_m;
     double along, radius;
     if (camera.orthographic) {

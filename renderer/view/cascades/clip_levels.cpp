@@ -14,10 +14,10 @@
 namespace si {
 namespace {
 
-constexpr double kDepthPad = 1e-3;       // of the depth range, at each end
-constexpr double kDepthSteps = 16;       // in a power of two of metres: ends of the range lie on such steps
-constexpr double kFarthest = 1e30;       // metres: as far as the coarsest level is used
-constexpr double kLeastShare = 1.0 / 8;  // of a map's width that a level is used for, about its centre, at least
+constexpr double kDepthPad = 1e-3;              // of the depth range, at each end
+constexpr double kDepthSteps = 16;              // in a power of two of metres: ends of the range lie on such steps
+constexpr double kUnlimitedEnd_m = 1e30;        // metres: as far as the coarsest level is used
+constexpr double kMinUsedWidthShare = 1.0 / 8;  // of a map's width that a level is used for, about its centre, at least
 
 double power_above(double x) {
     return std::exp2(std::ceil(std::log2(std::max(x, 1e-12))));
@@ -51,7 +51,7 @@ SeenExtent seen_extent(const SceneShape& shape, const Camera& camera, const glm:
     const CameraSlice slice(camera, camera.curve.near, camera.curve.far);
     for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
         if (!shape.box_receives[i]) continue;
-        for (const glm::dvec3& p : slice.seen_of(shape.boxes[i])) {
+        for (const glm::dvec3& p : slice.visible_points(shape.boxes[i])) {
             const glm::dvec2 at(glm::dot(axes[0], p), glm::dot(axes[1], p));
             seen.lo = glm::min(seen.lo, at);
             seen.hi = glm::max(seen.hi, at);
@@ -74,7 +74,7 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
     const DepthRange range = depth_range(shape, axes[2]);
     const double n = q.resolution, page = q.page_texels;
     // Across the light a level holds this many of its texels about the camera: it is placed by whole pages.
-    const double held = std::max(0.5 * n - 0.5 * page - q.margin_texels, kLeastShare * n);
+    const double held = std::max(0.5 * n - 0.5 * page - q.margin_texels, kMinUsedWidthShare * n);
 
     glm::dvec2 centre(glm::dot(axes[0], camera.eye), glm::dot(axes[1], camera.eye));
     SeenExtent seen = seen_extent(shape, camera, axes);
@@ -112,7 +112,7 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
         out.views.push_back(view);
         out.levels.push_back(level);
         const bool last = i + 1 == q.count;
-        double ends = last ? kFarthest : std::min(2 * texel / widest, held * texel);
+        double ends = last ? kUnlimitedEnd_m : std::min(2 * texel / widest, held * texel);
         if (camera.orthographic) ends = std::max(0.5 - q.margin_texels / n, 0.3);
         out.chooser.spans.push_back({ends, ends});
     }

@@ -10,8 +10,8 @@ constexpr double kFloatSlack = 4e-6;
 
 }  // namespace
 
-BoxSight::BoxSight(const glm::dmat4& m, const glm::dvec3& origin, const DepthConvention& convention, bool clamps_near,
-                   int resolution)
+BoxCuller::BoxCuller(const glm::dmat4& m, const glm::dvec3& origin, const DepthConvention& convention, bool clamps_near,
+                     int resolution)
     : origin_(origin), clamps_near_(clamps_near), texel_(2.0 / resolution) {
     const auto row = [&](int r) { return glm::dvec4(m[0][r], m[1][r], m[2][r], m[3][r]); };
     const glm::dvec4 x = row(0), y = row(1), z = row(2), w = row(3);
@@ -19,7 +19,7 @@ BoxSight::BoxSight(const glm::dmat4& m, const glm::dvec3& origin, const DepthCon
     planes_ = {w + x, w - x, w + y, w - y, convention.reversed ? high : low, convention.reversed ? low : high, w};
 }
 
-BoxSight::Span BoxSight::span_of(std::size_t plane, const SkewBox& box) const {
+BoxCuller::Span BoxCuller::span_of(std::size_t plane, const SkewBox& box) const {
     const glm::dvec4& p = planes_[plane];
     const glm::dvec3 normal(p), centre = box.centre - origin_;
     const double middle = glm::dot(normal, centre) + p.w;
@@ -29,21 +29,21 @@ BoxSight::Span BoxSight::span_of(std::size_t plane, const SkewBox& box) const {
     return {middle - half, middle + half, kFloatSlack * terms};
 }
 
-bool BoxSight::misses(const SkewBox& box) const {
+bool BoxCuller::is_outside(const SkewBox& box) const {
     const Span w = span_of(kWidth, box);
-    if (w.most < -w.slack) return true;
+    if (w.max < -w.slack) return true;
     for (std::size_t i = 0; i <= kFarPlane; ++i) {
         // What lies before or behind a map whose depths are clamped is drawn on its near or far plane.
         if (clamps_near_ && i >= kNearPlane) break;
         const Span span = span_of(i, box);
-        if (span.most < -span.slack - texel_ * std::max(w.most, 0.0)) return true;
+        if (span.max < -span.slack - texel_ * std::max(w.max, 0.0)) return true;
     }
     return false;
 }
 
-bool BoxSight::has_before_it(const SkewBox& box) const {
+bool BoxCuller::is_in_front(const SkewBox& box) const {
     const Span w = span_of(kWidth, box), near = span_of(kNearPlane, box);
-    return w.least > w.slack && (clamps_near_ || near.least > near.slack);
+    return w.min > w.slack && (clamps_near_ || near.min > near.slack);
 }
 
 }  // namespace si

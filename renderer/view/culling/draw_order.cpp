@@ -10,10 +10,10 @@ namespace si {
 namespace {
 
 /// Tests of two boxes, and pairs found, past which the order is left as it is: some milliseconds.
-constexpr std::size_t kMostTests = 1'000'000, kMostPairs = 200'000;
+constexpr std::size_t kMaxTests = 1'000'000, kMaxPairs = 200'000;
 
 /// Boxes up to which each has a step of its own, and how many steps more are sorted into.
-constexpr std::size_t kFewBoxes = 512, kSteps = 32;
+constexpr std::size_t kMaxUnsteppedBoxes = 512, kSteps = 32;
 
 Bounds upright(const SkewBox& box, double room_m) {
     glm::dvec3 half(room_m);
@@ -22,14 +22,14 @@ Bounds upright(const SkewBox& box, double room_m) {
 }
 
 /// Of each box that is seen its rank by distance within its group, counted in steps.
-std::vector<std::uint32_t> steps_of(std::span<const DrawnBox> boxes) {
+std::vector<std::uint32_t> steps_of(std::span<const SortedBox> boxes) {
     std::vector<std::uint32_t> seen;
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
         if (boxes[i].seen) seen.push_back(i);
     std::stable_sort(seen.begin(), seen.end(),
                      [&](std::uint32_t a, std::uint32_t b) { return boxes[a].far_m < boxes[b].far_m; });
     std::vector<std::uint32_t> steps(boxes.size(), 0);
-    const std::size_t a_step = seen.size() <= kFewBoxes ? 1 : (seen.size() + kSteps - 1) / kSteps;
+    const std::size_t a_step = seen.size() <= kMaxUnsteppedBoxes ? 1 : (seen.size() + kSteps - 1) / kSteps;
     for (std::size_t i = 0; i < seen.size(); ++i) steps[seen[i]] = std::uint32_t(i / a_step);
     return steps;
 }
@@ -50,7 +50,7 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
     for (const std::uint32_t i : by_start) {
         const Bounds& b = bounds[i];
         tests += open.size() + 1;
-        if (tests > kMostTests) return std::nullopt;
+        if (tests > kMaxTests) return std::nullopt;
         std::erase_if(open, [&](std::uint32_t other) { return bounds[other].hi.x < b.lo.x; });
         for (const std::uint32_t other : open) {
             const Bounds& o = bounds[other];
@@ -58,13 +58,13 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
             const bool apart = o.hi.y < b.lo.y || b.hi.y < o.lo.y || o.hi.z < b.lo.z || b.hi.z < o.lo.z;
             if (!apart) pairs.emplace_back(std::min(i, other), std::max(i, other));
         }
-        if (pairs.size() > kMostPairs) return std::nullopt;
+        if (pairs.size() > kMaxPairs) return std::nullopt;
         open.push_back(i);
     }
     return pairs;
 }
 
-std::vector<std::uint32_t> nearest_first(std::span<const DrawnBox> boxes, std::span<const BoxPair> touching) {
+std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching) {
     const std::vector<std::uint32_t> steps = steps_of(boxes);
     // Later ones of each box's pairs, one list after another; and how many earlier ones a box waits for.
     std::vector<std::uint32_t> first(boxes.size() + 1, 0), later(touching.size()), waits(boxes.size(), 0);

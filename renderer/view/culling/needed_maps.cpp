@@ -11,23 +11,23 @@ namespace si {
 namespace {
 
 // By how much more is taken to be seen: what floats of a driver make of a picture's sides.
-constexpr double kPixelsBeside = 2;
-constexpr double kSeenDepthShare = 1e-3;
+constexpr double kFrustumPadPixels = 2;
+constexpr double kFrustumDepthPad = 1e-3;
 
-constexpr double kAboutLightShare =
+constexpr double kMinLightDistanceShare =
     1e-4;                             ///< of how far a body reaches from a light: nearer, it may be anywhere in a map
-constexpr double kSpanShare = 1e-5;   ///< of a view's end, about which a driver may choose the next one
-constexpr double kRangeShare = 1e-4;  ///< of a light's range and cone
-constexpr double kLookupRoomTexels = 2;  ///< beside all that is read or drawn
+constexpr double kSpanEndPad = 1e-5;  ///< of a view's end, about which a driver may choose the next one
+constexpr double kLightRangePad = 1e-4;  ///< of a light's range and cone
+constexpr double kLookupPadTexels = 2;   ///< beside all that is read or drawn
 
 CameraSlice wider(Camera camera, int lines) {
-    const double more = 1 + 2 * kPixelsBeside / std::max(lines, 1);
+    const double more = 1 + 2 * kFrustumPadPixels / std::max(lines, 1);
     camera.fov_y_rad = 2 * std::atan(std::tan(0.5 * camera.fov_y_rad) * more);
     camera.height *= more;
     const DepthCurve& c = camera.curve;
-    const double room = camera.orthographic ? kSeenDepthShare * (c.far - c.near) : 0;
-    return {camera, c.near - std::max(kSeenDepthShare * std::abs(c.near), room),
-            c.far + std::max(kSeenDepthShare * std::abs(c.far), room)};
+    const double room = camera.orthographic ? kFrustumDepthPad * (c.far - c.near) : 0;
+    return {camera, c.near - std::max(kFrustumDepthPad * std::abs(c.near), room),
+            c.far + std::max(kFrustumDepthPad * std::abs(c.far), room)};
 }
 
 bool is_finite(const Box& box) {
@@ -66,18 +66,18 @@ public:
           area_(area),
           uvd_from_relative_(uvd_from_clip(view_.curve.convention) * view_.clip_from_relative(light.map_origin)) {
         const double wide = view_.curve.perspective ? 1 + view_.half_width : 1;
-        room_ = (area.reach_texels + std::abs(area.normal_texels) * wide + kLookupRoomTexels) / area.resolution;
+        room_ = (area.reach_texels + std::abs(area.normal_texels) * wide + kLookupPadTexels) / area.resolution;
     }
 
     MapCells region;
 
-    void add(const SeenBodies& seen, const SeenBody& body) {
+    void add(const VisibleBodies& seen, const VisibleBody& body) {
         const std::span<const glm::dvec3> points = body.points();
         if (region.is_whole() || !may_be_chosen(points)) return;
         const Projected p = project(points);
         const bool faces = light_.chooser.choice == ViewChoice::Face;
         if (!(p.farthest > 0) || (faces && p.beside)) return;
-        const double near = std::max(kAboutLightShare * p.farthest, kAboutLightShare * view_.curve.near);
+        const double near = std::max(kMinLightDistanceShare * p.farthest, kMinLightDistanceShare * view_.curve.near);
         if (!view_.curve.perspective) {
             if (!(p.nearest > 0)) return take_all();
             return take(p.rect, false);
@@ -101,7 +101,7 @@ private:
         if (!held && area_.wrap == MapWrap::Repeat) return take_all();
         rect.lo -= room_;
         rect.hi += room_;
-        const bool beyond = !held && (area_.wrap == MapWrap::Clamp || area_.weighs_rim);
+        const bool beyond = !held && (area_.wrap == MapWrap::Clamp || area_.reads_border_texels);
         MapCells read;
         read.add(rect, beyond);
         if (read.empty()) return;
@@ -144,26 +144,26 @@ private:
     }
 
     /// Of a body beside or around a light: what lies within the view's sides.
-    void add_in_front(const SeenBodies& seen, const SeenBody& body, double farthest) {
+    void add_in_front(const VisibleBodies& seen, const VisibleBody& body, double farthest) {
         Box pyramid, about;
-        const double far = 1.01 * farthest, near = kAboutLightShare * farthest;
+        const double far = 1.01 * farthest, near = kMinLightDistanceShare * farthest;
         for (unsigned i = 0; i < 8; ++i) {
             const double z = i & 4 ? far : near, side = z * view_.half_width;
             pyramid[i] = view_.eye + view_.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
             const double wide = 2 * near * (1 + view_.half_width);
             about[i] = view_.eye + wide * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
         }
-        if (!seen.view.seen_of(body.box, &about).empty()) return take_all();
-        const std::vector<glm::dvec3> within = seen.view.seen_of(body.box, &pyramid);
+        if (!seen.view.visible_points(body.box, &about).empty()) return take_all();
+        const std::vector<glm::dvec3> within = seen.view.visible_points(body.box, &pyramid);
         if (!within.empty()) {
             const Projected p = project(within);
             if (!(p.nearest > 0)) return take_all();
             take(p.rect, true);
         }
         const bool ends = area_.wrap == MapWrap::Border || area_.wrap == MapWrap::Range;
-        if (light_.chooser.choice == ViewChoice::Face || (ends && !area_.weighs_rim)) return;
+        if (light_.chooser.choice == ViewChoice::Face || (ends && !area_.reads_border_texels)) return;
         if (area_.whole_maps || area_.wrap == MapWrap::Repeat) return take_all();
-        region.add_rim();
+        region.add_border_cells();
     }
 
     /// Whether choose_view() may name this view, or blend it in, for a point among these.
@@ -178,11 +178,11 @@ private:
                 to = std::max(to, depth);
             }
             const double ends = c.spans[number_].ends;
-            if (!last && from > ends + kSpanShare * std::abs(ends)) return false;
+            if (!last && from > ends + kSpanEndPad * std::abs(ends)) return false;
             if (number_ == 0) return true;
             const ViewSpan& before = c.spans[number_ - 1];
             const double begins = std::min(before.ends, before.blends_from);
-            return to >= begins - kSpanShare * std::abs(begins);
+            return to >= begins - kSpanEndPad * std::abs(begins);
         }
         if (c.choice != ViewChoice::Map || last) return true;
         const MapRect rect = project(points).rect;
@@ -193,19 +193,19 @@ private:
 
 /// Whether angles in a mesh's space are nearly those in the world: sides that are clear there are clear here.
 bool keeps_sides(const glm::dmat4& world) {
-    constexpr double kMostSkew = 30;
+    constexpr double kMaxSkew = 30;
     const glm::dmat3 m(world), back = glm::inverse(m);
     double there = 0, here = 0;
     for (int i = 0; i < 3; ++i) {
         there += glm::dot(m[i], m[i]);
         here += glm::dot(back[i], back[i]);
     }
-    return std::sqrt(there * here) < kMostSkew;
+    return std::sqrt(there * here) < kMaxSkew;
 }
 
 /// Whether all that the camera sees of a body is of triangles whose other side the light meets: shaders take normals on
 /// the camera's side, and look nothing up where those face away, whatever is shaded by.
-bool is_turned_away(const SeenBody& body, const SeenBodies& seen, const FittedLight& light) {
+bool is_turned_away(const VisibleBody& body, const VisibleBodies& seen, const FittedLight& light) {
     if (body.side == VisibleSide::Either) return false;
     const glm::dvec4 from =
         light.type == LightType::Directional ? glm::dvec4(light.to_light, 0) : glm::dvec4(light.position, 1);
@@ -220,23 +220,23 @@ std::string none_arrives(const FittedLight& light) {
 
 }  // namespace
 
-bool arrives_at(const FittedLight& light, std::span<const glm::dvec3> points) {
+bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points) {
     if (light.type == LightType::Directional) return true;
     const BoundingBall ball = ball_around(points);
     if (!std::isfinite(ball.radius)) return true;
     const glm::dvec3 d = ball.centre - light.position;
-    if (light.range_m > 0 && glm::length(d) - ball.radius > light.range_m * (1 + kRangeShare)) return false;
-    if (light.type != LightType::Spot || !(light.cos_cone_outer > kRangeShare)) return true;
+    if (light.range_m > 0 && glm::length(d) - ball.radius > light.range_m * (1 + kLightRangePad)) return false;
+    if (light.type != LightType::Spot || !(light.cos_cone_outer > kLightRangePad)) return true;
     const double along = -glm::dot(d, light.to_light);
     const double aside = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0));
     const double cosine = light.cos_cone_outer, sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
     // How far its centre is from the cone's side, or from its tip.
-    return aside * cosine - along * sine <= ball.radius + kRangeShare * glm::length(d);
+    return aside * cosine - along * sine <= ball.radius + kLightRangePad * glm::length(d);
 }
 
-SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
-                       const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
-    SeenBodies out{wider(camera, lines), {}};
+VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
+                                  const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
+    VisibleBodies out{wider(camera, lines), {}};
     out.mesh_from_world.resize(scene.objects.size());
     out.bodies.reserve(scene.objects.size());
     for (std::size_t number = 0; number < scene.objects.size(); ++number) {
@@ -248,8 +248,8 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
             out.unknown = true;
             continue;
         }
-        const Lies where = out.view.lies(box);
-        if (where == Lies::Beyond) continue;
+        const BoxPlacement where = out.view.classify_box(box);
+        if (where == BoxPlacement::Outside) continue;
         const std::span<const Cluster> parts = clusters(std::size_t(object.mesh));
         const auto has_sides = [](const Cluster& part) { return part.axis != glm::dvec3(0); };
         const bool sides = std::ranges::any_of(parts, has_sides) && keeps_sides(object.world);
@@ -261,26 +261,26 @@ SeenBodies seen_bodies(const Scene& scene, const Camera& camera, int lines,
         if (parts.size() > 1) {
             for (const Cluster& part : parts) {
                 const Box corners = part.box.corners(object.world);
-                if (where != Lies::Within && out.view.lies(corners) == Lies::Beyond) continue;
+                if (where != BoxPlacement::Inside && out.view.classify_box(corners) == BoxPlacement::Outside) continue;
                 out.bodies.push_back({corners, {}, part, side(part), number});
             }
             continue;
         }
         const Cluster whole = parts.empty() ? Cluster{mesh.bounds} : parts[0];
-        if (where == Lies::Within) {
+        if (where == BoxPlacement::Inside) {
             out.bodies.push_back({box, {}, whole, side(whole), number});
-        } else if (std::vector<glm::dvec3> seen = out.view.seen_of(box); !seen.empty()) {
+        } else if (std::vector<glm::dvec3> seen = out.view.visible_points(box); !seen.empty()) {
             out.bodies.push_back({box, std::move(seen), whole, side(whole), number});
         }
     }
     return out;
 }
 
-NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const LookupArea& area) {
+NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area) {
     NeededMaps out;
-    if (area.light_alone && light.radiance == glm::dvec3(0)) {
+    if (area.only_lit_points && light.radiance == glm::dvec3(0)) {
         out.views.resize(light.views.size());
-        out.uncalled = kBringsNothing;
+        out.unneeded_reason = kLightAddsNothing;
         return out;
     }
     if (seen.unknown || light.chooser.choice == ViewChoice::Distance) {
@@ -290,8 +290,8 @@ NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const L
     std::vector<ViewRegion> views;
     for (std::size_t v = 0; v < light.views.size(); ++v) views.emplace_back(light, v, area);
     bool arrives = false, turned = false;
-    for (const SeenBody& body : seen.bodies) {
-        if (area.light_alone && !arrives_at(light, body.points())) continue;
+    for (const VisibleBody& body : seen.bodies) {
+        if (area.only_lit_points && !may_illuminate(light, body.points())) continue;
         arrives = true;
         if (is_turned_away(body, seen, light)) {
             turned = true;
@@ -305,10 +305,10 @@ NeededMaps needed_maps(const FittedLight& light, const SeenBodies& seen, const L
         called |= !view.region.empty();
     }
     if (!called)
-        out.uncalled = seen.bodies.empty() ? "the camera sees nothing"
-                       : !arrives          ? none_arrives(light)
-                       : turned            ? "all that the camera sees is turned away from the light, or lies beside it"
-                                           : "nothing that the camera sees is looked up in it";
+        out.unneeded_reason = seen.bodies.empty() ? "the camera sees nothing"
+                              : !arrives          ? none_arrives(light)
+                              : turned ? "all that the camera sees is turned away from the light, or lies beside it"
+                                       : "nothing that the camera sees is looked up in it";
     return out;
 }
 

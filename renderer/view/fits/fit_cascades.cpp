@@ -41,12 +41,12 @@ std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const 
     // Parallel rays of the camera see all depths at one size, for which even cascades are right.
     if (camera.orthographic) {
         if (split == Split::Logarithmic)
-            note(light,
-                 "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
-                 "divided evenly");
+            add_note(light,
+                     "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
+                     "divided evenly");
         lambda = 0;
     }
-    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kNearestSeen * all.to_m);
+    const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kMinSeenDepthShare * all.to_m);
     return split_depths(nearest, all.to_m, count, lambda);
 }
 
@@ -58,7 +58,7 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
     const CameraSlice slice(camera, span.from_m, span.to_m);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_receives[i]) continue;
-        const std::vector<glm::dvec3> part = slice.seen_of(c.shape, i);
+        const std::vector<glm::dvec3> part = slice.visible_points(c.shape, i);
         std::vector<glm::dvec3>& all = i == c.shape.ground ? on_ground : points;
         all.insert(all.end(), part.begin(), part.end());
     }
@@ -67,31 +67,31 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
         for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
             if (i != c.shape.ground) points.insert(points.end(), c.shape.boxes[i].begin(), c.shape.boxes[i].end());
     if (is_warped(c)) return fit_warped(light, view, c, camera, points, on_ground, margin);
-    ViewExtent seen = extent_of(points, view);
-    if (!on_ground.empty()) add_shadow_on_ground(seen, extent_of(on_ground, view));
+    ViewExtent seen = extent_in_view(points, view);
+    if (!on_ground.empty()) widen_for_ground_shadow(seen, extent_in_view(on_ground, view));
     const DepthSpan receivers{seen.lo.z, seen.hi.z};
     const glm::dvec3 middle = 0.5 * (seen.lo + seen.hi);
-    view.half_width =
-        with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y), c.shape.radius, c.resolution, margin);
+    view.half_width = half_extent_with_margin(0.5 * std::max(seen.hi.x - seen.lo.x, seen.hi.y - seen.lo.y),
+                                              c.shape.radius, c.resolution, margin);
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
         if (!c.shape.box_casts[i]) continue;
-        const ViewExtent e = extent_of(c.shape.boxes[i], view);
+        const ViewExtent e = extent_in_view(c.shape.boxes[i], view);
         const bool beside = e.hi.x < middle.x - view.half_width || e.lo.x > middle.x + view.half_width ||
                             e.hi.y < middle.y - view.half_width || e.lo.y > middle.y + view.half_width;
         if (!beside) seen.lo.z = std::min(seen.lo.z, e.lo.z);
     }
     view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
     set_parallel_range(view, c, {seen.lo.z, seen.hi.z}, &receivers);
-    finish_view(light, view, c, 1);
+    add_finished_view(light, view, c, 1);
 }
 
 /// A map of the sphere around a slice, in steps of whole texels: neither its width nor its texels' places change as the
 /// camera turns, and as it moves they change by whole texels. Never more than the sphere around the scene.
 void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                 double margin) {
-    Sphere sphere = sphere_around(camera, span);
+    Sphere sphere = bounding_sphere(camera, span);
     if (!(sphere.radius < c.shape.radius)) sphere = {c.shape.centre, c.shape.radius};
-    view.half_width = with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
+    view.half_width = half_extent_with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
     const double texel = view.texel_size(1, c.resolution);
     // Counted from the scene's centre: its place in the world takes no digits away.
     const glm::dmat3 to_view = glm::transpose(view.axes);
@@ -99,9 +99,9 @@ void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const C
     const glm::dvec3 steps = c.settings.snap ? glm::round(away) : away;
     const double along = (to_view * (view.eye - c.shape.centre)).z;
     view.eye = c.shape.centre + view.axes * glm::dvec3(steps.x * texel, steps.y * texel, along);
-    const ViewExtent all = extent_of(c.shape, view);
+    const ViewExtent all = extent_in_view(c.shape, view);
     set_parallel_range(view, c, {all.lo.z, all.hi.z});
-    finish_view(light, view, c, 1);
+    add_finished_view(light, view, c, 1);
 }
 
 }  // namespace
@@ -112,14 +112,14 @@ void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera)
     LightView view;
     view.axes = orthonormal_basis(light.to_light);
     view.eye = light.position;
-    DepthSpan all = seen_depths(camera, c.shape.boxes, c.shape.box_receives)
+    DepthSpan all = visible_depths(camera, c.shape.boxes, c.shape.box_receives)
                         .value_or(DepthSpan{camera.curve.near, camera.curve.far});
     if (is_stabilised(c))
-        all = steady_depths(camera, c.shape.centre, c.shape.radius);
+        all = rotation_stable_depths(camera, c.shape.centre, c.shape.radius);
     else if (c.seen_m)
         all = *c.seen_m;
     const std::vector<double> ends = cascade_ends(light, c, camera, all, count);
-    const double margin = reach_of_lookups(c.all_settings);
+    const double margin = lookup_reach_texels(c.all_settings);
     const bool by_map = c.settings.cascade_choice == CascadeChoice::Map;
     if (count > 1) light.chooser = {by_map ? ViewChoice::Map : ViewChoice::Interval, camera.eye, -camera.axes[2], {}};
     double begins = all.from_m, holds_from = begins;

@@ -22,8 +22,8 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
     const double middle = 0.5 * (curve.near + curve.far);
     curve.near = middle - 0.5 * least;
     curve.far = middle + 0.5 * least;
-    if (curve.perspective && curve.near < kNearShare * curve.far) {
-        curve.near = kNearShare * curve.far;
+    if (curve.perspective && curve.near < kMinNearShare * curve.far) {
+        curve.near = kMinNearShare * curve.far;
         curve.far = curve.near + least;
     }
 }
@@ -34,10 +34,11 @@ void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve)
     const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
     if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
     if (far != 0) curve.far = far;
-    if (near < 0 && curve.perspective) note(light, "a perspective map needs near > 0: light.near is fitted instead");
+    if (near < 0 && curve.perspective)
+        add_note(light, "a perspective map needs near > 0: light.near is fitted instead");
     if (!(curve.far > curve.near)) {
-        note(light,
-             fmt::format("near {:.6g} m is not below far {:.6g} m: far is moved behind near", curve.near, curve.far));
+        add_note(light, fmt::format("near {:.6g} m is not below far {:.6g} m: far is moved behind near", curve.near,
+                                    curve.far));
         curve.far = curve.near + std::max(std::abs(curve.near), 1e-6);
     }
 }
@@ -59,7 +60,7 @@ void stretch_range(const LightSettings& s, DepthCurve& curve) {
 void step_view_forward(LightView& view) {
     DepthCurve& curve = view.curve;
     if (curve.perspective) return;
-    const double step = step_forward(curve.near, curve.far);
+    const double step = eye_advance_m(curve.near, curve.far);
     view.eye -= view.axes[2] * step;
     curve.near -= step;
     curve.far -= step;
@@ -67,21 +68,21 @@ void step_view_forward(LightView& view) {
 
 }  // namespace
 
-void note(PlacedLight& light, std::string text) {
+void add_note(PlacedLight& light, std::string text) {
     if (std::find(light.notes.begin(), light.notes.end(), text) == light.notes.end())
         light.notes.push_back(std::move(text));
 }
 
-double step_forward(double near, double far) {
+double eye_advance_m(double near, double far) {
     return far - near > kMinShare * std::max(std::abs(near), std::abs(far)) ? 0 : near;
 }
 
-double with_margin(double half, double scale, int resolution, double margin) {
+double half_extent_with_margin(double half, double scale, int resolution, double margin) {
     const double share = resolution > 4 * margin ? 1 - 2 * margin / resolution : 0.5;
     return std::max(half, kMinShare * scale) / share;
 }
 
-void finish_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
+void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
     stretch_range(c.settings, view.curve);
     // An orthographic depth is affine: only what doubles resolve that far from the light matters besides the scene.

@@ -31,7 +31,7 @@ const std::array<glm::dmat3, 6>& cube_axes() {
 }  // namespace
 
 double face_margin_texels(const Settings& settings) {
-    return std::max(6.0, std::ceil(reach_of_lookups(settings)));
+    return std::max(6.0, std::ceil(lookup_reach_texels(settings)));
 }
 
 void fit_faces(FittedLight& light, const FitContext& c) {
@@ -40,21 +40,21 @@ void fit_faces(FittedLight& light, const FitContext& c) {
     for (int i = 0; i < 6; ++i) {
         faces[i].eye = light.position;
         faces[i].axes = cube_axes()[i];
-        faces[i].half_width = with_margin(1.0, 0, c.resolution, c.face_margin_texels);
+        faces[i].half_width = half_extent_with_margin(1.0, 0, c.resolution, c.face_margin_texels);
         set_perspective_range(faces[i], c);
         const DepthCurve& curve = faces[i].curve;
         if (i == 0) range = curve;
         range.near = std::min(range.near, curve.near);
         range.far = std::max(range.far, curve.far);
     }
-    range.near = std::max(range.near, kNearShare * range.far);
+    range.near = std::max(range.near, kMinNearShare * range.far);
     for (LightView& face : faces) {
         face.curve = range;
-        finish_view(light, face, c, range.far);
+        add_finished_view(light, face, c, range.far);
     }
     light.chooser = {ViewChoice::Face, light.position, {}, {}};
     if (c.settings.projection == LightProjection::Orthographic)
-        note(light, "six faces are always perspective: light.projection has no effect");
+        add_note(light, "six faces are always perspective: light.projection has no effect");
 }
 
 }  // namespace si

@@ -21,11 +21,11 @@ double manual_half_extent(const LightSettings& s) {
 void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, double half, bool in_front_only) {
     const double manual = manual_half_extent(c.settings);
     if (manual > 0) half = manual;
-    ViewExtent e = extent_of(c.shape, view);
+    ViewExtent e = extent_in_view(c.shape, view);
     if (half <= 0) {
         const glm::dvec3 middle = 0.5 * (e.lo + e.hi);
         view.eye += view.axes * glm::dvec3(middle.x, middle.y, 0);
-        half = with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
+        half = half_extent_with_margin(0.5 * std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y), c.shape.radius, c.resolution);
     }
     view.half_width = half;
     if (in_front_only) {
@@ -35,7 +35,7 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
     set_parallel_range(view, c, {e.lo.z, e.hi.z});
     if (in_front_only)
         view.curve.near = std::max(view.curve.near, std::min(e.lo.z, 0.0) - kDepthMargin * (e.hi.z - e.lo.z));
-    finish_view(light, view, c, 1);
+    add_finished_view(light, view, c, 1);
 }
 
 /// A perspective map of tangent `tan_half`; 0 chooses it so that every box is inside.
@@ -50,12 +50,12 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
                 tangent = std::max(tangent, -v.z > 0 ? aside / -v.z : std::tan(kMaxHalfAngle));
             }
         const double limit = std::tan(kMaxHalfAngle);
-        tan_half = std::min(with_margin(tangent, tangent, c.resolution), limit);
-        if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
+        tan_half = std::min(half_extent_with_margin(tangent, tangent, c.resolution), limit);
+        if (tan_half == limit) add_note(light, "the light stands in the scene: its map covers 172 degrees only");
     }
     view.half_width = tan_half;
     set_perspective_range(view, c);
-    finish_view(light, view, c, view.curve.far);
+    add_finished_view(light, view, c, view.curve.far);
 }
 
 /// Depths along the light of what the camera sees of receivers, where the fit goes by it.
@@ -66,7 +66,7 @@ std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext&
     const CameraSlice slice(*c.camera, depths.from_m, depths.to_m);
     ViewExtent seen;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
-        if (c.shape.box_receives[i]) seen.add(extent_of(slice.seen_of(c.shape, i), view));
+        if (c.shape.box_receives[i]) seen.add(extent_in_view(slice.visible_points(c.shape, i), view));
     if (!(seen.lo.z <= seen.hi.z)) return std::nullopt;
     return DepthSpan{seen.lo.z, seen.hi.z};
 }
@@ -78,22 +78,23 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
         const glm::dvec2 aside = glm::max(glm::abs(region.lo), glm::abs(region.hi));
         const double tangent = std::max({aside.x, aside.y, kMinHalfAngle});
         return fit_perspective(light, view, c,
-                               std::min(with_margin(tangent, tangent, c.resolution, c.margin_texels),
-                                        with_margin(view.half_width, 0, c.resolution)));
+                               std::min(half_extent_with_margin(tangent, tangent, c.resolution, c.margin_texels),
+                                        half_extent_with_margin(view.half_width, 0, c.resolution)));
     }
     const glm::dvec2 size = region.hi - region.lo;
     view.eye += view.axes * glm::dvec3(0.5 * (region.lo + region.hi), 0);
-    view.half_width = with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
+    view.half_width =
+        half_extent_with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
     ViewExtent held;
-    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_within(c.shape, i, view));
-    if (!(held.lo.z <= held.hi.z)) held = extent_of(c.shape, view);  // too far away for doubles to tell
+    for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_inside_view(c.shape, i, view));
+    if (!(held.lo.z <= held.hi.z)) held = extent_in_view(c.shape, view);  // too far away for doubles to tell
     const std::optional<DepthSpan> receivers = seen_receivers(view, c);
     set_parallel_range(view, c, {held.lo.z, held.hi.z}, receivers ? &*receivers : nullptr);
-    finish_view(light, view, c, 1);
+    add_finished_view(light, view, c, 1);
 }
 
 /// Returns what finds the region of a fit: asked for suns without perspective, and for spot lights of one map.
-Fit finder_of(LightFit fit) {
+FitFunction fit_function(LightFit fit) {
     switch (fit) {
         case LightFit::Casters:
             return fit_casters;
@@ -110,17 +111,17 @@ Fit finder_of(LightFit fit) {
 
 /// What a fit finds. A ground under the model widens it by no more than shadows that fall on the ground, and are not in
 /// what the model alone needs; nothing where the model alone needs nothing, as the whole scene's map then holds all.
-std::optional<MapRegion> region_of(const FitInput& in, Fit find) {
+std::optional<MapRegion> region_of(const FitInput& in, FitFunction find) {
     if (!in.shape.ground) return find(in);
     FitInput part = in;
-    part.receiving = Receiving::Model;
+    part.receiver_filter = ReceiverFilter::Model;
     std::optional<MapRegion> region = find(part);
     if (!region) return std::nullopt;
-    part.receiving = Receiving::Ground;
+    part.receiver_filter = ReceiverFilter::Ground;
     const std::optional<MapRegion> ground = find(part);
     if (!ground) return region;
     ViewExtent all{glm::dvec3(region->lo, 0), glm::dvec3(region->hi, 0)};
-    add_shadow_on_ground(all, {glm::dvec3(ground->lo, 0), glm::dvec3(ground->hi, 0)});
+    widen_for_ground_shadow(all, {glm::dvec3(ground->lo, 0), glm::dvec3(ground->hi, 0)});
     return MapRegion{glm::dvec2(all.lo), glm::dvec2(all.hi)};
 }
 
@@ -132,15 +133,16 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     view.eye = light.position;
     const bool directional = light.type == LightType::Directional;
     // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
-    double tangent = directional ? 0 : with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
+    double tangent = directional ? 0 : half_extent_with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
     const LightProjection projection = c.settings.projection;
     const bool perspective =
         directional ? projection == LightProjection::Perspective : projection != LightProjection::Orthographic;
     if (perspective != directional) {  // else its rays are not the light's
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
-        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, Receiving::All};
-        if (const auto region = region_of(input, finder_of(c.settings.fit))) return fit_region(light, view, c, *region);
+        const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, ReceiverFilter::All};
+        if (const auto region = region_of(input, fit_function(c.settings.fit)))
+            return fit_region(light, view, c, *region);
     }
     if (perspective) {
         const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;

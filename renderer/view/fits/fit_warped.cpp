@@ -14,8 +14,8 @@
 namespace si {
 namespace {
 
-constexpr double kLeastSine = 1e-9;  // of the angle between light and view: below it `across` has no direction
-constexpr double kRimShare = 0.5;    // of 1 / w at the farthest point: what is left of it at the map's rim
+constexpr double kMinSine = 1e-9;  // of the angle between light and view: below it `across` has no direction
+constexpr double kRimShare = 0.5;  // of 1 / w at the farthest point: what is left of it at the map's rim
 
 /// A range of numbers.
 struct Extent {
@@ -39,7 +39,7 @@ double turn_to_camera(LightView& view, const Camera& camera) {
     glm::dvec3 up = across(forward);
     const double sine = glm::length(up);
     // Where a light ends that comes down into the view, from behind the camera or towards it.
-    if (sine < kLeastSine) up = across(glm::dot(forward, back) > 0 ? -camera.axes[1] : camera.axes[1]);
+    if (sine < kMinSine) up = across(glm::dot(forward, back) > 0 ? -camera.axes[1] : camera.axes[1]);
     up = glm::normalize(up);
     view.axes = glm::dmat3(glm::cross(up, back), up, back);
     return sine;
@@ -51,7 +51,7 @@ double turn_to_camera(LightView& view, const Camera& camera) {
 /// @param length_m of that along y
 /// @param most_ratio that w may grow by over that
 double rise_of_w(const Extent& depths, double length_m, double sine, double most_ratio) {
-    const double near = std::max(depths.lo, kNearestSeen * depths.hi);
+    const double near = std::max(depths.lo, kMinSeenDepthShare * depths.hi);
     // The paper's formula over the sine, which may be 0: n_opt is then infinite, and nothing is warped.
     const double n_opt_sine = near + std::sqrt(near * (near + length_m * sine));
     const double least_sine = length_m / (most_ratio - 1) * sine;
@@ -99,7 +99,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
         u.add(at.x / w_at(at.y));
         v.add(at.y / w_at(at.y));
     }
-    const double least_m = with_margin(0, c.shape.radius, c.resolution, 0);
+    const double least_m = half_extent_with_margin(0, c.shape.radius, c.resolution, 0);
     u.widen(2 * least_m);
     v.widen(2 * least_m);
     const double au = 2 * share / u.size(), bu = -au * u.middle(), av = 2 * share / v.size(), bv = -av * v.middle();
@@ -140,7 +140,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     Extent casters;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
         if (near_far == NearFar::Scene || (near_far != NearFar::Pancaking && c.shape.box_casts[i]))
-            for (const glm::dvec3& p : points_within(c.shape, i, sides)) casters.add(depth_of(p));
+            for (const glm::dvec3& p : points_inside_planes(c.shape, i, sides)) casters.add(depth_of(p));
     for (const glm::dvec3& p : points) all.add(depth_of(p));
     for (const glm::dvec3& p : deep) all.add(depth_of(p));
     // A caster behind all that is looked up says nothing of where the map begins.
@@ -151,13 +151,13 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     for (const double row : {0.0, 1.0}) {
         const double w = 1 / inverse_w(2 * row - 1), longest = texel_in_row(view, row, c.resolution);
         texel = std::max(texel, longest / w);
-        if (view.clamps_near) room = std::max(room, room_for_bias(c, longest, all.size() * w) / w);
+        if (view.clamps_near) room = std::max(room, near_margin_for_bias_m(c, longest, all.size() * w) / w);
     }
     all.widen(std::max(2 * texel, least_m));
     const double pad = kDepthMargin * all.size();
     // A floor that the light meets straight has no depth of its own to take a share of.
     const double begin = all.lo - pad - room;
-    const double end = all.hi + pad + (view.clamps_near ? texel : 0) + room_beyond_shadow(view, c, texel);
+    const double end = all.hi + pad + (view.clamps_near ? texel : 0) + ground_kernel_depth_m(view, c, texel);
 
     const bool reversed = c.convention.reversed;
     // Depth rises by ad per unit of (z - middle) / w from bd.
@@ -173,7 +173,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
 
     const double front = inverse_w(-1), behind = inverse_w(1);
     view.curve.warp = DepthWarp{middle, begin / front, end / front, behind / front - 1};
-    const DepthCurve low = view.curve.at_row(0), high = view.curve.at_row(1);
+    const DepthCurve low = view.curve.curve_at_row(0), high = view.curve.curve_at_row(1);
     view.curve.near = std::min(low.near, high.near);
     view.curve.far = std::max(low.far, high.far);
     return view;
@@ -191,7 +191,9 @@ bool holds_across(const LightView& view, std::span<const glm::dvec3> points, std
     }
     return std::ranges::all_of(others, [&](const glm::dvec3& p) {
         const glm::dvec4 h = map(p);
-        const auto within = [&](double at, const Extent& e) { return at >= e.lo - kNoWider && at <= e.hi + kNoWider; };
+        const auto within = [&](double at, const Extent& e) {
+            return at >= e.lo - kMinGroundWidening && at <= e.hi + kMinGroundWidening;
+        };
         return h.w > 0 && within(h.x / h.w, x) && within(h.y / h.w, y);
     });
 }
@@ -202,7 +204,7 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin) {
     Extent depths;
     for (const glm::dvec3& p : points) depths.add(glm::dot(view.axes[2], view.eye - p));
-    view.eye -= view.axes[2] * step_forward(depths.lo, depths.hi);
+    view.eye -= view.axes[2] * eye_advance_m(depths.lo, depths.hi);
     LightView warped = warped_view(view, c, camera, points, {}, margin);
     std::vector<glm::dvec3> seen(points.begin(), points.end());
     if (!on_ground.empty()) {
@@ -223,9 +225,10 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
         warped = warped_view(view, c, camera, held, on_ground, margin);
     }
     if (camera.orthographic)
-        note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
+        add_note(light,
+                 "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
     if (takes_near_far(c.settings))
-        note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
+        add_note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
     light.views.push_back(warped);
 }
 

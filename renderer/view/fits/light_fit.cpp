@@ -24,26 +24,26 @@
 namespace si {
 namespace {
 
-constexpr double kMostOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
-constexpr double kMarginSteps = 64;       // in the map's width, of the margin of a region
+constexpr double kMaxOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
+constexpr double kMarginSteps = 64;      // in the map's width, of the margin of a region
 
 /// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
 bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
     return std::any_of(shape.boxes.begin(), shape.boxes.end(), [&](const Box& box) {
         return std::any_of(light.views.begin(), light.views.end(), [&](const LightView& view) {
-            const ViewExtent e = extent_of(box, view);
-            const double z = view.curve.perspective ? entry_into_pyramid(e, view.half_width) : e.lo.z;
+            const ViewExtent e = extent_in_view(box, view);
+            const double z = view.curve.perspective ? pyramid_entry_m(e, view.half_width) : e.lo.z;
             return e.hi.z > 0 && z < light.range_m;
         });
     });
 }
 
 std::string why_dark(const FittedLight& light, const Scene& scene) {
-    if (light.radiance == glm::dvec3(0)) return kBringsNothing;
+    if (light.radiance == glm::dvec3(0)) return kLightAddsNothing;
     if (light.type == LightType::Directional) return {};
     const bool arrives = std::ranges::any_of(scene.objects, [&](const Object& object) {
         const Bounds& bounds = scene.meshes[std::size_t(object.mesh)].bounds;
-        return !bounds.empty() && arrives_at(light, bounds.corners(object.world));
+        return !bounds.empty() && may_illuminate(light, bounds.corners(object.world));
     });
     return arrives ? "" : "nothing lies within the light's range and cone";
 }
@@ -66,9 +66,9 @@ std::vector<glm::dvec3> shown_of(const Box& box, const LightView& view, double r
         const double z = i & 4 ? far : 1e-4 * far, side = 1.01 * z * view.half_width;
         pyramid[i] = view.eye + view.axes * glm::dvec3(i & 1 ? side : -side, i & 2 ? side : -side, -z);
     }
-    const std::vector<HalfSpace> sides = half_spaces_of(pyramid);
+    const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
     const ConvexBody body{pyramid, sides};
-    return common_points(box, {&body, 1});
+    return intersection_points(box, {&body, 1});
 }
 
 /// How much nearer than a map's end, in depth, what is looked up in an empty map is lit whatever floats make of it.
@@ -86,12 +86,13 @@ bool ends_before(const Box& box, const LightView& view, double range_m) {
 /// Why nothing is drawn into a light's maps, and all it shines on lies before their far end; else empty.
 std::string why_empty(const FittedLight& light, const SceneShape& shape, const FitContext& c) {
     for (const LightView& view : light.views) {
-        const BoxSight sight(view.clip_from_relative(light.map_origin), light.map_origin, view.curve.convention,
-                             view.clamps_near, c.resolution);
+        const BoxCuller sight(view.clip_from_relative(light.map_origin), light.map_origin, view.curve.convention,
+                              view.clamps_near, c.resolution);
         for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
             const Box& box = shape.boxes[i];
-            if (shape.box_casts[i] && !sight.misses(skew_box(box))) return {};
-            if (shape.box_receives[i] && arrives_at(light, box) && !ends_before(box, view, light.range_m)) return {};
+            if (shape.box_casts[i] && !sight.is_outside(skew_box(box))) return {};
+            if (shape.box_receives[i] && may_illuminate(light, box) && !ends_before(box, view, light.range_m))
+                return {};
         }
     }
     return "nothing that casts lies in what its map holds: all that it shines on is lit";
@@ -106,7 +107,7 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
                                     .page_texels = page_texels(settings),
                                     .count = std::clamp(settings.map.virtual_levels, 1, kMaxClipLevels),
                                     .bias = finite_or(settings.map.virtual_bias, 0),
-                                    .margin_texels = reach_of_lookups(settings),
+                                    .margin_texels = lookup_reach_texels(settings),
                                     .picture_lines = picture_lines},
                                    c.shape, camera);
     light.views = std::move(found.views);
@@ -117,11 +118,11 @@ void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& came
 
 }  // namespace
 
-bool shades_nothing(const FittedLight& light, const Settings& settings) {
+bool adds_no_light(const FittedLight& light, const Settings& settings) {
     return !light.dark.empty() && settings.shading.composition != Composition::DimLit;
 }
 
-bool never_shadows(const FittedLight& light, const Settings& settings) {
+bool is_always_lit(const FittedLight& light, const Settings& settings) {
     const Filter& kernel = filter_of(settings);
     const bool compares = kernel.samples == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
     // What faces the light is moved towards it.
@@ -134,7 +135,7 @@ bool never_shadows(const FittedLight& light, const Settings& settings) {
 
 double fit_margin_texels(const Settings& settings, int resolution) {
     const Reach reach = reach_of(settings);
-    const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMostOffsetTexels);
+    const double offset = std::clamp(finite_or(settings.bias.normal, 0), BiasSettings().normal, kMaxOffsetTexels);
     const double texels = std::ceil(std::max(reach.edge, reach.read) + settings.map.blur_texels + offset) + 2;
     const double step = std::max(resolution / kMarginSteps, 1.0);
     return step * std::ceil(texels / step);
@@ -170,7 +171,8 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         else
             fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))
-            note(light, fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
+            add_note(light,
+                     fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
         light.dark = why_dark(light, scene);
         if (!s.cast)
             light.reason = "light.cast is off";
@@ -185,10 +187,10 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
             light.reason = fmt::format("light.source is {}, which needs no map", source.key);
         light.casts = light.reason.empty();
         if (!light.casts) continue;
-        if (!light.views.front().clamps_near) light.clipped_casters = count_clipped(shape, light.views);
+        if (!light.views.front().clamps_near) light.clipped_casters = count_near_clipped_casters(shape, light.views);
         light.limits = map_limits(shape, light.views, settings.map.format, resolution);
         if (!fit_reads_camera(settings, int(i))) light.empty = why_empty(light, shape, context);
-        for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
+        for (std::string& text : map_limit_notes(light.limits, int(i))) add_note(light, std::move(text));
     }
     return lights;
 }

@@ -23,8 +23,8 @@ Held held_by(const LightView& view, const SceneShape& shape) {
     Held held{view.curve.far, view.curve.near, 0};
     ViewExtent all;
     for (const Box& box : shape.boxes) {
-        const ViewExtent e = extent_of(box, view);
-        const double entry = view.curve.perspective ? entry_into_pyramid(e, view.half_width) : e.lo.z;
+        const ViewExtent e = extent_in_view(box, view);
+        const double entry = view.curve.perspective ? pyramid_entry_m(e, view.half_width) : e.lo.z;
         if (!std::isfinite(entry)) continue;
         all.add(e);
         held.nearest = std::min(held.nearest, std::max(entry, view.curve.near));
@@ -53,13 +53,13 @@ MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& view
         if (!(deep > kFlat * shape.radius)) continue;
         any = true;
         // Of a warped view where its steps and texels are coarsest, which is its last row.
-        const DepthCurve curve = view.curve.at_row(1);
+        const DepthCurve curve = view.curve.curve_at_row(1);
         const double from = curve.depth(held.nearest), to = curve.depth(held.farthest);
         one_step &=
             std::abs(to - from) <= std::max(depth_quantum(format, curve, from), depth_quantum(format, curve, to));
         const double centre_m = glm::dot(view.axes[2], view.eye - shape.centre);
         const double texel = view.warped()
-                                 ? view.texel_sizes(resolution).longest
+                                 ? view.texel_size_range(resolution).longest
                                  : view.texel_size(std::clamp(centre_m, held.nearest, held.farthest), resolution);
         one_texel &= texel >= held.across;
         limits.step_m = std::max(limits.step_m, step_m(curve, format, held.nearest, held.farthest));

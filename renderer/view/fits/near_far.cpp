@@ -9,8 +9,9 @@
 namespace si {
 namespace {
 
-constexpr double kFlattest = 3;       // cotangent of a sun's height
-constexpr double kMostOfMap = 0.125;  // of its width, that kernels have room for beyond a shadow on the ground
+constexpr double kMaxSunCotangent = 3;  // cotangent of a sun's height
+constexpr double kMaxGroundKernelOfMap =
+    0.125;  // of its width, that kernels have room for beyond a shadow on the ground
 
 NearFar choice_of(const FitContext& c) {
     return c.settings.near_far;
@@ -34,11 +35,11 @@ bool bounds_far(const FitContext& c, std::size_t box) {
 
 }  // namespace
 
-double room_for_bias(const FitContext& c, double texel_m, double range_m) {
+double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m) {
     const BiasSettings& b = c.all_settings.bias;
     const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
     // Where each texel has a depth of its own, a kernel's taps lie on the slope of the receiver's plane.
-    const double aside = 2 * reach_of_lookups(c.all_settings) * texel_m;
+    const double aside = 2 * lookup_reach_texels(c.all_settings) * texel_m;
     switch (b.unit) {
         case BiasUnit::Depth:
             return aside + range_m * std::min(amount, 0.9) / (1 - std::min(amount, 0.9));
@@ -50,17 +51,17 @@ double room_for_bias(const FitContext& c, double texel_m, double range_m) {
     return aside;
 }
 
-double reach_of_lookups(const Settings& s) {
+double lookup_reach_texels(const Settings& s) {
     return reach_of(s).read + std::max(s.bias.normal, 0.0) + s.map.blur_texels + 1;
 }
 
-double room_beyond_shadow(const LightView& view, const FitContext& c, double texel_m) {
+double ground_kernel_depth_m(const LightView& view, const FitContext& c, double texel_m) {
     if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
     const double rise = view.axes[2].y;
     if (c.settings.type != LightType::Directional || !(rise > 0)) return 0;
     // A flatter light's shadows run to the ground's end.
-    const double texels = std::min(reach_of_lookups(c.all_settings), kMostOfMap * c.resolution);
-    return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kFlattest);
+    const double texels = std::min(lookup_reach_texels(c.all_settings), kMaxGroundKernelOfMap * c.resolution);
+    return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kMaxSunCotangent);
 }
 
 void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, const DepthSpan* receivers) {
@@ -68,13 +69,13 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
     view.curve.convention = c.convention;
     const NearFar choice = choice_of(c);
     if (choice == NearFar::Scene) {
-        const ViewExtent all = extent_of(c.shape, view);
+        const ViewExtent all = extent_in_view(c.shape, view);
         found = {all.lo.z, all.hi.z};
     } else if (choice == NearFar::Casters || choice == NearFar::Pancaking) {
         ViewExtent near, far;
         for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
             if (!bounds_near(c, i) && !bounds_far(c, i)) continue;
-            const ViewExtent e = extent_within(c.shape, i, view);
+            const ViewExtent e = extent_inside_view(c.shape, i, view);
             if (bounds_near(c, i)) near.add(e);
             if (bounds_far(c, i)) far.add(e);
         }
@@ -84,13 +85,14 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
         if (near.lo.z <= far.hi.z) found = {near.lo.z, far.hi.z};
     }
     const double texel = view.texel_size(1, c.resolution);
-    if (const double beyond = room_beyond_shadow(view, c, texel); beyond > 0) {
-        const double shadow_ends = receivers ? receivers->to_m : extent_within(c.shape, *c.shape.ground, view).hi.z;
+    if (const double beyond = ground_kernel_depth_m(view, c, texel); beyond > 0) {
+        const double shadow_ends =
+            receivers ? receivers->to_m : extent_inside_view(c.shape, *c.shape.ground, view).hi.z;
         found.to_m = std::max(found.to_m, shadow_ends + beyond);
     }
     const double pad = kDepthMargin * (found.to_m - found.from_m);
     view.clamps_near = choice == NearFar::Pancaking;
-    const double room = view.clamps_near ? room_for_bias(c, texel, found.to_m - found.from_m) : 0;
+    const double room = view.clamps_near ? near_margin_for_bias_m(c, texel, found.to_m - found.from_m) : 0;
     view.curve.near = found.from_m - pad - room;
     // A floor that the light meets straight has no depth of its own to take a share of.
     view.curve.far = found.to_m + pad + (view.clamps_near ? texel : 0);
@@ -100,8 +102,8 @@ void set_perspective_range(LightView& view, const FitContext& c) {
     const NearFar choice = choice_of(c);
     double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) {
-        const ViewExtent e = extent_of(c.shape.boxes[i], view);
-        const double entry = choice == NearFar::Scene ? std::max(e.lo.z, 0.0) : entry_into_pyramid(e, view.half_width);
+        const ViewExtent e = extent_in_view(c.shape.boxes[i], view);
+        const double entry = choice == NearFar::Scene ? std::max(e.lo.z, 0.0) : pyramid_entry_m(e, view.half_width);
         if (!std::isfinite(entry) || e.hi.z <= 0) continue;
         if (bounds_near(c, i)) nearest = std::min(nearest, entry);
         if (bounds_far(c, i)) farthest = std::max(farthest, e.hi.z);
@@ -114,8 +116,8 @@ void set_perspective_range(LightView& view, const FitContext& c) {
     view.curve.far = farthest * (1 + kDepthMargin);
     double near = nearest * (1 - kDepthMargin);
     view.clamps_near = choice == NearFar::Pancaking;
-    if (view.clamps_near) near -= room_for_bias(c, view.texel_size(nearest, c.resolution), farthest - nearest);
-    view.curve.near = std::max(near, kNearShare * view.curve.far);
+    if (view.clamps_near) near -= near_margin_for_bias_m(c, view.texel_size(nearest, c.resolution), farthest - nearest);
+    view.curve.near = std::max(near, kMinNearShare * view.curve.far);
 }
 
 }  // namespace si

@@ -28,8 +28,8 @@ double range_of(const LightSettings& s) {
 double half_cone(PlacedLight& light, const LightSettings& s) {
     double half = 0.5 * s.cone * kDegree;
     if (std::isnan(half) || half < kMinHalfAngle) {
-        note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
-                                2 * kMinHalfAngle / kDegree));
+        add_note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
+                                    2 * kMinHalfAngle / kDegree));
         half = kMinHalfAngle;
     }
     return std::min(half, std::numbers::pi);
@@ -41,7 +41,7 @@ void place_spot(PlacedLight& light, const LightSettings& s) {
     light.cos_cone_outer = std::cos(light.half_cone_rad);
     light.cos_cone_inner = std::cos(light.half_cone_rad * (1 - blend));
     light.six_faces = light.half_cone_rad > kMaxHalfAngle;
-    if (light.six_faces) note(light, "the cone is wider than one map can hold: it is drawn as six faces");
+    if (light.six_faces) add_note(light, "the cone is wider than one map can hold: it is drawn as six faces");
 }
 
 /// How far from its target a light stands where the settings leave it open.

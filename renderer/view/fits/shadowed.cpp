@@ -8,13 +8,13 @@
 namespace si {
 namespace {
 
-constexpr double kViewBegins = 1e-4;         // of the farthest corner's distance: a perspective view begins there
-constexpr double kEdgeOn = 1e-6;             // cosine up to which rounding decides which side of a plane is lit
-constexpr std::size_t kMostPairs = 1 << 18;  // of casters and receivers that are held against each other
-constexpr std::size_t kMostTriangles = 1 << 19;
-constexpr double kLarge = 0.25;             // of what receives shadows, across: it is worth a closer look
-constexpr std::size_t kMostOutline = 4096;  // vertices of a caster whose outline is found
-constexpr std::size_t kMostEdges = 256;     // of that outline
+constexpr double kViewBegins = 1e-4;        // of the farthest corner's distance: a perspective view begins there
+constexpr double kEdgeOn = 1e-6;            // cosine up to which rounding decides which side of a plane is lit
+constexpr std::size_t kMaxPairs = 1 << 18;  // of casters and receivers that are held against each other
+constexpr std::size_t kMaxTriangles = 1 << 19;
+constexpr double kLarge = 0.25;                    // of what receives shadows, across: it is worth a closer look
+constexpr std::size_t kMaxOutlineVertices = 4096;  // vertices of a caster whose outline is found
+constexpr std::size_t kMaxOutlineEdges = 256;      // of that outline
 
 bool empty(const ViewExtent& e) {
     return !(e.lo.x <= e.hi.x && e.lo.y <= e.hi.y && e.lo.z <= e.hi.z);
@@ -79,7 +79,7 @@ public:
             if (s.box_planes[i] || (large && never_shades_itself(i)))
                 last.push_back(i);
             else
-                add(across(casts_[i]).common(across(all_)));
+                add(across(casts_[i]).intersection(across(all_)));
         }
         // What is found so far spares most of the work on these.
         for (const std::size_t i : last) add_caster(i);
@@ -101,7 +101,7 @@ private:
 
     /// What is convex does not, unless its inner side is drawn, too.
     bool never_shades_itself(std::size_t caster) const {
-        if (in_.shape.one_box || in_.shape.box_travels[caster]) return false;
+        if (in_.shape.one_box || in_.shape.box_spans_animation[caster]) return false;
         const Mesh& mesh = mesh_of(caster);
         return !is_two_sided(mesh) && is_convex(mesh);
     }
@@ -109,7 +109,7 @@ private:
     /// Whether so many pairs more are to be held against each other.
     bool affords_pairs() {
         pairs_ += receivers_.size();
-        return pairs_ <= kMostPairs;
+        return pairs_ <= kMaxPairs;
     }
 
     /// Cosine between the direction to the light and a plane's normal, about.
@@ -120,8 +120,8 @@ private:
 
     /// A caster that does not shade itself.
     void add_caster(std::size_t caster) {
-        const MapRegion most = across(casts_[caster]).common(across(all_));
-        if (most.empty() || region_.holds(most)) return;
+        const MapRegion most = across(casts_[caster]).intersection(across(all_));
+        if (most.empty() || region_.contains(most)) return;
         if (!affords_pairs()) return region_.add(most);
         const double tolerance = in_.shape.box_tolerance[caster];
         const glm::dvec3 at = in_.shape.boxes[caster][0];
@@ -134,7 +134,7 @@ private:
             return;
         }
         Blocker blocker;
-        for (const HalfSpace& inwards : half_spaces_of(in_.shape.boxes[caster])) {
+        for (const HalfSpace& inwards : box_half_spaces(in_.shape.boxes[caster])) {
             const HalfSpace side{-inwards.normal, -inwards.offset};
             if (facing(side, at) > kEdgeOn) blocker.planes.push_back(behind(side));
         }
@@ -144,8 +144,8 @@ private:
     void add_behind(std::size_t caster, Blocker blocker) {
         for (std::size_t i = 0; i < receivers_.size(); ++i) {
             if (i == caster || empty(receivers_[i])) continue;
-            const MapRegion both = across(casts_[caster]).common(across(receivers_[i]));
-            if (both.empty() || region_.holds(both)) continue;
+            const MapRegion both = across(casts_[caster]).intersection(across(receivers_[i]));
+            if (both.empty() || region_.contains(both)) continue;
             const Box& box = in_.shape.boxes[i];
             if (std::ranges::any_of(blocker.planes, [&](const HalfSpace& plane) {
                     return std::ranges::all_of(box, [&](const glm::dvec3& p) { return plane.distance(p) <= 0; });
@@ -167,10 +167,10 @@ private:
             in_front = in_front && (!in_.view.curve.perspective || v.z > 0);
             points.emplace_back(v);
         };
-        if (mesh.positions.size() <= kMostOutline)
+        if (mesh.positions.size() <= kMaxOutlineVertices)
             for (const glm::vec3& p : mesh.positions) add(glm::dvec3(object.world * glm::dvec4(p, 1)));
         std::vector<glm::dvec2> hull = in_front ? convex_hull(points) : std::vector<glm::dvec2>();
-        if (in_front && (hull.size() < 3 || hull.size() > kMostEdges)) {
+        if (in_front && (hull.size() < 3 || hull.size() > kMaxOutlineEdges)) {
             points.clear();
             for (const glm::dvec3& p : in_.shape.boxes[caster]) add(p);
             hull = convex_hull(points);
@@ -190,11 +190,11 @@ private:
 
     /// Adds where across the view a caster shadows a receiver; at most `both`.
     void add_receiver(const Blocker& blocker, std::size_t receiver, const MapRegion& both) {
-        if (in_.shape.box_travels[receiver]) return add(both);  // its triangles are elsewhere at other times
+        if (in_.shape.box_spans_animation[receiver]) return add(both);  // its triangles are elsewhere at other times
         const Object& object = in_.scene.objects[in_.shape.box_objects[receiver]];
         const Mesh& mesh = mesh_of(receiver);
         triangles_ += mesh.indices.size() / 3;
-        if (triangles_ > kMostTriangles) return add(both);
+        if (triangles_ > kMaxTriangles) return add(both);
         const LightView& view = in_.view;
         const bool two_sided = is_two_sided(mesh);
         const double winding = glm::determinant(glm::dmat3(object.world)) < 0 ? -1 : 1;
@@ -208,18 +208,18 @@ private:
             const glm::dvec3 to_light = view.curve.perspective ? view.eye - a : view.axes[2];
             if (!two_sided && winding * glm::dot(glm::cross(b - a, c - a), to_light) <= 0) continue;
             polygon.assign({a, b, c});
-            for (const HalfSpace& plane : blocker.planes) clip(polygon, plane);
+            for (const HalfSpace& plane : blocker.planes) clip_polygon(polygon, plane);
             if (view.curve.perspective &&
                 std::ranges::any_of(polygon, [&](const glm::dvec3& p) { return !(ahead.distance(p) > 0); }))
                 return add(both);
             for (glm::dvec3& p : polygon) p = seen_from_light(view, p);
-            for (const HalfSpace& line : blocker.outline) clip(polygon, line);
+            for (const HalfSpace& line : blocker.outline) clip_polygon(polygon, line);
             MapRegion part;
             for (const glm::dvec3& p : polygon) {
                 part.add(glm::dvec2(p) - blocker.rim);
                 part.add(glm::dvec2(p) + blocker.rim);
             }
-            add(part.common(both));
+            add(part.intersection(both));
         }
     }
 
@@ -235,17 +235,19 @@ private:
 
 ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen) {
     const Box& corners = in.shape.boxes[box];
-    const auto all = [&] { return seen ? seen->seen_of(in.shape, box) : points_within(in.shape, box, {}); };
+    const auto all = [&] {
+        return seen ? seen->visible_points(in.shape, box) : points_inside_planes(in.shape, box, {});
+    };
     if (!in.view.curve.perspective) return seen_from_light(in.view, all());
-    const ViewExtent e = extent_of(corners, in.view);
+    const ViewExtent e = extent_in_view(corners, in.view);
     const double far = std::min(e.hi.z, in.reach_m), near = kViewBegins * far;
     if (!(far > 0) || e.lo.z > far) return {};
     if (is_within(e, in.view, near, far)) return seen_from_light(in.view, all());
     const Box pyramid = pyramid_of(in.view, near, far);
-    if (seen) return seen_from_light(in.view, seen->seen_of(corners, &pyramid));
-    const std::vector<HalfSpace> sides = half_spaces_of(pyramid);
+    if (seen) return seen_from_light(in.view, seen->visible_points(corners, &pyramid));
+    const std::vector<HalfSpace> sides = box_half_spaces(pyramid);
     const ConvexBody lit{pyramid, sides};
-    return seen_from_light(in.view, common_points(corners, {&lit, 1}));
+    return seen_from_light(in.view, intersection_points(corners, {&lit, 1}));
 }
 
 std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers) {

@@ -5,12 +5,12 @@
 
 namespace si {
 
-double widest_penumbra_texels(const FittedLight& light, int resolution) {
+double max_penumbra_radius_texels(const FittedLight& light, int resolution) {
     double widest = 0;
     for (const LightView& view : light.views) {
         // Of a warped view the widest is in its first row or its last: ranges grow with w, texels with w or its square.
         for (const double row : {0.0, 1.0}) {
-            const DepthCurve c = view.curve.at_row(row);
+            const DepthCurve c = view.curve.curve_at_row(row);
             const double depth_m = c.far - c.near;
             // The penumbra's radius on a receiver at the far plane, of an occluder at the near plane.
             const double width_m = light.type == LightType::Directional ? light.size * depth_m
@@ -24,17 +24,17 @@ double widest_penumbra_texels(const FittedLight& light, int resolution) {
     return widest;
 }
 
-double finest_texel_m(const FittedLight& light, int resolution) {
+double smallest_texel_m(const FittedLight& light, int resolution) {
     double finest = std::numeric_limits<double>::infinity();
-    for (const LightView& view : light.views) finest = std::min(finest, view.texel_sizes(resolution).shortest);
+    for (const LightView& view : light.views) finest = std::min(finest, view.texel_size_range(resolution).shortest);
     return finest;
 }
 
-Reach reach_under(const Settings& settings, const FittedLight& light, int resolution) {
+Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, int resolution) {
     const Filter& row = filter_of(settings);
     if (!light.casts) return reach_of(settings);
-    if (row.reads_light_size) return reach_of(settings, widest_penumbra_texels(light, resolution));
-    return reach_of(settings, settings.filter.radius / finest_texel_m(light, resolution));
+    if (row.reads_light_size) return reach_of(settings, max_penumbra_radius_texels(light, resolution));
+    return reach_of(settings, settings.filter.radius / smallest_texel_m(light, resolution));
 }
 
 }  // namespace si

@@ -127,7 +127,7 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
         const bool faces = rises > 0;
         if (part.closed ? faces == (part.inside_out != mirrored) : rises == 0) continue;
         const auto near = [](std::uint32_t v) { return 2 * v; };
-        std::vector<std::uint32_t>& caps = faces ? out.caps : out.turned_caps;
+        std::vector<std::uint32_t>& caps = faces ? out.caps : out.clockwise_caps;
         caps.insert(caps.end(), {near(a), near(b), near(c)});
         if (ends_apart) {
             const std::array<std::uint32_t, 3> dark = faces ? std::array{a, c, b} : std::array{a, b, c};

@@ -42,7 +42,7 @@ double luminance(const glm::dvec3& colour) {
     return glm::dot(colour, glm::dvec3(0.2126, 0.7152, 0.0722));
 }
 
-glm::dvec3 sun_of(std::span<const FittedLight> lights) {
+glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights) {
     double brightest = 0;
     glm::dvec3 to_sun = glm::normalize(glm::dvec3(0.5, 1, 0.7));
     for (const FittedLight& light : lights) {
@@ -53,7 +53,7 @@ glm::dvec3 sun_of(std::span<const FittedLight> lights) {
     return to_sun;
 }
 
-Sky sky_of(const glm::dvec3& to_sun) {
+Sky sky_for_sun(const glm::dvec3& to_sun) {
     const Hour hour = hour_of(to_sun.y);
     // A level surface sees more of the horizon than of the zenith, but that at a flat angle.
     const glm::dvec3 above = 0.5 * (hour.zenith + hour.horizon);
