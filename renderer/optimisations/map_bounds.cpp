@@ -1,5 +1,5 @@
-// Nearest and farthest depth within the kernel's reach of each block of the shadow maps: where both lie on one side of
-// a receiver, a look-up needs no taps. Exact, unlike taps that stand for others.
+// The pass that finds the nearest and farthest depth within the kernel's reach, for each block of the shadow maps. A
+// receiver with both on one side needs no taps. The result is exact.
 #include "renderer/passes/map_bounds.h"
 
 #include <fmt/format.h>

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-const VisibleBodies& bodies_seen(FrameState& f, CameraMapReads& known) {
+const VisibleBodies& visible_bodies(FrameState& f, CameraMapReads& known) {
     const std::uint64_t key = f.surfaces_key().value();
     if (known.key == key && known.bodies) return *known.bodies;
     known.bodies = find_visible_bodies(f.scene, f.camera, f.request.height,
@@ -45,7 +45,7 @@ std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name
     PartInfo part{.name = std::move(name), .unit = "texels"};
     part.left_out = left_out;
     part.by = Optimisation::UnreadViews;
-    part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
+    part.reason = fmt::format("no visible surface reads {:.0f} % of the maps' texels: they are skipped",
                               100.0 * double(left_out) / double(each * f.layers_held.size()));
     return part;
 }
@@ -63,7 +63,7 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
                           .reads_border_texels = filter_of(s).samples == Samples::Moments,
                           .only_lit_points = !f.separate_visibility && s.shading.composition != Composition::DimLit};
     CameraMapReads& known = f.gl.found->seen;
-    const VisibleBodies& seen = bodies_seen(f, known);
+    const VisibleBodies& seen = visible_bodies(f, known);
     CameraMapReads::LightReads& of_light = known.lights[light];
     Key key;
     key.add(known.key).add(maps).add(f.gl.fit_key).add(area.resolution).add(area.reach_texels).add(area.normal_texels);

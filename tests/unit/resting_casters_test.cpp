@@ -57,7 +57,7 @@ TEST(StaticCasters, FewTrianglesAreNotWorthACopy) {
     EXPECT_EQ(r.choose(1, one_of_many(8, 1), reason), Draws::All);
     EXPECT_NE(reason.find("few triangles"), std::string_view::npos);
     EXPECT_EQ(r.choose(1, casters({7}), reason), Draws::All);
-    EXPECT_NE(reason.find("all that casts has moved"), std::string_view::npos);
+    EXPECT_NE(reason.find("all casters have moved"), std::string_view::npos);
 }
 
 TEST(StaticCasters, WhatComesToRestIsTakenInOnceItHasCostAsMuch) {

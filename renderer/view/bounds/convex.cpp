@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-/// Corners of the six sides, each in turn around it.
+/// Corner indices of the six sides of a box, each in order around its side.
 constexpr int kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
 
 double extent_m(const Box& body) {
@@ -86,7 +86,7 @@ std::vector<HalfSpace> box_half_spaces(const Box& body) {
     const double size = extent_m(body);
     std::vector<HalfSpace> planes;
     for (const auto& side : kSides) {
-        // Diagonals, as an edge may have no length (the tip of a pyramid).
+        // Diagonals span the side, since an edge may have no length (the tip of a pyramid).
         const glm::dvec3 a = body[std::size_t(side[2])] - body[std::size_t(side[0])];
         const glm::dvec3 b = body[std::size_t(side[3])] - body[std::size_t(side[1])];
         const glm::dvec3 normal = glm::cross(a, b);
@@ -120,7 +120,7 @@ std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const Conv
     for (const ConvexBody& body : bodies) planes.insert(planes.end(), body.sides.begin(), body.sides.end());
     std::vector<glm::dvec3> points;
     add_sides_within(points, box, planes);
-    // A flat body holds no corner of another; its own sides say it all.
+    // A flat box contains no corner of another body; its clipped sides are the whole intersection.
     const std::vector<HalfSpace> sides_of_box = box_half_spaces(box);
     if (sides_of_box.size() < 6) return points;
     for (const ConvexBody& body : bodies) {

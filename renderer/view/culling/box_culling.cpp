@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kNearPlane = 4, kFarPlane = 5, kWidth = 6;
 
-/// Of what a product of floats comes of, the share that it may be off by.
+/// Largest relative error of a product of floats.
 constexpr double kFloatSlack = 4e-6;
 
 }  // namespace
@@ -33,7 +33,7 @@ bool BoxCuller::is_outside(const SkewBox& box) const {
     const Span w = span_of(kWidth, box);
     if (w.max < -w.slack) return true;
     for (std::size_t i = 0; i <= kFarPlane; ++i) {
-        // What lies before or behind a map whose depths are clamped is drawn on its near or far plane.
+        // A map with clamped depths draws casters outside its depth range on its near or far plane.
         if (clamps_near_ && i >= kNearPlane) break;
         const Span span = span_of(i, box);
         if (span.max < -span.slack - texel_ * std::max(w.max, 0.0)) return true;

@@ -10,9 +10,9 @@ namespace si {
 namespace {
 
 constexpr std::uint64_t kFullRow = ~std::uint64_t(0);
-static_assert(MapCells::kCells == 64, "a row is a word");
+static_assert(MapCells::kCells == 64, "a row of cells is one 64-bit word");
 
-/// Cells of a rectangle that lies in the map, or reaches into it.
+/// Range of cells that a rectangle overlaps.
 struct CellRange {
     int first_row, last_row;
     std::uint64_t columns;

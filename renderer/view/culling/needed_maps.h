@@ -19,7 +19,7 @@ namespace si {
 
 /// Reason printed for a light that is off or black.
 inline constexpr const char* kLightAddsNothing =
-    "the light brings nothing: it is off, or its colour or its intensity is 0";
+    "the light adds nothing: it is off, or its colour or its intensity is 0";
 
 /// Returns true when light may reach the convex hull of world-space points by its range and cone, occluders aside.
 bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points);

@@ -1,4 +1,4 @@
-// Six maps of a point light, or of a cone that is too wide for one.
+// Fits of six cube faces, for a point light or a cone too wide for one map.
 #include <array>
 #include <cmath>
 #include <utility>
