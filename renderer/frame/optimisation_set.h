@@ -31,7 +31,7 @@ inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);
 /// Set of optimisations.
 class OptimisationSet {
 public:
-    /// Makes an empty set.
+    /// Makes an empty set of optimisations.
     OptimisationSet() = default;
     /// Makes a set of the listed optimisations.
     OptimisationSet(std::initializer_list<Optimisation> some) {
@@ -43,16 +43,16 @@ public:
         set.bits_.set();
         return set;
     }
-    /// Adds an optimisation, and returns the set for chaining.
+    /// Adds an optimisation to the set, and returns the set for chaining.
     OptimisationSet& add(Optimisation s) {
         bits_.set(std::size_t(s));
         return *this;
     }
     /// Returns true when an optimisation is in the set.
     bool contains(Optimisation s) const { return bits_.test(std::size_t(s)); }
-    /// Returns true when the set has no member.
+    /// Returns true when the set holds no optimisation.
     bool empty() const { return bits_.none(); }
-    /// Returns the set as a number for cache keys, one bit an optimisation.
+    /// Returns the set of optimisations as a number for cache keys, one bit each.
     std::uint64_t value() const { return bits_.to_ullong(); }
     bool operator==(const OptimisationSet&) const = default;
 

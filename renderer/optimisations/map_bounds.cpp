@@ -1,5 +1,5 @@
-// The pass that finds the nearest and farthest depth within the kernel's reach, for each block of the shadow maps. A
-// receiver with both on one side needs no taps. The result is exact.
+// The pass map bounds: two parallel planes around all depths within the kernel's reach, for each block of the shadow
+// maps. A look-up of a receiver on one side of both planes needs no taps. The result is exact.
 #include "renderer/passes/map_bounds.h"
 
 #include <fmt/format.h>

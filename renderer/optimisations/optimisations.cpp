@@ -22,8 +22,8 @@ constexpr OptimisationRow kRows[] = {
              "places of the search are then the same."},
     {.key = "early-out",
      .label = "Early-out by depth bounds",
-     .help = "Where the nearest and farthest depth of the map within the kernel's reach lie on one side of the "
-             "receiver, all taps agree, and none is fetched. Only kernels with enough taps to gain from it test "
+     .help = "Where both bounds of the map's depths within the kernel's reach lie on one side of the receiver, "
+             "all taps agree, and none is fetched. Only kernels with enough taps to gain from it test "
              "the bounds."},
     {.key = "facing",
      .label = "Look-ups on unlit surfaces",

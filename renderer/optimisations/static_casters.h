@@ -39,7 +39,7 @@ struct StaticView {
 /// Decides frame by frame which casters of one light are static, and whether to cache them.
 class StaticCasters {
 public:
-    /// Casters that a frame draws.
+    /// Casters that a frame draws into a light's map: all, static and moving ones apart, or moving ones alone.
     enum class Draws {
         All,              ///< all casters; there is no cache
         StaticAndMoving,  ///< static casters into the cached map, moving ones over its copy
@@ -53,9 +53,9 @@ public:
 
     /// Returns true when a caster is in the cached map of static casters.
     bool is_static(std::uint64_t content) const;
-    /// Returns true when there is a cached map for the given key of the light's views.
+    /// Returns true when a cached map of static casters exists for a key of the light's views.
     bool has_cache_for(std::uint64_t of_views) const { return of_views == views_ && !static_casters_.empty(); }
-    /// Drops all state, so that the next frame draws all casters.
+    /// Drops the light's static casters, so that the next frame draws all casters.
     void reset() { *this = {}; }
 
     std::vector<StaticView> views;  ///< state by view; none is cached after static casters were chosen again

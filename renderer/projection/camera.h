@@ -17,12 +17,13 @@ struct Camera {
     double focus = 10;         ///< distance to the target, metres
     DepthCurve curve;          ///< reversed-Z, zero to one
     double aspect = 1;         ///< width / height of the picture
-    /// Returns the projection matrix, clip space from view space.
+    /// Returns the camera's projection matrix: clip space from view space.
     glm::dmat4 projection() const;
-    /// Returns the matrix to clip space from positions relative to `origin` (world), composed in double precision.
+    /// Returns the camera's matrix to clip space from positions relative to `origin` (world), composed in double
+    /// precision.
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// Returns a world-space grid point near the eye, to which positions in shaders are relative. Small camera moves
-    /// keep the point.
+    /// Returns a world-space grid point near the camera's eye, to which positions in shaders are relative. Small camera
+    /// moves keep the point.
     glm::dvec3 origin() const;
     /// Computes the world-space ray through a pixel's centre; (0,0) is the top left pixel.
     /// @param x,y pixel

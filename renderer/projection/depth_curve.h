@@ -32,7 +32,7 @@ struct DepthCurve {
     double far = 100;   ///< far plane, metres along the axis; for a warped map the farthest of all rows
     DepthConvention convention;
     std::optional<DepthWarp> warp;  ///< set for a warped map; use the functions of curve_at_row() there
-    /// Returns the unwarped curve of the rays through one row of the map.
+    /// Returns the depth curve of the rays through one row of a warped map.
     /// @param v map coordinate, clamped to [0,1]
     DepthCurve curve_at_row(double v) const;
     /// Returns the depth-buffer value in [0,1] at a distance z along the axis, metres.
@@ -42,7 +42,7 @@ struct DepthCurve {
     /// Returns the depth-buffer value at a fraction of the depth range; for reversed depth the fraction counts from
     /// `far`. Values outside (0,1) are returned unchanged.
     double depth_at_fraction(double share) const;
-    /// Returns |d depth / d z| at distance z, per metre.
+    /// Returns the slope of the depth-buffer value at distance z along the axis: |d depth / d z|, per metre.
     double slope(double z) const;
     /// Returns the change of the depth-buffer value when a point at distance z moves towards the light. The point stays
     /// at least a thousandth of `near` away.

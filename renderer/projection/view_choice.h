@@ -35,7 +35,8 @@ struct ViewChooser {
     glm::dvec3 from_ws{0};        ///< position of the light (Face) or of the camera (Interval, Distance)
     glm::dvec3 forward{0};        ///< unit viewing direction of the camera (Interval)
     std::vector<ViewSpan> spans;  ///< limits by view; empty for One and Face
-    /// Returns the view in which a world-space point is looked up; the last view if none contains the point.
+    /// Returns the light view (cascade, cube face, clip level) in which a world-space point is looked up; the last view
+    /// if none contains the point.
     /// @param views views of the light; never empty
     ChosenView choose(std::span<const LightView> views, const glm::dvec3& point_ws) const;
 };

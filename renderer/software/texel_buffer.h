@@ -15,13 +15,13 @@ namespace si {
 /// pixels, and 1.0 ns for an image texel of four numbers.
 class TexelBuffer {
 public:
-    /// Makes an empty buffer.
+    /// Makes an empty buffer that shaders read as uniform block or image.
     /// @param label name of the GL object for debuggers
     explicit TexelBuffer(std::string_view label);
-    /// Replaces the content of the buffer.
+    /// Replaces the content of the buffer with bytes from the CPU.
     void upload(std::span<const std::byte> bytes);
     /// Binds the buffer as a uniform block.
-    /// @param block binding point
+    /// @param block uniform block binding point
     void bind_block(GLuint block) const;
     /// Binds the buffer as an image.
     /// @param image image unit

@@ -51,12 +51,12 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
 struct ViewExtent {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
-    /// Widens the extent to contain a point.
+    /// Widens this view extent to contain a point: x and y across the view, z along its axis.
     void add(const glm::dvec3& p) {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
-    /// Widens the extent to contain another extent.
+    /// Widens this view extent to contain another one.
     void add(const ViewExtent& e) {
         lo = glm::min(lo, e.lo);
         hi = glm::max(hi, e.hi);

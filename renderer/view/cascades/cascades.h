@@ -23,25 +23,29 @@ std::vector<double> split_depths(double near, double far, int count, double lamb
 /// Part of a camera's view frustum between two camera depths. Clips boxes to it.
 class CameraSlice {
 public:
-    /// Makes the slice of a camera's frustum from one depth to another, metres along the viewing direction.
+    /// Makes the slice of a camera's view frustum between two depths, metres along the viewing direction.
     CameraSlice(const Camera& camera, double from_m, double to_m);
-    /// Returns world-space points whose convex hull is the part of a world-space box inside the slice; none if the box
-    /// is outside.
+    /// Returns world-space points whose convex hull is the part of a world-space box inside this slice of the view
+    /// frustum; none if the box is outside.
     /// @param within optional second body in the order of Box; only the part inside it counts
     std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
-    /// Returns world-space points whose convex hull is the part of one box of a shape inside the slice. For a ground,
-    /// only its shadowed part counts.
+    /// Returns world-space points whose convex hull is the part of one box of a shape inside this slice of the view
+    /// frustum. For a ground, only its shadowed part counts.
     /// @param box index into SceneShape::boxes
     std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
     /// Returns the points of visible_points() in view space: x right, y up, z the depth along the viewing direction,
     /// metres.
     std::vector<glm::dvec3> visible_points_in_view_space(const Box& box) const;
-    /// Returns whether a world-space box lies inside or outside the slice; Crossing where neither is certain.
+    /// Returns whether a world-space box lies inside or outside this slice of the view frustum; Crossing where neither
+    /// is certain.
     BoxPlacement classify_box(const Box& box) const { return si::classify_box(in_view(box), planes_); }
 
 private:
+    /// Converts a world-space point to view space: x right, y up, z depth.
     glm::dvec3 in_view(const glm::dvec3& p) const;
+    /// Converts a point from view space to world space.
     glm::dvec3 in_world(const glm::dvec3& p) const { return eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z); }
+    /// Converts the corners of a world-space box to view space.
     Box in_view(const Box& box) const;
 
     glm::dvec3 eye_;

@@ -34,10 +34,11 @@ public:
     /// @param resolution texels a side of the map
     BoxCuller(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
               bool clamps_near, int resolution);
-    /// Returns true when no part of the box can cover a texel of the view.
+    /// Returns true when no part of a world-space box can cover a texel of the view, so that the object need not be
+    /// drawn.
     bool is_outside(const SkewBox& box) const;
-    /// Returns true when the whole box lies in front of the viewer and the near plane does not cut it. The viewer is
-    /// then outside the box.
+    /// Returns true when a world-space box lies wholly in front of the viewer and the near plane does not cut it. The
+    /// viewer is then outside the box.
     bool is_in_front(const SkewBox& box) const;
 
 private:

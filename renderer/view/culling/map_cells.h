@@ -34,31 +34,32 @@ std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_
 class MapCells {
 public:
     static constexpr int kCells = 64;  ///< cells along a side
-    /// Makes an empty set.
+    /// Makes an empty set of map cells.
     MapCells() = default;
-    /// Returns the set of all cells.
+    /// Returns the set of all cells of a map.
     static MapCells whole();
-    /// Returns true when no cell is set.
+    /// Returns true when the set holds no cell of the map.
     bool empty() const;
-    /// Returns true when all cells are set.
+    /// Returns true when the set holds all cells of the map.
     bool is_whole() const;
-    /// Returns true when every cell of `other` is set.
+    /// Returns true when this set of map cells holds every cell of another set.
     bool contains(const MapCells& other) const;
-    /// Returns true when a set cell overlaps the rectangle.
+    /// Returns true when a rectangle of the map overlaps a cell of the set.
     bool overlaps(const MapRect& rect) const;
-    /// Adds the cells that overlap a rectangle.
+    /// Adds the map cells that overlap a rectangle.
+    /// @param rect map coordinates
     /// @param clamp the part of the rectangle outside the map reads the border cells (clamp to edge); false: the part
     ///     outside reads nothing
     void add(const MapRect& rect, bool clamp);
-    /// Adds the cells along the four sides of the map.
+    /// Adds the cells along the four sides of the map to the set.
     void add_border_cells();
-    /// Adds all cells of another set.
+    /// Adds all cells of another set of map cells.
     void add(const MapCells& other);
-    /// Returns a few rectangles of texels that together cover the cells, for copies and scissored draws. They overlap
-    /// only in texels that two cells share.
+    /// Returns a few rectangles of texels that together cover the marked map cells, for copies and scissored draws.
+    /// Rectangles overlap only in texels that two cells share.
     /// @param resolution texels a side of the map
     std::vector<TexelRect> texel_rects(int resolution) const;
-    /// Adds the set to a cache key.
+    /// Adds the set of map cells to a cache key.
     void add_to(Key& key) const { key.bytes(rows_.data(), sizeof rows_); }
     bool operator==(const MapCells&) const = default;
 

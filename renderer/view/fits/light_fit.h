@@ -12,12 +12,12 @@ namespace si {
 
 struct Camera;
 
-/// Returns true when shading may skip a light: no surface receives any of it, and the composition does not show its
+/// Returns true when shading may skip a light: no surface receives light from it, and the composition does not show its
 /// visibility alone.
 bool adds_no_light(const FittedLight& light, const Settings& settings);
 
-/// Returns true when every look-up in a light's maps would return 1: the maps hold no caster, and no setting darkens
-/// points outside of them. Shaders then skip the look-ups.
+/// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps hold no caster, and no
+/// setting darkens points outside of them. Shaders then skip the look-ups.
 bool is_always_lit(const FittedLight& light, const Settings& settings);
 
 /// Places the lights of the settings in the scene, without maps. Spot and point intensities fall with the square of the

@@ -24,7 +24,7 @@ struct FitInput {
     const Camera* camera = nullptr;   ///< camera of the picture, for fits that read it; else null
     std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces, where they were measured
     ReceiverFilter receiver_filter = ReceiverFilter::All;  ///< receivers that count
-    /// Returns true when a box receives shadows and passes the receiver filter.
+    /// Returns true when an object receives shadows and passes the receiver filter of the fit.
     /// @param box index into SceneShape::boxes
     bool receives(std::size_t box) const {
         return shape.box_receives[box] && (receiver_filter == ReceiverFilter::All ||
@@ -36,23 +36,23 @@ struct FitInput {
 struct MapRegion {
     glm::dvec2 lo{std::numeric_limits<double>::infinity()};
     glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
-    /// Returns true when the rectangle contains no point.
+    /// Returns true when the map region contains no point.
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y); }
-    /// Returns true when another rectangle lies inside this one.
+    /// Returns true when another map region lies inside this one, or is empty.
     bool contains(const MapRegion& r) const {
         return r.empty() || (lo.x <= r.lo.x && lo.y <= r.lo.y && hi.x >= r.hi.x && hi.y >= r.hi.y);
     }
-    /// Widens the rectangle to contain another one.
+    /// Widens this map region to contain another one.
     void add(const MapRegion& r) {
         lo = glm::min(lo, r.lo);
         hi = glm::max(hi, r.hi);
     }
-    /// Widens the rectangle to contain a point.
+    /// Widens this map region to contain a point across the light's view.
     void add(const glm::dvec2& p) {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
-    /// Returns the part that two rectangles share.
+    /// Returns the intersection of two map regions; empty if they do not overlap.
     MapRegion intersection(const MapRegion& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
 };
 

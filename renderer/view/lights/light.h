@@ -21,7 +21,7 @@ struct ClipLevel {
     int exponent = 0;
     glm::i64vec2 corner{0};  ///< page at the lower left
     double eye_m = 0;        ///< position of the eye along the axis to the light, metres from the world's origin
-    /// Returns the width of a texel of the level in metres.
+    /// Returns the width of a texel of the clip level in metres.
     double texel_m() const;
 };
 
@@ -33,7 +33,7 @@ struct MapLimits {
     double depth_m = 0;           ///< depth range of the scene in the map, metres
     double texel_m = 0;           ///< width of a texel at the scene's centre, metres
     double across_m = 0;          ///< width of the scene in the map, metres
-    /// Returns true when a limit applies.
+    /// Returns true when at least one limit of the shadow map applies: too coarse a depth format or resolution.
     bool any() const { return one_depth_step || one_texel; }
 };
 
@@ -70,11 +70,11 @@ struct FittedLight : PlacedLight {
     bool closed = false;
     int clipped_casters = 0;  ///< casters with a part in front of the near plane
     MapLimits limits;         ///< limits of the maps of a casting light
-    /// Returns true when the maps are perspective; false without maps.
+    /// Returns true when the light's shadow maps are perspective; false for a light without maps.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
-    /// Returns true when the maps are warped across their rays (LiSPSM).
+    /// Returns true when the light's shadow maps are warped across their rays (LiSPSM).
     bool is_warped() const { return !views.empty() && views[0].warped(); }
-    /// Returns true when each view covers a part of the camera's frustum: cascades or clip levels.
+    /// Returns true when each view of the light covers a part of the camera's frustum: cascades or clip levels.
     bool is_cascaded() const {
         return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map ||
                chooser.choice == ViewChoice::Distance;

@@ -24,13 +24,13 @@ namespace si {
 
 /// Triangles of a mesh with corners at the same place joined, as shadow volumes need them.
 struct VolumeMesh {
-    /// Triangle with its corners and edges.
+    /// Triangle of a shadow volume's mesh, with its corners and edges.
     struct Triangle {
         std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the camera's winding order
         std::array<std::uint32_t, 3> edges{};    ///< edge from each corner to the next
         std::uint32_t part = 0;                  ///< index into `parts`
     };
-    /// Triangles connected by edges.
+    /// Part of a shadow volume's mesh: triangles connected by edges.
     struct Part {
         bool closed = false;      ///< every edge joins two triangles in opposite directions
         bool inside_out = false;  ///< closed, with normals that point inwards
@@ -41,7 +41,7 @@ struct VolumeMesh {
     std::size_t edges = 0;           ///< number of edges
     std::size_t open_triangles = 0;  ///< triangles in parts that are not closed
 
-    /// Joins the corners of a mesh and finds its closed parts.
+    /// Joins the corners of a mesh that share a place, and finds its closed parts.
     explicit VolumeMesh(const Mesh& mesh);
 };
 
@@ -59,7 +59,7 @@ struct VolumeTriangles {
     std::vector<std::uint32_t> caps;            ///< light caps
     std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise
     std::vector<std::uint32_t> rest;            ///< sides and dark caps
-    /// Returns the number of triangles of all lists.
+    /// Returns the number of shadow volume triangles in all lists.
     std::size_t triangles() const { return (caps.size() + clockwise_caps.size() + rest.size()) / 3; }
 };
 
