@@ -99,8 +99,8 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     fmt::print("  bias\n");
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
-    if (a.by_itself != 0)
-        print_amount("of itself", a.amount(a.by_itself), "what bias.kind gives whatever the numbers are");
+    if (a.bias_of_kind != 0)
+        print_amount("of itself", a.amount(a.bias_of_kind), "what bias.kind gives whatever the numbers are");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");

@@ -47,7 +47,7 @@ Json account_json(const BiasBreakdown& a) {
     return {{"terms",
              {{"constant", amount_json(a.amount(a.constant))},
               {"slope", amount_json(a.amount(a.slope))},
-              {"by_itself", amount_json(a.amount(a.by_itself))},
+              {"by_itself", amount_json(a.amount(a.bias_of_kind))},
               {"normal", amount_json(a.amount(a.normal))},
               {"raster", amount_json(a.amount(a.raster))}}},
             {"worth", amount_json(a.amount(a.equivalent_depth()))},

@@ -77,9 +77,9 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
     if (row.brings_need) {
         BiasSettings nothing = bias;
         nothing.constant = nothing.slope = 0;
-        a.by_itself = row.amount(nothing, b);
+        a.bias_of_kind = row.amount(nothing, b);
     }
-    const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
+    const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.bias_of_kind;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);

@@ -37,7 +37,7 @@ struct BiasBreakdown {
     // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
     // depth and the receiver's plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
-    double by_itself = 0;            ///< bias.kind alone, with constant and slope 0 (Bias::brings_need)
+    double bias_of_kind = 0;         ///< offset that bias.kind adds with constant and slope 0 (Bias::brings_need)
     /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
     double normal = 0;
     /// bias.raster_* on this plane, as the driver applies them (PolygonOffset).
@@ -45,7 +45,7 @@ struct BiasBreakdown {
 
     /// Returns the equivalent depth bias of all bias settings together, in depth-buffer units. The surface does not
     /// shadow itself when it is at least least.total().
-    double equivalent_depth() const { return constant + slope + by_itself + normal + raster; }
+    double equivalent_depth() const { return constant + slope + bias_of_kind + normal + raster; }
     /// Shift of the compared depth towards the light, in depth-buffer units: occluders nearer to the receiver cast no
     /// shadow. The normal offset counts only by its part along the light.
     double depth_shift = 0;

@@ -154,7 +154,7 @@ void add_terms(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
     };
     add("constant bias", a.constant);
     add("slope bias", a.slope);
-    add("bias of the plane", a.by_itself);
+    add("bias of the plane", a.bias_of_kind);
     s.raster = a.amount(a.raster);
 }
 

@@ -25,7 +25,8 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 /// @param asks_bounds look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool asks_bounds);
 
-/// Returns the number of cells around a block whose texels the kernel may read from the block, under one light.
+/// Returns the radius in map cells around a block of texels within which a kernel centred in the block may read, under
+/// one light. The depth bounds of the block cover that many cells more at each side.
 int bounds_reach_cells(const FrameState& f, const FittedLight& light);
 
 /// Texels a side of a block, for which one pair of depth bounds is stored.

@@ -16,10 +16,12 @@ struct MeshBoxes {
     std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// Returns build_clusters() of a mesh, cached in the renderer; empty for a mesh that is deformed by the pose.
+/// Returns the clusters of a mesh's triangles (build_clusters()), cached in the renderer; empty for a mesh that is
+/// deformed by the pose.
 /// @param mesh index into Scene::meshes
 std::span<const Cluster> mesh_clusters(const FrameState& f, std::size_t mesh);
-/// Returns index_run_boxes() of a mesh, cached in the renderer; empty for a mesh that is deformed by the pose.
+/// Returns the bounding boxes of runs of a mesh's indices (index_run_boxes()), cached in the renderer; empty for a mesh
+/// that is deformed by the pose.
 /// @param mesh index into Scene::meshes
 std::span<const Bounds> mesh_run_boxes(const FrameState& f, std::size_t mesh);
 

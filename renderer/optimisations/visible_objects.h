@@ -15,8 +15,8 @@ struct FrameState;
 /// Culls objects by the camera's frustum and sorts the visible ones front to back.
 class VisibleObjects {
 public:
-    /// Culls and sorts the objects of the frame, and passes the draw order to the scene on the GPU
-    /// (SceneGpu::arrange_seen()). Does nothing while camera and objects are unchanged.
+    /// Culls the objects outside the frame's view frustum, sorts the others front to back, and passes the draw order to
+    /// the scene on the GPU (SceneGpu::arrange_seen()). Does nothing while camera and objects are unchanged.
     void arrange(const FrameState& f);
     /// Returns the number of objects outside the view frustum, which are not drawn.
     std::size_t skipped_count() const { return skipped_; }

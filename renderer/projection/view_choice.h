@@ -22,7 +22,7 @@ struct ViewSpan {
     double blends_from = 0;  ///< start of the blend
 };
 
-/// View in which a point is looked up, with the view blended in.
+/// View among a light's cascades, cube faces or clip levels in which a point is looked up, with the view blended in.
 struct ChosenView {
     std::size_t view = 0;   ///< index among the light's views
     std::size_t other = 0;  ///< view blended in; equal to `view` without a blend

@@ -97,8 +97,8 @@ void bias_terms(const BiasBreakdown& a) {
     if (!begin_amounts("terms")) return;
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
-    if (a.by_itself != 0)
-        amount_row("of itself", a.amount(a.by_itself), "Bias of bias.kind itself, whatever the numbers are");
+    if (a.bias_of_kind != 0)
+        amount_row("of itself", a.amount(a.bias_of_kind), "Bias of bias.kind itself, whatever the numbers are");
     amount_row(
         "normal offset", a.amount(a.normal),
         "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");

@@ -33,8 +33,8 @@ public:
     /// frustum. For a ground, only its shadowed part counts.
     /// @param box index into SceneShape::boxes
     std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
-    /// Returns the points of visible_points() in view space: x right, y up, z the depth along the viewing direction,
-    /// metres.
+    /// Returns points whose convex hull is the part of a world-space box inside this slice of the view frustum. The
+    /// points are in view space: x right, y up, z depth along the viewing direction, metres.
     std::vector<glm::dvec3> visible_points_in_view_space(const Box& box) const;
     /// Returns whether a world-space box lies inside or outside this slice of the view frustum; Crossing where neither
     /// is certain.

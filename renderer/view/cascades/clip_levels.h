@@ -37,7 +37,8 @@ struct ClipLevelRequest {
     int picture_lines = 720;   ///< height of the picture in pixels
 };
 
-/// Computes the clip levels for a camera: level by level, texels about as large as pixels. A pure function.
+/// Computes the clip levels of a directional light for a camera. Each level's range of distances is chosen so that its
+/// texels are about as large as the picture's pixels there. A pure function.
 ClipLevels clip_levels(const ClipLevelRequest& request, const SceneShape& shape, const Camera& camera);
 
 /// Returns the world-space origin of positions in the shaders that draw pages: a grid point near the scene's centre. A

@@ -52,7 +52,7 @@ private:
         double min, max;
         double slack;  ///< float rounding of the value
     };
-    /// Returns the range of one plane's value over a box.
+    /// Returns the range that a frustum plane's value takes over a box, with its float rounding.
     /// @param plane index into `planes_`
     Span span_of(std::size_t plane, const SkewBox& box) const;
 };

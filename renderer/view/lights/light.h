@@ -87,7 +87,8 @@ constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;
 }
 
-/// Lights 0 to light_count - 1 of the settings, with the shapes that their maps may have to cover.
+/// Lights 0 to light_count - 1 of the settings, placed in a scene, with the scene shape (object boxes) that the maps of
+/// each have to cover.
 struct PlacedLights {
     std::shared_ptr<const SceneShape> shape;  ///< shape of the whole scene
     std::vector<PlacedLight> lights;
