@@ -162,7 +162,7 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     const LightView below = sun(above.scene, 0, -90);
     const auto found = above.fit(fit_casters, below);
     ASSERT_TRUE(found);
-    EXPECT_TRUE(found->holds(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
+    EXPECT_TRUE(found->contains(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
 }
 
 TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
@@ -213,7 +213,7 @@ TEST(CastersFit, ObjectsThatNeitherCastNorReceiveDoNotCount) {
     Settings s;
     s.objects["Root/Ghost"] = {.cast = false};
     expect_bounds_near(m.fit(fit_casters, view, s), region_of(view, {{2, 0, -1}, {4, 0, 1}}), 1e-4);
-    EXPECT_TRUE(m.fit(fit_casters, view)->holds(region_of(view, {{-8, 0, -8}})));
+    EXPECT_TRUE(m.fit(fit_casters, view)->contains(region_of(view, {{-8, 0, -8}})));
     s = {};
     s.objects["Root/Floor"] = {.receive = false};
     s.objects["Root/Ghost"] = {.receive = false};
