@@ -48,7 +48,7 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
 Json optimisations_json(const SavedTimes* saved) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < kOptimisations; ++i) {
-        const OptimisationRow& saving = savings()[i];
+        const OptimisationRow& saving = optimisation_rows()[i];
         Json row = {{"key", saving.key}, {"label", saving.label}, {"help", saving.help}};
         put_saved(row, saved ? saved->of(Optimisation(i)) : nullptr);
         rows.push_back(std::move(row));

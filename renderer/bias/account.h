@@ -37,14 +37,14 @@ struct BiasBreakdown {
     // Equivalent depth bias of each setting, in depth-buffer units: the distance that it puts between the compared
     // depth and the receiver's plane.
     double constant = 0, slope = 0;  ///< only the larger one acts; the other is 0
-    double bias_of_kind = 0;         ///< bias.kind alone, with constant and slope 0 (Bias::gives_needed_bias)
+    double bias_of_kind = 0;         ///< offset that bias.kind adds with constant and slope 0 (Bias::gives_needed_bias)
     /// Normal offset: h / |n . ray|, as the look-up moves along the plane; infinite for a plane edge-on to the light.
     double normal = 0;
     /// bias.raster_* on this plane, as the driver applies them (PolygonOffset).
     double raster = 0;
 
-    /// Returns the equivalent depth bias of all settings together, in depth-buffer units. The surface does not shadow
-    /// itself when it is at least least.total().
+    /// Returns the equivalent depth bias of all bias settings together, in depth-buffer units. The surface does not
+    /// shadow itself when it is at least least.total().
     double equivalent_depth() const { return constant + slope + bias_of_kind + normal + raster; }
     /// Shift of the compared depth towards the light, in depth-buffer units: occluders nearer to the receiver cast no
     /// shadow. The normal offset counts only by its part along the light.
@@ -54,7 +54,7 @@ struct BiasBreakdown {
     double max_texel_shift = 0;
     /// Returns the depth that is compared with one texel of the shadow map. @param centre the texel's map coordinates
     double compared_depth_at(const glm::dvec2& centre) const;
-    /// Converts a shift in depth-buffer units at this point to texels and metres.
+    /// Converts a depth shift at the surface point from depth-buffer units to texels and metres.
     DepthShift amount(double depth) const {
         const double along_axis = curve.metres_towards_light(receiver.own_m, depth);
         return {depth, along_axis / receiver.texel_m, along_axis / receiver.axis_per_ray};

@@ -51,7 +51,7 @@ struct LightReceiver {
     double tap_m = 1;     ///< metres from the light along the view's axis at `tap`; above 0 for a perspective light
     double compared = 0;  ///< depth that is compared with the map at `tap`
     MapPlace place = MapPlace::Inside;
-    /// Returns true when the shadow map covers the point.
+    /// Returns true when the shadow map covers the projected surface point.
     bool in_map() const { return place == MapPlace::Inside || place == MapPlace::BeforeNear; }
 };
 

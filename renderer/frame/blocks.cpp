@@ -147,7 +147,7 @@ shared::FrameBlock make_frame_block(const FrameState& f) {
 
 void replace_frame_block(const FrameState& f, const shared::FrameBlock& block) {
     TexelBuffer& frame = f.gl.blocks.frame;
-    frame.put(std::as_bytes(std::span(&block, 1)));
+    frame.upload(std::as_bytes(std::span(&block, 1)));
     frame.bind_block(shared::BLOCK_FRAME);
     if (f.blocks_as_images()) frame.bind_image(shared::IMAGE_FRAME_BLOCK, GL_RGBA32UI);
 }
@@ -155,11 +155,11 @@ void replace_frame_block(const FrameState& f, const shared::FrameBlock& block) {
 void upload_blocks(const FrameState& f) {
     Blocks& blocks = f.gl.blocks;
     replace_frame_block(f, make_frame_block(f));
-    blocks.settings.put(settings_block_bytes(f.settings));
+    blocks.settings.upload(settings_block_bytes(f.settings));
     blocks.settings.bind_block(shared::BLOCK_SETTINGS);
     if (f.blocks_as_images()) blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);
     if (!f.disk_texels.empty()) {
-        blocks.disk.put(std::as_bytes(std::span(f.disk_texels)));
+        blocks.disk.upload(std::as_bytes(std::span(f.disk_texels)));
         blocks.disk.bind_image(shared::IMAGE_DISK_PLACES, GL_RG32UI);
     }
     set_samplers(f);

@@ -1,4 +1,5 @@
-// Names of what a frame leaves out or keeps without changing a byte of its picture, and sets of them.
+// The optimisations of a frame, and sets of them. An optimisation skips or caches work without changing a byte of the
+// picture.
 #pragma once
 
 #include <bitset>
@@ -8,43 +9,51 @@
 
 namespace si {
 
-/// In the order of savings() (renderer/optimisations/optimisations.h).
+/// Optimisations of a frame, in the order of optimisation_rows() (renderer/optimisations/optimisations.h).
 enum class Optimisation {
-    Uncalled,   ///< passes and look-ups that the scene does not call for
-    Blockers,   ///< searches for what casts a penumbra, where none can open
-    EarlyOut,   ///< taps, where the depths about a look-up answer it
-    Facing,     ///< look-ups whose light does not reach the picture
-    Order,      ///< shading of what is hidden, by drawing what is near first and what is large last
-    InSight,    ///< objects that no pixel of the picture can show
-    Fused,      ///< visibility as a pass of its own, where nothing else reads it
-    BackFaces,  ///< of closed casters
-    Casters,    ///< of which nothing lies in a map
-    Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
-    Static,     ///< casters that did not move, where others did
-    Fragments,  ///< work on fragments of casters that have no stray ones
+    DeadPasses,           ///< skips passes and look-ups that nothing needs
+    BlockerSearch,        ///< skips the blocker search where no penumbra can open
+    EarlyOut,             ///< skips taps where depth bounds of the map decide
+    BackFacingReceivers,  ///< skips look-ups on surfaces that receive no light
+    DepthOrder,           ///< draws objects front to back
+    FrustumCulling,       ///< skips objects outside the view frustum
+    FusedVisibility,      ///< evaluates visibility in the shading pass
+    CasterBackFaces,      ///< skips back faces of closed casters
+    CasterCulling,        ///< skips casters outside a map
+    UnreadViews,          ///< skips maps, and casters in them, that no look-up of the picture reads
+    StaticCasterCache,    ///< caches casters that stand still while others move
+    CasterFragments,      ///< skips the fragment shader of opaque casters
     kCount
 };
+/// Number of optimisations.
 inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);
 
-/// Some of the optimisations.
+/// Set of optimisations.
 class OptimisationSet {
 public:
+    /// Makes an empty set of optimisations.
     OptimisationSet() = default;
+    /// Makes a set of the listed optimisations.
     OptimisationSet(std::initializer_list<Optimisation> some) {
         for (const Optimisation s : some) add(s);
     }
+    /// Returns the set of all optimisations.
     static OptimisationSet all() {
         OptimisationSet set;
         set.bits_.set();
         return set;
     }
+    /// Adds an optimisation to the set, and returns the set for chaining.
     OptimisationSet& add(Optimisation s) {
         bits_.set(std::size_t(s));
         return *this;
     }
+    /// Returns true when an optimisation is in the set.
     bool contains(Optimisation s) const { return bits_.test(std::size_t(s)); }
+    /// Returns true when the set holds no optimisation.
     bool empty() const { return bits_.none(); }
-    std::uint64_t value() const { return bits_.to_ullong(); }  ///< for keys
+    /// Returns the set of optimisations as a number for cache keys, one bit each.
+    std::uint64_t value() const { return bits_.to_ullong(); }
     bool operator==(const OptimisationSet&) const = default;
 
 private:

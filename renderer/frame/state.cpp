@@ -58,12 +58,12 @@ GLenum FrameState::map_format() const {
 }
 
 bool FrameState::may_light_picture(std::size_t light) const {
-    return !adds_no_light(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
+    return !adds_no_light(gl.fitted[light], settings) || request.forced.contains(Optimisation::DeadPasses);
 }
 
 bool FrameState::shades_as_lit(std::size_t light) const {
     return !separate_visibility && is_always_lit(gl.fitted[light], settings) &&
-           !request.forced.contains(Optimisation::Uncalled);
+           !request.forced.contains(Optimisation::DeadPasses);
 }
 
 bool FrameState::needs_unfiltered_map() const {

@@ -14,16 +14,16 @@
 namespace si {
 namespace {
 
-/// From how many texture calls a look-up on it pays to ask for bounds first, with the maps kept. Mesa 22.3's llvmpipe,
-/// the agreed scene at 1280 x 720, 2048 texels, adaptive bias: time of that by that of all taps,
+/// Least texture calls of a look-up for which testing bounds first saves time, with unchanged maps. Time with bounds
+/// over time with all taps on llvmpipe (Mesa 22.3), reference scene at 1280 x 720, 2048 texels, adaptive bias:
 ///     16, 32, 64 calls: vogel 1.26, 1.16, 0.77; poisson 1.13, 1.14, 0.90; dpcf 1.19, 1.25, 0.78;
-///     32, 64, 128: pcss (searching and comparing by as many) 1.03, 0.76, 0.82;
-///     16, 25, 64: pcf 0.97, 0.88, 0.80; smrt, whose rays end at once where nothing is, 0.97 to 1.00.
+///     32, 64, 128: pcss (equal numbers of search and filter taps) 1.03, 0.76, 0.82;
+///     16, 25, 64: pcf 0.97, 0.88, 0.80; smrt, whose rays end early in empty regions, 0.97 to 1.00.
 /// `bench --benchmark_filter=lookups` measures it.
 constexpr int kMinTextureCalls = 64;
 
-/// How far depths may be from those that kernels compare. By hand they are the same numbers; samplers may round a
-/// reference to the format's steps, and depths of stored distances rise but for rounding.
+/// Returns the largest difference between bounds and the depths that kernels compare. Comparison in the shader uses the
+/// same numbers; samplers may round a reference to the format's steps, and stored distances rise only up to rounding.
 double depths_margin(const FrameState& f) {
     const auto format = f.settings.map.format;
     if (holds_distances(f.settings.map.format)) return 1e-6;
@@ -31,43 +31,44 @@ double depths_margin(const FrameState& f) {
     return format == MapFormat::D16 ? 2.0 / 65535 : format == MapFormat::D24 ? 2.0 / 16777215 : 0;
 }
 
-/// What single precision makes of planes; depths are 0 to 1.
+/// Error of planes in single precision; depths are 0 to 1.
 constexpr double kBoundsMargin = 1e-6;
 
-/// Texture calls of a look-up.
+/// Returns the texture calls of a look-up.
 int calls_of(const FrameState& f) {
     const FilterCost cost = cost_of(f.settings);
     return cost.gathers > 0 && !f.filter_sampler ? cost.gathers : cost.sampler_taps;
 }
 
-/// Whether the kernel compares depths, and not along rays, which end at once where nothing stands.
-bool may_ask(const FrameState& f) {
+/// Returns true when the kernel compares depths, and not along rays, which end early in empty regions.
+bool may_use_bounds(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     return row.samples == Samples::Depth && (!row.reads_light_size || row.searches_blockers);
 }
 
 bool fetches_many(const FrameState& f) {
-    return may_ask(f) && calls_of(f) >= kMinTextureCalls;
+    return may_use_bounds(f) && calls_of(f) >= kMinTextureCalls;
 }
 
-std::string saved_or_not(const FrameState& f, Optimisation saving) {
-    return f.request.forced.contains(saving) ? "0" : "1";
+/// Returns "1" for the shader define of an optimisation, or "0" when it is forced off.
+std::string unless_forced(const FrameState& f, Optimisation optimisation) {
+    return f.request.forced.contains(optimisation) ? "0" : "1";
 }
 
-/// GLSL of an array's contents.
+/// Returns a GLSL array of positions.
 std::string glsl_list(std::span<const glm::vec2> places) {
     std::string out;
     for (const glm::vec2& p : places) out += fmt::format("{}vec2({:.9g}, {:.9g})", out.empty() ? "" : ", ", p.x, p.y);
     return "vec2[](" + out + ")";
 }
 
-/// Of so many taps Mesa unrolls a loop; a compiler for CPUs then has places as numbers within the code.
+/// Largest number of taps for which Mesa unrolls a loop, so that positions become constants in the code.
 constexpr std::size_t kMaxUnrolledTaps = 32;
 
 }  // namespace
 
 int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
-    // Centres that are read, the half texel around them, and what rounding moves them by.
+    // Texel centres that are read, half a texel around them, and rounding.
     const double texels = std::ceil(kernel_reach_in_light(f.settings, light, f.map_resolution).read + 0.5 + 1e-3);
     return int(std::min(std::ceil(texels / kBoundsCell), double(f.map_resolution)));
 }
@@ -75,16 +76,16 @@ int bounds_reach_cells(const FrameState& f, const FittedLight& light) {
 std::string map_bounds_skip_reason(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     if (f.view_count == 0) return "no light has a shadow map";
-    if (f.request.forced.contains(Optimisation::EarlyOut)) return "look-ups are to fetch all their taps";
+    if (f.request.forced.contains(Optimisation::EarlyOut)) return "forced: look-ups fetch all their taps";
     if (row.samples != Samples::Depth) return "filter.kernel reads averages of depths, not depths";
-    if (!may_ask(f)) return "the kernel's rays end at once where the map holds nothing";
+    if (!may_use_bounds(f)) return "the kernel's rays end at once where the map holds nothing";
     if (!fetches_many(f))
-        return fmt::format("a look-up fetches {} times; finding bounds pays from {} on", calls_of(f), kMinTextureCalls);
-    if (f.paged) return "the map is drawn by pages, each when it is wanted";
+        return fmt::format("a look-up fetches {} times; bounds save time from {} on", calls_of(f), kMinTextureCalls);
+    if (f.paged) return "the map is drawn by pages, on demand";
     if (row.reads_light_size &&
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
-        return "how far the kernel reaches differs over a warped map";
-    // Finding them takes a fifth to a third of a frame in which PCSS or 64 taps look up a map of 2048 texels a side.
+        return "the kernel's reach differs across a warped map";
+    // Finding bounds takes a fifth to a third of a frame with PCSS or 64 taps and 2048 texels a side.
     if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kMapBoundsWaitReason);
     return {};
 }
@@ -95,8 +96,8 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
             {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
             {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
             {"BOUNDS_CELL", std::to_string(kBoundsCell)},
-            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::Blockers)},
-            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::Facing)}};
+            {"SKIPS_SEARCH", unless_forced(f, Optimisation::BlockerSearch)},
+            {"SKIPS_UNLIT", unless_forced(f, Optimisation::BackFacingReceivers)}};
 }
 
 void define_kernel_taps(FrameState& f, bool asks_bounds) {
@@ -105,7 +106,7 @@ void define_kernel_taps(FrameState& f, bool asks_bounds) {
         {"TAP", disk_points(row, f.settings, f.settings.filter.taps)},
         {"BLOCKER", disk_points(row, f.settings, f.settings.filter.blocker_taps)},
         {"RAY", spiral_places(f.settings.filter.rays)}};
-    // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
+    // CPU rasterisers run both sides of a branch, but leave loops early.
     const bool keeps_loops = asks_bounds && f.driver.software;
     const bool from_image = f.blocks_as_images() && (keeps_loops || std::ranges::any_of(lists, [](const auto& list) {
                                                          return list.second.size() > kMaxUnrolledTaps;

@@ -1,4 +1,4 @@
-// What look-ups in shadow maps need not do.
+// Optimisations of shadow map look-ups: early-out by depth bounds, and unrolled kernel taps.
 #pragma once
 
 #include <string>
@@ -9,25 +9,29 @@
 
 namespace si {
 
-/// Reason why no bounds of the maps are found (Optimisation::EarlyOut) while the maps change.
+/// Reason for skipping the depth bounds of the maps (Optimisation::EarlyOut) while the maps change.
 inline constexpr std::string_view kMapBoundsWaitReason =
-    "the maps are drawn anew: finding bounds would take longer than it spares";
+    "the maps are drawn again: finding bounds would take longer than it saves";
 
-/// Why look-ups of the frame do not first ask for the map's bounds about them (Saving::EarlyOut), in words; empty: they
-/// do. Known once the passes that draw the maps are planned.
+/// Returns the reason why look-ups of the frame do not test depth bounds of the maps first (Optimisation::EarlyOut);
+/// empty: they do. Call after the passes that draw the maps are planned.
 std::string map_bounds_skip_reason(const FrameState& f);
 
-/// Which of them the frame's look-ups make.
+/// Returns the shader defines that switch the look-up optimisations of a frame on or off.
 std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f);
 
-/// How kernels go through their taps: unrolled, with their places in the code, or in loops that look-ups can leave.
-/// @param asks_bounds look-ups ask for the maps' bounds before they fetch taps
+/// Adds the shader defines for the kernel's taps to the frame: unrolled with constant positions, or in loops that
+/// look-ups can leave early.
+/// @param asks_bounds look-ups test the maps' depth bounds before they fetch taps
 void define_kernel_taps(FrameState& f, bool asks_bounds);
 
-/// How many cells beside a block hold texels that the kernel may read from it.
+/// Returns the radius in map cells around a block of texels within which a kernel centred in the block may read, under
+/// one light. The depth bounds of the block cover that many cells more at each side.
 int bounds_reach_cells(const FrameState& f, const FittedLight& light);
 
-/// Texels a side of a block. Blocks are made of cells, of which each is as many texels a side as a block has cells.
-inline constexpr int kBoundsBlock = 16, kBoundsCell = 4;
+/// Texels a side of a block, for which one pair of depth bounds is stored.
+inline constexpr int kBoundsBlock = 16;
+/// Texels a side of a cell, from which the bounds of blocks are composed.
+inline constexpr int kBoundsCell = 4;
 
 }  // namespace si

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-const VisibleBodies& bodies_seen(FrameState& f, CameraMapReads& known) {
+const VisibleBodies& visible_bodies(FrameState& f, CameraMapReads& known) {
     const std::uint64_t key = f.surfaces_key().value();
     if (known.key == key && known.bodies) return *known.bodies;
     known.bodies = find_visible_bodies(f.scene, f.camera, f.request.height,
@@ -25,7 +25,7 @@ const VisibleBodies& bodies_seen(FrameState& f, CameraMapReads& known) {
 }  // namespace
 
 bool reads_whole_maps(const FrameState& f) {
-    if (f.request.forced.contains(Optimisation::Views)) return true;
+    if (f.request.forced.contains(Optimisation::UnreadViews)) return true;
     Outputs more = f.request.outputs;
     more.colour = more.visibility = more.surface_ids = more.overlay = false;
     if (!(more == Outputs{.colour = false}) || f.slabs_shown) return true;
@@ -37,15 +37,15 @@ std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name
     std::uint64_t left_out = 0;
     for (const MapCells& held : f.drawn_cells_by_layer) {
         std::uint64_t made = 0;
-        for (const TexelRect& r : held.texels(f.map_resolution))
+        for (const TexelRect& r : held.texel_rects(f.map_resolution))
             made += std::uint64_t(r.to.x - r.from.x) * std::uint64_t(r.to.y - r.from.y);
         left_out += each - std::min(made, each);
     }
     if (left_out == 0) return std::nullopt;
     PartInfo part{.name = std::move(name), .unit = "texels"};
     part.left_out = left_out;
-    part.by = Optimisation::Views;
-    part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
+    part.by = Optimisation::UnreadViews;
+    part.reason = fmt::format("no visible surface reads {:.0f} % of the maps' texels: they are skipped",
                               100.0 * double(left_out) / double(each * f.drawn_cells_by_layer.size()));
     return part;
 }
@@ -63,13 +63,13 @@ NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps
                           .reads_border_texels = filter_of(s).samples == Samples::Moments,
                           .only_lit_points = !f.separate_visibility && s.shading.composition != Composition::DimLit};
     CameraMapReads& known = f.gl.found->seen;
-    const VisibleBodies& seen = bodies_seen(f, known);
+    const VisibleBodies& seen = visible_bodies(f, known);
     CameraMapReads::LightReads& of_light = known.lights[light];
     Key key;
     key.add(known.key).add(maps).add(f.gl.fit_key).add(area.resolution).add(area.reach_texels).add(area.normal_texels);
     key.add(area.wrap).add(area.whole_maps).add(area.reads_border_texels).add(area.only_lit_points);
     if (of_light.key != key.value()) of_light = {key.value(), needed_maps(fitted, seen, area)};
-    return of_light.called;
+    return of_light.needed;
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// How much of each light's maps a frame calls for.
+// Parts of each light's maps that a frame reads, cached between frames.
 #pragma once
 
 #include <array>
@@ -10,15 +10,19 @@
 
 namespace si {
 
-/// Whether something that the frame is asked for reads more of maps than look-ups of the picture do, or may.
+/// Returns true when an output of the frame besides the picture may read any texel of the maps, such as an overlay, a
+/// probe or the map viewer.
 bool reads_whole_maps(const FrameState& f);
 
-/// Of something made of all maps, how many of their texels are left out as nothing reads them; none: none are. Once the
-/// maps' passes are planned.
+/// Returns the plan entry for texels that a pass over all maps skips because nothing reads them; empty if it skips
+/// none. Call after the maps' passes are planned.
+/// @param name name of the plan entry
 std::optional<PartInfo> unread_texels_part(const FrameState& f, std::string name);
 
-/// What of a casting light's maps the frame reads (Saving::Views). Kept until camera, scene or maps change.
-/// @param maps key of what is drawn into them
+/// Returns the cells of a casting light's maps that the frame reads (Optimisation::UnreadViews). Cached until camera,
+/// scene or maps change.
+/// @param light index of the light
+/// @param maps key of the content drawn into its maps
 NeededMaps find_needed_maps(FrameState& f, std::size_t light, std::uint64_t maps);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Boxes about parts of meshes, found when first asked for.
+// Bounding boxes of parts of meshes, computed on first use.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,13 @@
 
 namespace si {
 
-/// See build_clusters(); none of a mesh that changes with the pose.
+/// Returns the clusters of a mesh's triangles (build_clusters()), cached in the renderer; empty for a mesh that is
+/// deformed by the pose.
+/// @param mesh index into Scene::meshes
 std::span<const Cluster> mesh_clusters(const FrameState& f, std::size_t mesh);
-/// See index_run_boxes(); none of a mesh that changes with the pose.
+/// Returns the bounding boxes of runs of a mesh's indices (index_run_boxes()), cached in the renderer; empty for a mesh
+/// that is deformed by the pose.
+/// @param mesh index into Scene::meshes
 std::span<const Bounds> mesh_run_boxes(const FrameState& f, std::size_t mesh);
 
 }  // namespace si

@@ -12,74 +12,71 @@ namespace {
 
 constexpr OptimisationRow kRows[] = {
     {.key = "uncalled",
-     .label = "What nothing calls for",
-     .help = "Passes and look-ups for lights without a shadow are left out: what they would find is lit everywhere. "
-             "Shading leaves out lights that are black or reach nothing of the scene, and takes for lit what is in "
-             "reach of a light whose maps no caster lies in."},
+     .label = "Passes and look-ups that nothing needs",
+     .help = "Passes and look-ups for lights without a shadow are skipped: they would return lit everywhere. "
+             "Shading skips lights that are black or reach nothing of the scene. Points in reach of a light whose "
+             "maps hold no caster are lit without a look-up."},
     {.key = "blockers",
-     .label = "Searches without a penumbra",
-     .help = "A kernel that searches for blockers looks once where its light is too small for a penumbra: all places "
-             "of the search are that one."},
+     .label = "Blocker search without a penumbra",
+     .help = "The blocker search of a kernel looks up one place where its light is too small for a penumbra: all "
+             "places of the search are then the same."},
     {.key = "early-out",
-     .label = "Taps that cannot differ",
-     .help = "Where the map's nearest and farthest depth within the kernel's reach lie on one side of the receiver, "
-             "all taps agree, and none is fetched. Asked for by kernels of so many taps that it pays."},
+     .label = "Early-out by depth bounds",
+     .help = "Where both bounds of the map's depths within the kernel's reach lie on one side of the receiver, "
+             "all taps agree, and none is fetched. Only kernels with enough taps to gain from it test "
+             "the bounds."},
     {.key = "facing",
-     .label = "Look-ups of light that does not arrive",
-     .help = "Surfaces turned away from a light, beyond its range or outside of its cone get nothing of it, whatever "
-             "its visibility."},
+     .label = "Look-ups on unlit surfaces",
+     .help = "Surfaces that face away from a light, or lie beyond its range or outside of its cone, skip its "
+             "look-up: they receive no light from it, whatever its visibility."},
     {.key = "order",
-     .label = "Hidden surfaces",
-     .help =
-         "What is near is drawn before what it hides, so that less of that is shaded. The depth test finds the same "
-         "surfaces in any order, unless two lie in exactly one place: objects whose boxes touch keep theirs, large "
-         "meshes after small ones, whatever the camera. Forced, all keep theirs."},
+     .label = "Front-to-back draw order",
+     .help = "Near objects are drawn before the objects they hide, so that fewer hidden surfaces are shaded. The "
+             "depth test finds the same surfaces in any order, except where two coincide: objects whose boxes "
+             "touch keep their order. Large meshes come last. Forced: objects keep the order of the scene."},
     {.key = "in-sight",
-     .label = "Objects beside the picture",
-     .help =
-         "Objects whose box lies outside of what the camera sees are not drawn: none of their triangles would cover "
-         "a pixel."},
+     .label = "Frustum culling of objects",
+     .help = "Objects whose box lies outside the view frustum are not drawn: none of their triangles would cover a "
+             "pixel."},
     {.key = "fused",
-     .label = "Visibility as a pass of its own",
-     .help = "The shading pass evaluates visibility itself where nothing else reads it: the same code on the same "
-             "surfaces, so what is spared is drawing them twice."},
+     .label = "Visibility fused with shading",
+     .help = "The shading pass evaluates visibility itself where nothing else reads it. The code and the surfaces "
+             "are the same, so only the second drawing of the surfaces is skipped."},
     {.key = "back-faces",
      .label = "Back faces of closed casters",
-     .help =
-         "Opaque casters whose triangles bound bodies are drawn into maps by their front faces alone, where the near "
-         "plane cuts nothing of them: what a light outside of a body meets first is a front face. Forced, back faces "
-         "are drawn a step and a texel's slope behind where they lie, as at silhouettes rounding would decide."},
+     .help = "Closed opaque casters are drawn into maps by their front faces alone, where the near plane does not "
+             "cut them: light from outside of a body meets a front face first. Forced: back faces are drawn one "
+             "depth step and one texel's slope behind their place, since rounding would decide at silhouettes."},
     {.key = "casters",
-     .label = "Casters beside a map",
-     .help = "Casters whose box lies outside of what a map, a cascade or a face holds are not drawn into it: none of "
-             "their triangles would cover a texel."},
+     .label = "Frustum culling of casters",
+     .help = "Casters whose box lies outside a map, a cascade or a cube face are not drawn into it: none of their "
+             "triangles would cover a texel."},
     {.key = "views",
-     .label = "What of maps the camera cannot read",
-     .help = "Maps, cascades and faces in which nothing lies that the camera sees are not drawn, nor are casters that "
-             "cover no texel within the kernel's reach of what it sees. Whatever reads whole maps has them whole."},
+     .label = "Map parts that the camera does not read",
+     .help = "Maps, cascades and cube faces without any visible surface are not drawn. Casters are skipped where "
+             "they cover no texel within the kernel's reach of a visible surface. Outputs that read whole maps "
+             "still find them complete."},
     {.key = "static",
-     .label = "Casters at rest",
-     .help = "Where casters move under a light whose maps keep their views, those at rest are kept in a map of their "
-             "own, which is copied where others were, and only what moves is drawn over it: of all that covers a "
-             "texel the nearest depth stays, in whatever order. It takes the maps' memory once more, while something "
-             "moves."},
+     .label = "Cache of static casters",
+     .help = "Where casters move under a light whose maps keep their views, static casters are cached in a map of "
+             "their own. Each frame copies that map and draws only moving casters over it: the nearest depth of a "
+             "texel is the same in any draw order. The cache doubles the memory of the maps while something moves."},
     {.key = "fragments",
-     .label = "Fragments of opaque casters",
-     .help =
-         "Opaque casters with flat sides, none of which the light's parallel rays meet edge-on, are drawn into "
-         "depth buffers without a fragment shader. Of the others it drops what rounding draws from beyond the map's "
-         "range, which a flat side seen well from its front does not leave."},
+     .label = "Fragment shader of opaque casters",
+     .help = "Opaque casters with flat sides, none of them edge-on to the light's parallel rays, are drawn into "
+             "depth buffers without a fragment shader. The shader only drops fragments that rounding places "
+             "outside the map's range, and such casters have none."},
 };
 static_assert(std::size(kRows) == kOptimisations);
 
 }  // namespace
 
-std::span<const OptimisationRow> savings() {
+std::span<const OptimisationRow> optimisation_rows() {
     return kRows;
 }
 
-const OptimisationRow& row_of(Optimisation saving) {
-    return kRows[std::size_t(saving)];
+const OptimisationRow& row_of(Optimisation optimisation) {
+    return kRows[std::size_t(optimisation)];
 }
 
 Optimisation parse_optimisation(std::string_view key) {
@@ -88,7 +85,7 @@ Optimisation parse_optimisation(std::string_view key) {
     if (row != std::end(kRows)) return Optimisation(row - kRows);
     std::string known;
     for (const OptimisationRow& r : kRows) known += fmt::format("{}{}", known.empty() ? "" : ", ", r.key);
-    throw Error(fmt::format("there is no saving \"{}\"; known are {}", key, known));
+    throw Error(fmt::format("unknown optimisation \"{}\"; known keys: {}", key, known));
 }
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// The table of what a frame leaves out or keeps without changing a byte of its picture. Each can be forced: two ways,
-// one picture.
+// The table of optimisations: work that a frame skips or caches without changing a byte of its picture. Each can be
+// switched off, and the picture stays the same.
 #pragma once
 
 #include <span>
@@ -9,14 +9,19 @@
 
 namespace si {
 
+/// Row of the table of optimisations: key, label and help.
 struct OptimisationRow {
-    std::string_view key, label;
-    std::string_view help;  ///< what is left out, when, and why the picture cannot change; a sentence
+    std::string_view key;    ///< name in commands and JSON
+    std::string_view label;  ///< name in the editor
+    std::string_view help;   ///< one paragraph: work skipped, condition, and proof of safety
 };
 
-std::span<const OptimisationRow> savings();
-const OptimisationRow& row_of(Optimisation saving);
-/// @throws Error naming the known keys
+/// Returns all rows of the table, in the order of Optimisation.
+std::span<const OptimisationRow> optimisation_rows();
+/// Returns the table row of an optimisation.
+const OptimisationRow& row_of(Optimisation optimisation);
+/// Returns the optimisation with a key.
+/// @throws Error naming the known keys if the key is unknown
 Optimisation parse_optimisation(std::string_view key);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Facts that optimisations find of a scene once and keep between frames.
+// Cached facts about the scene that optimisations share between frames.
 #pragma once
 
 #include <array>
@@ -12,30 +12,30 @@
 
 namespace si {
 
-/// Boxes around parts of one mesh: clusters of triangles, and runs of indices.
+/// Bounding boxes of the clusters and index runs of one mesh.
 struct MeshBoxes {
-    std::vector<Cluster> clusters;
-    std::optional<std::vector<Bounds>> runs;  ///< none: not built yet
+    std::vector<Cluster> clusters;            ///< build_clusters(); empty until needed
+    std::optional<std::vector<Bounds>> runs;  ///< index_run_boxes(); empty until needed
 };
 
-/// Parts of each light's maps that the camera reads, kept until camera, scene or maps change.
+/// Cache of the objects that the camera sees and of the map cells that it reads, by light.
 struct CameraMapReads {
-    std::uint64_t key = 0;
+    std::uint64_t key = 0;  ///< key of camera and scene
     std::optional<VisibleBodies> bodies;
-    /// Parts of one light's maps.
+    /// Cells read of one light's maps.
     struct LightReads {
         std::uint64_t key = 0;
-        NeededMaps called;
+        NeededMaps needed;
     };
     std::array<LightReads, kMaxLights> lights;
 };
 
-/// Boxes of meshes and the parts that the camera sees, each found when first needed. One object a renderer
-/// (Resources::found).
+/// Cache of mesh boxes and of the parts of the scene that the camera sees, each computed on first use. One object a
+/// renderer (Resources::found).
 struct SceneFindings {
     OfMeshes<MeshBoxes> boxes;
-    CameraMapReads seen;
-    VisibleObjects seen_objects;
+    CameraMapReads seen;          ///< map cells read
+    VisibleObjects seen_objects;  ///< draw order of the picture
 };
 
 }  // namespace si

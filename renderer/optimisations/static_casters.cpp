@@ -33,7 +33,7 @@ std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> con
     return out;
 }
 
-bool StaticCasters::rests(std::uint64_t content) const {
+bool StaticCasters::is_static(std::uint64_t content) const {
     return std::ranges::binary_search(static_casters_, StaticCandidate{content}, comes_before);
 }
 
@@ -50,14 +50,15 @@ StaticCasters::Draws StaticCasters::choose(std::uint64_t of_views, std::vector<S
     std::vector<StaticCandidate> rested;
     std::ranges::set_intersection(last_, before, std::back_inserter(rested), comes_before);
     if (!holds) {
-        // What began to move goes on, and so may what moved before: it is not taken for resting after one frame.
+        // A caster that has just moved may move again, and so may others: one frame without motion does not make them
+        // static.
         std::vector<StaticCandidate> still;
         std::ranges::set_intersection(rested, static_casters_, std::back_inserter(still), comes_before);
         return choose_again(2 * triangles_of(still) >= triangles_of(rested) ? still : rested, reason);
     }
-    // Whatever comes to rest is drawn on until it has cost as much as to draw all that rests once more.
+    // Casters that stop are drawn with the moving ones until that has cost as much as refilling the cache.
     drawn_in_vain_ += triangles_of(rested) - std::min(triangles_of(rested), triangles_of(static_casters_));
-    return drawn_in_vain_ > triangles_of(rested) ? choose_again(rested, reason) : Draws::Moved;
+    return drawn_in_vain_ > triangles_of(rested) ? choose_again(rested, reason) : Draws::MovingOnly;
 }
 
 StaticCasters::Draws StaticCasters::choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason) {
@@ -66,10 +67,11 @@ StaticCasters::Draws StaticCasters::choose_again(const std::vector<StaticCandida
     static_casters_ = pays ? rested : std::vector<StaticCandidate>();
     views.clear();
     if (!pays && !last_.empty())
-        reason = rested.empty()
-                     ? "all that casts has moved"
-                     : "what rests is of few triangles beside what moves: they are drawn about as soon as copied";
-    return pays ? Draws::Anew : Draws::All;
+        reason =
+            rested.empty()
+                ? "all casters have moved"
+                : "static casters have few triangles compared with moving ones: drawing them takes as long as a copy";
+    return pays ? Draws::StaticAndMoving : Draws::All;
 }
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// Which of a light's casters are taken to rest, so that they are drawn once into a map of their own, which is copied,
-// and only what moves is drawn over it (Saving::Resting). No OpenGL: what is decided here is tested by itself.
+// Static casters of a light, drawn once into a cached map. Each frame copies the cached map and draws moving casters
+// over it (Optimisation::StaticCasterCache). No OpenGL, so the decision can be tested alone.
 #pragma once
 
 #include <cstdint>
@@ -11,59 +11,65 @@
 
 namespace si {
 
-/// A caster, by CasterContent. Several of one content lie in one place: depths of one are those of all.
+/// Casters of one content: same mesh, place and state (CasterContent), hence the same depths.
 struct StaticCandidate {
-    std::uint64_t content = 0;
-    std::uint64_t triangles = 0;  ///< of all that have it
+    std::uint64_t content = 0;    ///< CasterContent key
+    std::uint64_t triangles = 0;  ///< triangles of all casters with the content
     bool operator==(const StaticCandidate&) const = default;
 };
 
-/// Casters in the order of their content, each content once.
+/// Merges casters of equal content and sorts them by content. Casters with content 0 are left out.
+/// @param contents,triangles content key and triangle count by caster
 std::vector<StaticCandidate> group_by_content(std::span<const std::uint64_t> contents,
                                               std::span<const std::uint64_t> triangles);
 
-/// What rests is kept apart where it has at least one in so many of all triangles. Beside 12 times as many that moved
-/// all over the map it took 0.71 to 0.85 of drawing all on llvmpipe, 0.59 on zink (`bench
+/// Largest ratio of all triangles to static triangles for which the cache is used. With 12 times as many moving
+/// triangles over the whole map the cache took 0.71 to 0.85 of the time on llvmpipe, and 0.59 on zink (`bench
 /// --benchmark_filter=moving_box`).
 inline constexpr std::uint64_t kMaxTrianglesPerStatic = 16;
 
-/// What one of a light's maps consists of.
+/// State of one view of a light whose static casters are cached.
 struct StaticView {
-    bool drawn = false;  ///< the map of what rests holds this view
-    MapCells holds;      ///< what of it
-    bool below = false;  ///< the light's map is a copy of it, with what moved drawn over it
-    MapCells over;       ///< where that may lie
+    bool cached = false;    ///< static casters of the view are in the cached map
+    MapCells cached_cells;  ///< cells drawn in the cached map
+    bool is_copy = false;   ///< the light's map is a copy of the cached map with moving casters over it
+    MapCells moving_cells;  ///< cells with moving casters
 };
 
-/// Of one light, from frame to frame.
+/// Decides frame by frame which casters of one light are static, and whether to cache them.
 class StaticCasters {
 public:
+    /// Casters that a frame draws into a light's map: all, static and moving ones apart, or moving ones alone.
     enum class Draws {
-        All,    ///< nothing is kept apart
-        Anew,   ///< what rests goes into the map of it, as it is not what that holds
-        Moved,  ///< that map is kept
+        All,              ///< all casters; there is no cache
+        StaticAndMoving,  ///< static casters into the cached map, moving ones over its copy
+        MovingOnly,       ///< moving casters over a copy of the cached map
     };
 
-    /// Says how a light's maps are drawn that hold these casters, and remembers them.
-    /// @param of_views key of all that the maps depend on but their casters
-    /// @param[out] reason a clause where all are drawn; empty: nothing has moved
+    /// Decides which casters of a light this frame draws, and stores them for the next decision.
+    /// @param of_views key of all inputs of the light's maps except casters
+    /// @param[out] reason clause that explains why all casters are drawn; empty if nothing has moved
     Draws choose(std::uint64_t of_views, std::vector<StaticCandidate> casters, std::string_view& reason);
 
-    /// Whether a caster is in the map of what rests.
-    bool rests(std::uint64_t content) const;
-    /// Whether there is one for these views.
-    bool keeps(std::uint64_t kept) const { return kept == views_ && !static_casters_.empty(); }
-    void forget() { *this = {}; }
+    /// Returns true when a caster is in the cached map of static casters.
+    bool is_static(std::uint64_t content) const;
+    /// Returns true when a cached map of static casters exists for a key of the light's views.
+    bool has_cache_for(std::uint64_t of_views) const { return of_views == views_ && !static_casters_.empty(); }
+    /// Drops the light's static casters, so that the next frame draws all casters.
+    void reset() { *this = {}; }
 
-    std::vector<StaticView> views;  ///< by view of the light; none is drawn where resting casters were chosen anew
+    std::vector<StaticView> views;  ///< state by view; none is cached after static casters were chosen again
 
 private:
-    std::uint64_t views_ = 0;
-    std::vector<StaticCandidate> last_;            ///< of the frame before
-    std::vector<StaticCandidate> static_casters_;  ///< empty: there is no map of them
-    /// Triangles that were drawn though they rested, as they moved when resting ones were chosen.
+    std::uint64_t views_ = 0;                      ///< key of the last frame's views
+    std::vector<StaticCandidate> last_;            ///< casters of the frame before
+    std::vector<StaticCandidate> static_casters_;  ///< casters in the cached map; empty without one
+    /// Sum of triangles drawn since the last refill although static now. The cache is refilled once the sum exceeds the
+    /// cost of a refill.
     std::uint64_t drawn_in_vain_ = 0;
 
+    /// Refills the cache with casters that did not move, if they are numerous enough.
+    /// @param rested casters equal in the last two frames
     Draws choose_again(const std::vector<StaticCandidate>& rested, std::string_view& reason);
 };
 

@@ -10,12 +10,12 @@
 namespace si {
 namespace {
 
-/// Of the scene's size: what floats make of a vertex and of its depth.
+/// Padding of boxes as a share of the scene's size, for float rounding of vertices and depths.
 constexpr double kTouchingPadShare = 1e-5;
 
 }  // namespace
 
-void VisibleObjects::learn_boxes(const FrameState& f) {
+void VisibleObjects::update_boxes(const FrameState& f) {
     const SceneGpu& gpu = *f.gl.scene;
     if (of_ == gpu.key().value()) return;
     of_ = gpu.key().value();
@@ -33,25 +33,25 @@ void VisibleObjects::learn_boxes(const FrameState& f) {
 
 void VisibleObjects::arrange(const FrameState& f) {
     SceneGpu& gpu = *f.gl.scene;
-    learn_boxes(f);
-    const bool all = f.request.forced.contains(Optimisation::InSight);
-    // Depths that crowd at the far plane would put into one place what lies far apart.
+    update_boxes(f);
+    const bool all = f.request.forced.contains(Optimisation::FrustumCulling);
+    // Depths that are not reversed crowd at the far plane, where distant surfaces would coincide.
     const bool sorts =
-        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::Order);
+        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::DepthOrder);
     const std::uint64_t key = Key(gpu.key()).add(f.camera_key.value()).add(all).add(sorts).value();
     if (of_seen_ == key) return;
     of_seen_ = key;
-    left_out_ = 0;
-    const BoxCuller sight(f.camera.clip_from_relative(f.origin), f.origin, f.camera.curve.convention, false,
-                          std::min(f.request.width, f.request.height));
+    skipped_ = 0;
+    const BoxCuller culler(f.camera.clip_from_relative(f.origin), f.origin, f.camera.curve.convention, false,
+                           std::min(f.request.width, f.request.height));
     const glm::dvec3 forward = -f.camera.axes[2];
     std::vector<SortedBox> drawn(boxes_.size());
     for (std::size_t i = 0; i < boxes_.size(); ++i) {
         const Batch& batch = gpu.batches()[gpu.instance_batches()[i]];
-        drawn[i].seen = all || !sight.misses(boxes_[i]);
-        left_out_ += !drawn[i].seen;
+        drawn[i].seen = all || !culler.is_outside(boxes_[i]);
+        skipped_ += !drawn[i].seen;
         drawn[i].group = batch.blend ? 2 : batch.masked ? 1 : 0;
-        if (batch.blend) continue;  // whoever draws them sorts them
+        if (batch.blend) continue;  // blended objects are sorted by the pass that draws them
         double far_m = glm::dot(boxes_[i].centre - f.camera.eye, forward);
         for (int axis = 0; axis < 3; ++axis) far_m += std::abs(glm::dot(boxes_[i].half[axis], forward));
         drawn[i].far_m = std::isfinite(far_m) ? far_m : std::numeric_limits<double>::max();

@@ -1,5 +1,5 @@
-// What the camera draws of the scene, and in what order (Saving::InSight, Saving::Order). Kept until camera or objects
-// change.
+// Visible objects of a picture and their draw order (Optimisation::FrustumCulling, Optimisation::DepthOrder), cached
+// until camera or objects change.
 #pragma once
 
 #include <cstdint>
@@ -12,21 +12,24 @@ namespace si {
 
 struct FrameState;
 
+/// Culls objects by the camera's frustum and sorts the visible ones front to back.
 class VisibleObjects {
 public:
-    /// Arranges what the frame's camera draws: see SceneGpu::set_camera_instances().
+    /// Culls the objects outside the frame's view frustum, sorts the others front to back, and passes the draw order to
+    /// the scene on the GPU (SceneGpu::set_camera_instances()). Does nothing while camera and objects are unchanged.
     void arrange(const FrameState& f);
-    /// Objects that no pixel of the frame can show, and that are not drawn.
-    std::size_t left_out() const { return left_out_; }
+    /// Returns the number of objects outside the view frustum, which are not drawn.
+    std::size_t skipped_count() const { return skipped_; }
 
 private:
-    std::uint64_t of_ = 0;        ///< key of the arrangement whose boxes these are
-    std::uint64_t of_seen_ = 0;   ///< and of the camera
-    std::vector<SkewBox> boxes_;  ///< by instance
-    std::optional<std::vector<BoxPair>> touching_;
-    std::size_t left_out_ = 0;
+    std::uint64_t of_ = 0;                          ///< key of the instances in `boxes_`
+    std::uint64_t of_seen_ = 0;                     ///< key of instances and camera
+    std::vector<SkewBox> boxes_;                    ///< by instance
+    std::optional<std::vector<BoxPair>> touching_;  ///< touching_boxes() of `boxes_`
+    std::size_t skipped_ = 0;
 
-    void learn_boxes(const FrameState& f);
+    /// Computes the boxes of all instances if the scene has changed.
+    void update_boxes(const FrameState& f);
 };
 
 }  // namespace si

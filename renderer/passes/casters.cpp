@@ -157,9 +157,9 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Optimisation::Casters)),
+          skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Optimisation::Fragments)),
+                 !f.request.forced.contains(Optimisation::CasterFragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
@@ -193,7 +193,7 @@ private:
     /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
         if (which_.only && !(*which_.only)[instance]) return finish(run);
-        if (skips_ && sight_.misses(box_of(instance))) {
+        if (skips_ && sight_.is_outside(box_of(instance))) {
             ++spared.beside;
             return finish(run);
         }
@@ -256,7 +256,7 @@ private:
 
     bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
-        return !rect || which_.called->meets(*rect);
+        return !rect || which_.called->overlaps(*rect);
     }
 
     void note_covered(const SkewBox& box) {
@@ -317,7 +317,7 @@ private:
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
-        if (run.fronts_alone && f_.request.forced.contains(Optimisation::BackFaces)) draw_backs(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Optimisation::CasterBackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
 

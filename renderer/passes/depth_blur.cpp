@@ -28,7 +28,7 @@ void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Frameb
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
-        FrameState::draw_fullscreen(f.drawn_cells_by_layer[std::size_t(layer)].texels(n), info);
+        FrameState::draw_fullscreen(f.drawn_cells_by_layer[std::size_t(layer)].texel_rects(n), info);
     };
     draw(rows.id(), "0");
     const int target_layer = t.maps.layers == 0 ? -1 : layer;

@@ -64,8 +64,8 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     part.triangles = info.triangles - triangles;
     part.left_out = spared.beside + spared.unread;
     part.unit = "casters";
-    if (spared.beside > 0) part.by = Optimisation::Casters;
-    if (spared.unread > 0) part.by = Optimisation::Views;
+    if (spared.beside > 0) part.by = Optimisation::CasterCulling;
+    if (spared.unread > 0) part.by = Optimisation::UnreadViews;
     const char* plural = spared.unread == 1 ? "" : "s";
     const char* cover = spared.unread == 1 ? "covers" : "cover";
     if (spared.unread == 0)
@@ -86,15 +86,15 @@ PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, boo
     part.state = kept ? PassState::Cached : PassState::Skipped;
     part.reason = kept ? "what is called for of it was drawn before"
                        : "nothing that the camera sees is looked up in it: it is not drawn";
-    if (!kept) part.by = Optimisation::Views;
+    if (!kept) part.by = Optimisation::UnreadViews;
     return part;
 }
 
 /// @param closed casters, each counted once a view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
     PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
-    const bool forced = f.request.forced.contains(Optimisation::BackFaces);
-    part.by = Optimisation::BackFaces;
+    const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
+    part.by = Optimisation::CasterBackFaces;
     part.state = forced ? PassState::Drawn : PassState::Skipped;
     part.reason =
         fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
@@ -105,7 +105,7 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
 /// @param bare casters, each counted once a view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
-    part.by = Optimisation::Fragments;
+    part.by = Optimisation::CasterFragments;
     part.left_out = bare;
     part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
                               bare == 1 ? " is" : "s are");
@@ -120,13 +120,13 @@ namespace {
 struct MapWork {
     std::vector<MapCells> holds;
     std::vector<bool> drawn;
-    std::string uncalled;  ///< why nothing of them is called for
+    std::string unneeded_reason;  ///< why nothing of them is called for
 
     /// @param held what they hold, where that is of this very map; else empty
-    MapWork(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
+    MapWork(NeededMaps called, const std::vector<MapCells>& held) : unneeded_reason(std::move(called.unneeded_reason)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
-            const bool enough = kept && held[v].holds(called.views[v]);
+            const bool enough = kept && held[v].contains(called.views[v]);
             drawn.push_back(!enough && !called.views[v].empty());
             // One that is drawn again is drawn whole: a camera that goes on moving pays for each map once.
             holds.push_back(enough ? held[v] : kept && !called.views[v].empty() ? MapCells::whole() : called.views[v]);
@@ -187,12 +187,12 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
-    if (f.request.forced.contains(Optimisation::Static))
+    if (f.request.forced.contains(Optimisation::StaticCasterCache))
         work.reason = "all are drawn, which is forced";
     else if (moved)
         work.reason = why_none_rests(f);
     if (f.request.force || f.request.emptied || !work.reason.empty()) {
-        known.casters.forget();
+        known.casters.reset();
         if (!moved) work.reason.clear();
         return work;
     }
@@ -206,13 +206,13 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
         work.draws = known.casters.choose(views, group_by_content(content.of, triangles), reason);
         work.reason = views == views_before ? reason : "its views changed with what moved, and with them every texel";
     } else if (views != views_before) {
-        known.casters.forget();
-    } else if (known.casters.keeps(views)) {
-        work.draws = Draws::Moved;
+        known.casters.reset();
+    } else if (known.casters.has_cache_for(views)) {
+        work.draws = Draws::MovingOnly;
     }
     if (work.draws == Draws::All) return work;
     for (const std::uint64_t of : caster_content(f).of) {
-        work.static_casters.push_back(of != 0 && known.casters.rests(of));
+        work.static_casters.push_back(of != 0 && known.casters.is_static(of));
         work.moved.push_back(of != 0 && !work.static_casters.back());
         work.count += work.static_casters.back();
     }
@@ -222,14 +222,14 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
 PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
     using Draws = StaticCasters::Draws;
     PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
-    part.by = Optimisation::Static;
-    if (f.request.forced.contains(Optimisation::Static)) part.state = PassState::Drawn;
+    part.by = Optimisation::StaticCasterCache;
+    if (f.request.forced.contains(Optimisation::StaticCasterCache)) part.state = PassState::Drawn;
     part.reason = work.reason;
     if (work.draws == Draws::All) return part;
-    part.state = work.draws == Draws::Anew ? PassState::Drawn : PassState::Cached;
-    if (work.draws == Draws::Moved) part.left_out = work.count;
+    part.state = work.draws == Draws::StaticAndMoving ? PassState::Drawn : PassState::Cached;
+    if (work.draws == Draws::MovingOnly) part.left_out = work.count;
     part.reason =
-        work.draws == Draws::Anew
+        work.draws == Draws::StaticAndMoving
             ? fmt::format("{} that did not move are drawn into a map of their own, and what moved over it", work.count)
             : "they are kept in a map of their own, and what moves is drawn over it";
     return part;
@@ -237,7 +237,7 @@ PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& w
 
 void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const MapCells& cells) {
     const GLenum target = from.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D;
-    for (const TexelRect& r : cells.texels(from.width))
+    for (const TexelRect& r : cells.texel_rects(from.width))
         glCopyImageSubData(from.texture.id(), target, 0, r.from.x, r.from.y, layer, to.texture.id(), target, 0,
                            r.from.x, r.from.y, layer, r.to.x - r.from.x, r.to.y - r.from.y, 1);
 }
@@ -250,24 +250,25 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     SkippedCasters spared;
-    const bool kept = of.drawn && of.holds.holds(called);
+    const bool kept = of.cached && of.cached_cells.contains(called);
     if (!kept) {
         // One that is drawn again is drawn whole: what is called for goes with what moves.
-        of.holds = of.drawn ? MapCells::whole() : called;
-        of.below = false;
+        of.cached_cells = of.cached ? MapCells::whole() : called;
+        of.is_copy = false;
         spared = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
-                           {.called = &of.holds, .only = &work.static_casters});
-        of.drawn = true;
+                           {.called = &of.cached_cells, .only = &work.static_casters});
+        of.cached = true;
     }
-    copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
-    of.over = {};
-    of.below = true;
-    const SkippedCasters over = draw_view(f, t, t.maps, l, l.views[view], layer, info,
-                                          {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
+    copy_texels(t.static_casters, t.maps, layer, of.is_copy ? of.moving_cells : MapCells::whole());
+    of.moving_cells = {};
+    of.is_copy = true;
+    const SkippedCasters over =
+        draw_view(f, t, t.maps, l, l.views[view], layer, info,
+                  {.called = &called, .only = &work.moved, .over = true, .covered = &of.moving_cells});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
-    if (kept) part.by = Optimisation::Static;
+    if (kept) part.by = Optimisation::StaticCasterCache;
     part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
                   : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
                                     : "what rests in it is kept, and what moves is drawn over it";
@@ -319,9 +320,9 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     t.at_rest[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
     if (bare > 0) info.parts.push_back(fragments_part(i, bare));
-    if (!work.uncalled.empty()) {
+    if (!work.unneeded_reason.empty()) {
         info.state = PassState::Skipped;
-        info.reason = work.uncalled;
+        info.reason = work.unneeded_reason;
         return;
     }
     const auto& batches = f.gl.scene->batches();
@@ -333,7 +334,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
 /// Whether some light's map still is one over which what moves may be drawn.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
-        if (f.gl.fitted[i].casts && t.at_rest[i].casters.keeps(light_views_key(f, i).value())) return true;
+        if (f.gl.fitted[i].casts && t.at_rest[i].casters.has_cache_for(light_views_key(f, i).value())) return true;
     return false;
 }
 
@@ -370,7 +371,7 @@ void LightDepthPasses::declare(FrameState& f) {
                            ? MapWork({t.held[i], {}}, t.held[i])
                            : MapWork(find_needed_maps(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
         pass.lacks = kept && work.draws();
-        if (kept) pass.unneeded = work.uncalled;
+        if (kept) pass.unneeded = work.unneeded_reason;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {
             f.drawn_cells_by_layer[std::size_t(f.first_view[i]) + v] = work.holds[v];
             work.holds[v].add_to(f.maps_extent);

@@ -1,5 +1,5 @@
-// Nearest and farthest depth within the kernel's reach of each block of the shadow maps: where both lie on one side of
-// a receiver, a look-up needs no taps. Exact, unlike taps that stand for others.
+// The pass map bounds: two parallel planes around all depths within the kernel's reach, for each block of the shadow
+// maps. A look-up of a receiver on one side of both planes needs no taps. The result is exact.
 #include "renderer/passes/map_bounds.h"
 
 #include <fmt/format.h>

@@ -53,7 +53,7 @@ public:
         const FilterSettings& s = f_.settings.filter;
         view_ = &view;
         layer_ = layer;
-        texels_ = held.texels(f_.map_resolution);
+        texels_ = held.texel_rects(f_.map_resolution);
         From from = From::Depths;
         if (sampled(f_)) {
             draw_samples(light, view, held);

@@ -92,10 +92,10 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
-    const std::size_t count = f.gl.found->seen_objects.left_out();
+    const std::size_t count = f.gl.found->seen_objects.skipped_count();
     PartInfo part{
-        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
-    if (f.request.forced.contains(Optimisation::InSight)) {
+        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::FrustumCulling};
+    if (f.request.forced.contains(Optimisation::FrustumCulling)) {
         part.state = PassState::Drawn;
         part.reason = "all objects are drawn, wherever they lie, which is forced";
     } else if (count == 0)

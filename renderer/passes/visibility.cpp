@@ -80,7 +80,7 @@ std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t li
     if (source.needs.stencil && f.gl.fitted[light].shadowed && !volumes_.draws(light)) return {};
     const bool lit =
         !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.reference) || lacks_light_map(f, light);
-    if (lit) return f.request.forced.contains(Optimisation::Uncalled) ? sources()[0].file : std::string_view();
+    if (lit) return f.request.forced.contains(Optimisation::DeadPasses) ? sources()[0].file : std::string_view();
     return source.file;
 }
 

@@ -1,4 +1,4 @@
-// The camera of a picture, and its projections.
+// The camera of a picture and its projections.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,23 +7,32 @@
 
 namespace si {
 
+/// Camera of a picture: position, orientation, field of view and depth range.
 struct Camera {
-    glm::dvec3 eye{0};
+    glm::dvec3 eye{0};     ///< world
     glm::dmat3 axes{1.0};  ///< columns right, up, back
     bool orthographic = false;
-    double fov_y_rad = 0.785;
-    double height = 10;  ///< orthographic: metres seen vertically
-    double focus = 10;   ///< distance to the target, metres
-    DepthCurve curve;    ///< reversed-Z, zero to one
-    double aspect = 1;
+    double fov_y_rad = 0.785;  ///< vertical field of view in perspective
+    double height = 10;        ///< height of an orthographic picture, metres
+    double focus = 10;         ///< distance to the target, metres
+    DepthCurve curve;          ///< reversed-Z, zero to one
+    double aspect = 1;         ///< width / height of the picture
+    /// Returns the camera's projection matrix: clip space from view space.
     glm::dmat4 projection() const;
+    /// Returns the camera's matrix to clip space from positions relative to `origin` (world), composed in double
+    /// precision.
     glm::dmat4 clip_from_relative(const glm::dvec3& origin) const;
-    /// A grid point near the eye, so that small moves of the camera leave it where it is.
+    /// Returns a world-space grid point near the camera's eye, to which positions in shaders are relative. Small camera
+    /// moves keep the point.
     glm::dvec3 origin() const;
-    /// World-space ray through a pixel's centre; (0,0) is the top left pixel.
+    /// Computes the world-space ray through a pixel's centre; (0,0) is the top left pixel.
+    /// @param x,y pixel
+    /// @param width,height size of the picture in pixels
+    /// @param[out] ray_dir unit direction
     void pixel_ray(double x, double y, int width, int height, glm::dvec3& ray_origin, glm::dvec3& ray_dir) const;
-    /// Pixel position and depth of a world point; z <= 0 in `w` means behind the camera.
-    glm::dvec4 project(const glm::dvec3& world, int width, int height) const;  // x, y, depth, w
+    /// Projects a world-space point to (pixel x, pixel y, depth, w); w <= 0: the point lies behind the camera.
+    /// @param width,height size of the picture in pixels
+    glm::dvec4 project(const glm::dvec3& world, int width, int height) const;
     bool operator==(const Camera&) const = default;
 };
 

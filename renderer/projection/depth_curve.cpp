@@ -7,12 +7,12 @@
 namespace si {
 namespace {
 
-constexpr double kNearestShare = 1e-3;  // of the near plane, as in shaders/lib/receiver.glsl
+constexpr double kNearestShare = 1e-3;  // share of the near plane, as in shaders/lib/receiver.glsl
 
 }  // namespace
 
-// A depth buffer holds the same values under both clip ranges ([-w,w] is halved and shifted by the viewport), so that
-// zero_to_one enters the matrix only. Each formula is written so that it is exact at both ends of the range.
+// A depth buffer stores the same values under both clip ranges, since the viewport halves and shifts [-w,w]. So
+// zero_to_one enters the matrix only. Each formula is exact at both ends of the range.
 
 DepthCurve DepthCurve::curve_at_row(double v) const {
     if (!warp) return *this;
@@ -32,7 +32,7 @@ double DepthCurve::depth(double z) const {
 }
 
 double DepthCurve::distance(double d) const {
-    // As a sum of two shares, so that neither end cancels.
+    // A sum of two shares, so that neither end cancels.
     const double from_near = convention.reversed ? 1 - d : d;
     const double from_far = 1 - from_near;
     if (!perspective) return near * from_far + far * from_near;

@@ -1,8 +1,9 @@
-// A part of the depths along an axis.
+// An interval of depths along an axis.
 #pragma once
 
 namespace si {
 
+/// Interval of depths along a view's axis, metres.
 struct DepthSpan {
     double from_m = 0, to_m = 0;
     bool operator==(const DepthSpan&) const = default;

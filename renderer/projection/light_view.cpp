@@ -9,15 +9,15 @@
 namespace si {
 namespace {
 
-/// Map coordinates of a point, where the view is not in perspective.
+/// Returns the map coordinates of a point in a parallel view.
 glm::dvec2 coordinates(const LightView& view, const glm::dvec3& point_ws) {
     const glm::dvec4 h = view.clip_from_relative(point_ws)[3];
     return 0.5 * glm::dvec2(h) / h.w + 0.5;
 }
 
-/// The same in view space across the axis, of map coordinates.
+/// Returns the view-space position across the axis of map coordinates.
 glm::dvec2 across(const LightView& view, const glm::dvec2& uv) {
-    // Depth plays no part: rays are parallel to the axis.
+    // Rays are parallel to the axis, so depth does not matter.
     const glm::dmat4& m = view.projection;
     const glm::dmat3 clip_from_across({m[0][0], m[0][1], m[0][3]}, {m[1][0], m[1][1], m[1][3]},
                                       {m[3][0], m[3][1], m[3][3]});
@@ -42,7 +42,7 @@ TexelSize LightView::texel_size_at(const glm::dvec3& point_ws, int resolution) c
         const double size = texel_size(glm::dot(eye - point_ws, axes[2]), resolution);
         return {size, size};
     }
-    // How map coordinates change across the rays: rows of the matrix by the quotient rule.
+    // Derivatives of map coordinates across the rays, by the quotient rule.
     const glm::dmat4 m = uvd_from_clip(curve.convention) * clip_from_relative(point_ws);
     const double w = m[3][3];
     glm::dvec2 right, up;
@@ -52,7 +52,8 @@ TexelSize LightView::texel_size_at(const glm::dvec3& point_ws, int resolution) c
         right[i] = glm::dot(gradient, axes[0]);
         up[i] = glm::dot(gradient, axes[1]);
     }
-    // Singular values of that, the smaller by the determinant, which keeps digits that a difference of squares loses.
+    // Singular values of the derivative. The smaller one comes from the determinant, which keeps digits that a
+    // difference of squares loses.
     const double a = glm::dot(right, right), b = glm::dot(right, up), c = glm::dot(up, up);
     const double larger = std::sqrt(0.5 * (a + c + std::sqrt((a - c) * (a - c) + 4 * b * b)));
     const double determinant = std::abs(right.x * up.y - right.y * up.x);

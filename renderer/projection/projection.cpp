@@ -37,7 +37,7 @@ glm::dvec3 uvd_from_ndc(const DepthConvention& convention, const glm::dvec3& ndc
 }
 
 glm::dmat4 uvd_from_clip(const DepthConvention& convention) {
-    // What the map of three dimensions makes of the axes and of nothing.
+    // The columns are the images of the three axes and of the origin.
     const glm::dvec3 zero = uvd_from_ndc(convention, glm::dvec3(0));
     glm::dmat4 m(1.0);
     for (int i = 0; i < 3; ++i) {

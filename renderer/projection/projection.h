@@ -1,4 +1,4 @@
-// Projection matrices whose depth follows a DepthCurve, for cameras and lights alike.
+// Projection matrices for cameras and lights.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -7,17 +7,19 @@
 
 namespace si {
 
-/// Clip space of `curve.convention` from view space (the view looks along -z).
-/// @param half_x, half_y orthographic: half extents in metres; perspective: tangents of the half angles
+/// Returns the projection matrix, clip space of curve.convention from view space; the view looks along -z.
+/// @param half_x,half_y half extents in metres; in perspective tangents of the half angles
 glm::dmat4 projection_matrix(const DepthCurve& curve, double half_x, double half_y);
 
-/// Homogeneous map coordinates and depth, all in [0,w], from clip space, where they lie in [-w,w], depth by convention.
+/// Returns the matrix from clip space to homogeneous map coordinates and depth, all in [0,w].
 glm::dmat4 uvd_from_clip(const DepthConvention& convention);
-/// The same after the division by w.
+/// Converts normalised device coordinates to map coordinates and depth in [0,1].
 glm::dvec3 uvd_from_ndc(const DepthConvention& convention, const glm::dvec3& ndc);
 
-/// `projection` x view, for positions relative to `origin`. The subtraction origin - eye happens in double, so the
-/// result keeps its precision at any distance from the world's zero point.
+/// Returns `projection` x view for positions relative to `origin`. The difference origin - eye is computed in double
+/// precision, so the result is precise at any distance from the world's origin.
+/// @param axes columns right, up, back of the view
+/// @param eye,origin world
 glm::dmat4 clip_from_relative(const glm::dmat4& projection, const glm::dmat3& axes, const glm::dvec3& eye,
                               const glm::dvec3& origin);
 

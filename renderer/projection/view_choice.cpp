@@ -18,8 +18,7 @@ std::size_t face_of(const glm::dvec3& d) {
     return d.z >= 0 ? 4 : 5;
 }
 
-/// The larger distance of a point from a map's centre in map coordinates; infinite before the near and beyond the far
-/// plane. Of parallel rays.
+/// Returns max(|u|, |v|) of a point from a map's centre; infinite outside the near and far planes. For parallel rays.
 double from_centre(const LightView& view, const glm::dvec3& point_ws) {
     if (view.warped()) {
         const glm::dvec4 h = uvd_from_clip(view.curve.convention) * view.clip_from_relative(point_ws)[3];

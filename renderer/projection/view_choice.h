@@ -1,4 +1,5 @@
-// Which of a light's views a point is looked up in: shaders/lib/view_choice.glsl in double.
+// Choice of the view (cascade, cube face, clip level) in which a point is looked up: shaders/lib/view_choice.glsl in
+// double precision.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,35 +11,40 @@
 
 namespace si {
 
-/// One: the only view. Face: of six, by the largest coordinate from the light's place. Interval: by the camera's depth.
-/// Map: the first whose map holds the point. Distance: by that from the camera.
+/// Rule for choosing among a light's views. One: the only view. Face: cube face by the largest coordinate from the
+/// light. Interval: by camera depth. Map: the first map that contains the point. Distance: by distance from the camera.
 enum class ViewChoice { One, Face, Interval, Map, Distance };
 
-/// Where a view ends, and from where on the next one that holds a point is blended in. Interval: metres of camera
-/// depth. Map: the larger distance from the map's centre, u or v, so that 0.5 is its side. Distance: metres.
+/// End of one view, and the start of its blend into the next. Interval: metres of camera depth. Map: max(|u|, |v|) from
+/// the map's centre, so 0.5 is its side. Distance: metres.
 struct ViewSpan {
-    double ends = 0, blends_from = 0;
+    double ends = 0;         ///< end of the view
+    double blends_from = 0;  ///< start of the blend
 };
 
+/// View among a light's cascades, cube faces or clip levels in which a point is looked up, with the view blended in.
 struct ChosenView {
-    std::size_t view = 0;
-    std::size_t other = 0;  ///< blended in by `share`; `view` itself where nothing is
-    double share = 0;
+    std::size_t view = 0;   ///< index among the light's views
+    std::size_t other = 0;  ///< view blended in; equal to `view` without a blend
+    double share = 0;       ///< weight of `other`, 0 to 1
 };
 
+/// Rule and limits by which a point's view is chosen among a light's views.
 struct ViewChooser {
     ViewChoice choice = ViewChoice::One;
-    glm::dvec3 from_ws{0};        ///< Face: the light's place; Interval and Distance: the camera's
-    glm::dvec3 forward{0};        ///< Interval: unit, the camera's viewing direction
-    std::vector<ViewSpan> spans;  ///< of each view, but for One and Face
-    /// The last view where none holds the point.
-    /// @param views of the light; never empty
+    glm::dvec3 from_ws{0};        ///< position of the light (Face) or of the camera (Interval, Distance)
+    glm::dvec3 forward{0};        ///< unit viewing direction of the camera (Interval)
+    std::vector<ViewSpan> spans;  ///< limits by view; empty for One and Face
+    /// Returns the light view (cascade, cube face, clip level) in which a world-space point is looked up; the last view
+    /// if none contains the point.
+    /// @param views views of the light; never empty
     ChosenView choose(std::span<const LightView> views, const glm::dvec3& point_ws) const;
 };
 
-/// A view's short name among its light's: "+x", "2".
+/// Returns the short name of a view among its light's views, such as "+x" or "2".
 std::string view_short_name(ViewChoice choice, std::size_t view);
-/// "face +x", "cascade 2 of 4"; empty for a light's only view.
+/// Returns the name of a view, such as "face +x" or "cascade 2 of 4"; empty for a light's only view.
+/// @param views number of the light's views
 std::string view_name(ViewChoice choice, std::size_t view, std::size_t views);
 
 }  // namespace si

@@ -379,7 +379,7 @@ void arrange_panes(FrameState& f) {
     const Outputs& o = f.request.outputs;
     find_reference(f);
     f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
-                            f.request.forced.contains(Optimisation::Fused) ||
+                            f.request.forced.contains(Optimisation::FusedVisibility) ||
                             (f.reference.met && (o.error || o.classified || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         f.separate_visibility |=

@@ -161,7 +161,7 @@ void RendererImpl::plan_frame(FrameState& f) {
 FrameResult RendererImpl::draw(FrameState& f) {
     FrameResult result;
     result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
-                                f.request.forced.contains(Optimisation::Uncalled));
+                                f.request.forced.contains(Optimisation::DeadPasses));
     f.plan.run_releases();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
                                    [](const PassInfo& p) { return p.state == PassState::Drawn; });

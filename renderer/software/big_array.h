@@ -17,12 +17,17 @@ struct BigArrayAllocator {
     using value_type = T;
     static_assert(std::is_trivially_copyable_v<T> && std::is_trivially_destructible_v<T>);
 
+    /// Makes an allocator; allocators have no state.
     BigArrayAllocator() = default;
+    /// Makes an allocator from one of another element type.
     template <typename U>
     BigArrayAllocator(const BigArrayAllocator<U>&) {}
 
+    /// Returns memory for n elements, uninitialised.
     T* allocate(std::size_t n) { return std::allocator<T>().allocate(n); }
+    /// Frees memory from allocate().
     void deallocate(T* p, std::size_t n) { std::allocator<T>().deallocate(p, n); }
+    /// Leaves an element uninitialised where std::vector would value-initialise it.
     void construct(T*) {}
     template <typename... A>
     requires(sizeof...(A) > 0) void construct(T* p, A&&... a) {

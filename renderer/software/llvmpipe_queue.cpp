@@ -37,7 +37,7 @@ void throttle_background_drawing() {
 void limit_pending_draws() {
     constexpr int kMost = 8;
     throttle_background_drawing();
-    thread_local int under_way = 0;  // a context is current in one thread
+    thread_local int under_way = 0;  // a context is current on one thread
     if (++under_way < kMost) return;
     under_way = 0;
     glFinish();

@@ -11,9 +11,9 @@ bool draws_on_cpu(std::string_view renderer) {
 }
 
 bool reads_blocks_as_images(std::string_view renderer) {
-    // Zink of Mesa 22.3 lets a draw read of an image's buffer what the next one puts into it.
+    // Mesa 22.3's zink lets a draw read image-buffer content that the next draw writes.
     if (!draws_on_cpu(renderer) || renderer.find("zink") != std::string_view::npos) return false;
-    // Passes that mark what they read take one image more.
+    // Passes that record the texels they read use one image more.
     GLint vertex_images = 0;
     GLint fragment_images = 0;
     glGetIntegerv(GL_MAX_VERTEX_IMAGE_UNIFORMS, &vertex_images);

@@ -9,9 +9,9 @@ namespace si {
 TexelBuffer::TexelBuffer(std::string_view label)
     : buffer_(gl::Buffer::create(label)), texels_(gl::Texture::create(label, GL_TEXTURE_BUFFER)), label_(label) {}
 
-void TexelBuffer::put(std::span<const std::byte> bytes) {
+void TexelBuffer::upload(std::span<const std::byte> bytes) {
     const auto size = GLsizeiptr(bytes.size());
-    // Whether there is room has been asked before; asking waits for drivers that have a thread.
+    // The size is compared first, since querying GL waits for drivers with a thread of their own.
     if (std::exchange(size_, 0) == bytes.size())
         glNamedBufferData(buffer_.id(), size, bytes.data(), GL_STREAM_DRAW);
     else

@@ -1,4 +1,4 @@
-// Uniform blocks as images, for drivers that draw on the CPU.
+// Uniform blocks read as images, for drivers that draw on the CPU.
 #pragma once
 
 #include <cstddef>
@@ -10,16 +10,22 @@
 
 namespace si {
 
-/// A buffer that shaders can read texel by texel, as an image. Drivers that draw on the CPU fetch each number of a
-/// uniform block anew for every few pixels: Mesa 22.3's llvmpipe takes 0.94 ns for one and eight pixels, and 1.0 ns for
-/// a texel of four from an image.
+/// Buffer that shaders read as a uniform block, or texel by texel as an image. Drivers that draw on the CPU fetch each
+/// number of a uniform block again for every few pixels. Mesa 22.3's llvmpipe takes 0.94 ns for one number and eight
+/// pixels, and 1.0 ns for an image texel of four numbers.
 class TexelBuffer {
 public:
+    /// Makes an empty buffer that shaders read as uniform block or image.
+    /// @param label name of the GL object for debuggers
     explicit TexelBuffer(std::string_view label);
-    /// Replaces what it holds.
-    void put(std::span<const std::byte> bytes);
+    /// Replaces the content of the buffer with bytes from the CPU.
+    void upload(std::span<const std::byte> bytes);
+    /// Binds the buffer as a uniform block.
+    /// @param block uniform block binding point
     void bind_block(GLuint block) const;
-    /// @param format of a texel, GL_RGBA32UI or GL_RG32UI
+    /// Binds the buffer as an image.
+    /// @param image image unit
+    /// @param format texel format, GL_RGBA32UI or GL_RG32UI
     void bind_image(GLuint image, GLenum format) const;
 
 private:

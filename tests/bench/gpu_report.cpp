@@ -247,7 +247,7 @@ void add_renderer_choices(Renderer& renderer, Choices& to) {
                 {{"filter.kernel", "hard"}}, {{"caster.cull", "none"}}, {{"caster.cull", "back"}});
     choices.add("map_format", "Store depths in 32-bit floats, or in 16 bits?", {{"filter.kernel", "pcf3"}},
                 {{"map.format", "d32f"}}, {{"map.format", "d16"}});
-    for (std::size_t i = 0; i < kOptimisations; ++i) choices.add_optimisation(savings()[i], Optimisation(i));
+    for (std::size_t i = 0; i < kOptimisations; ++i) choices.add_optimisation(optimisation_rows()[i], Optimisation(i));
 }
 
 }  // namespace

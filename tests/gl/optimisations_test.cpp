@@ -37,7 +37,7 @@ protected:
             request.forced = {Optimisation(row)};
             const FrameResult frame = note_made(scene, s, renderer.render(scene, s, request), request.forced);
             EXPECT_EQ(different_pixels(saved, renderer.read_colour(frame.colour)), 0u)
-                << what << ", " << savings()[row].key << " forced";
+                << what << ", " << optimisation_rows()[row].key << " forced";
         }
     }
     /// From where the scene is shown first, and from near a corner of it, where much is out of sight.
@@ -87,9 +87,10 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
             expect_one_picture(scene, settings_for(scene, cases()[next]),
                                std::string(row.key) + ", " + cases()[next][0].second);
     }
-    expect_made({Optimisation::Uncalled, Optimisation::Blockers, Optimisation::EarlyOut, Optimisation::Facing,
-                 Optimisation::Order, Optimisation::InSight, Optimisation::Fused, Optimisation::BackFaces,
-                 Optimisation::Casters, Optimisation::Views, Optimisation::Fragments});
+    expect_made({Optimisation::DeadPasses, Optimisation::BlockerSearch, Optimisation::EarlyOut,
+                 Optimisation::BackFacingReceivers, Optimisation::DepthOrder, Optimisation::FrustumCulling,
+                 Optimisation::FusedVisibility, Optimisation::CasterBackFaces, Optimisation::CasterCulling,
+                 Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
 
 // All of them under all cases take an hour.
@@ -112,9 +113,9 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
             EXPECT_TRUE(model.may_be_refused) << e.what();
         }
     }
-    expect_made({Optimisation::Uncalled, Optimisation::Facing, Optimisation::Order, Optimisation::InSight,
-                 Optimisation::Fused, Optimisation::BackFaces, Optimisation::Casters, Optimisation::Views,
-                 Optimisation::Fragments});
+    expect_made({Optimisation::DeadPasses, Optimisation::BackFacingReceivers, Optimisation::DepthOrder,
+                 Optimisation::FrustumCulling, Optimisation::FusedVisibility, Optimisation::CasterBackFaces,
+                 Optimisation::CasterCulling, Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
 
 }  // namespace

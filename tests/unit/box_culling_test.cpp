@@ -56,10 +56,10 @@ TEST(BoxCuller, MissesNoBoxOfWhichAPointIsSeen) {
                     nearest = std::min(nearest, -p.z);
                 }
                 if (most >= 0) {
-                    EXPECT_FALSE(sight.misses(box));
+                    EXPECT_FALSE(sight.is_outside(box));
                 }
                 EXPECT_EQ(sight.is_in_front(box), nearest > 1 + 1e-4) << nearest;
-                missed += sight.misses(box);
+                missed += sight.is_outside(box);
                 before += sight.is_in_front(box);
             }
         }
@@ -76,8 +76,8 @@ TEST(BoxCuller, OfClampedDepthsNothingIsBeforeOrBehind) {
     unit.add({-1, -1, -1});
     unit.add({1, 1, 1});
     const SkewBox behind_eye(unit, moved(115, 0, 5)), far(unit, moved(115, 0, -40)), cut(unit, moved(115, 0, -1));
-    EXPECT_TRUE(clips.misses(behind_eye) && clips.misses(far));
-    EXPECT_FALSE(clamps.misses(behind_eye) || clamps.misses(far));
+    EXPECT_TRUE(clips.is_outside(behind_eye) && clips.is_outside(far));
+    EXPECT_FALSE(clamps.is_outside(behind_eye) || clamps.is_outside(far));
     EXPECT_FALSE(clips.is_in_front(cut));
     EXPECT_TRUE(clamps.is_in_front(cut));
 }

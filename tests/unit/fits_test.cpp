@@ -72,7 +72,7 @@ struct Made {
                    moved(offset.x, offset.y, offset.z) * local);
     }
     /// A fit of the finished scene.
-    std::optional<MapRegion> fit(Fit f, const LightView& view, const Settings& settings = {},
+    std::optional<MapRegion> fit(FitFunction f, const LightView& view, const Settings& settings = {},
                                  const Camera* camera = nullptr) const {
         const SceneShape shape = scene_shape(scene, settings);
         return f({.scene = scene, .shape = shape, .view = view, .camera = camera});
@@ -162,7 +162,7 @@ TEST(CastersFit, AFloorWithSomethingBelowCountsThere) {
     const LightView below = sun(above.scene, 0, -90);
     const auto found = above.fit(fit_casters, below);
     ASSERT_TRUE(found);
-    EXPECT_TRUE(found->holds(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
+    EXPECT_TRUE(found->contains(region_of(below, {{-8.5, 5, -8.5}, {4, 0, 1}})));
 }
 
 TEST(CastersFit, WhatTurnsItsBackToTheLightReceivesFromBothSidesOnly) {
@@ -213,7 +213,7 @@ TEST(CastersFit, ObjectsThatNeitherCastNorReceiveDoNotCount) {
     Settings s;
     s.objects["Root/Ghost"] = {.cast = false};
     expect_bounds_near(m.fit(fit_casters, view, s), region_of(view, {{2, 0, -1}, {4, 0, 1}}), 1e-4);
-    EXPECT_TRUE(m.fit(fit_casters, view)->holds(region_of(view, {{-8, 0, -8}})));
+    EXPECT_TRUE(m.fit(fit_casters, view)->contains(region_of(view, {{-8, 0, -8}})));
     s = {};
     s.objects["Root/Floor"] = {.receive = false};
     s.objects["Root/Ghost"] = {.receive = false};
@@ -480,7 +480,8 @@ TEST(ViewFit, OfRandomCamerasNothingSeenLiesInShadowBeyond) {
         const auto all = s.made.fit(fit_casters, view);
         if (!region) continue;
         ASSERT_TRUE(all);
-        EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).holds(*region)) << "at most what casters need";
+        EXPECT_TRUE(MapRegion({all->lo - 1e-6 * m, all->hi + 1e-6 * m}).contains(*region))
+            << "at most what casters need";
         const double area = (region->hi.x - region->lo.x) * (region->hi.y - region->lo.y);
         narrower += area < 0.7 * (all->hi.x - all->lo.x) * (all->hi.y - all->lo.y);
         const test::RayReference rays(scene);

@@ -77,7 +77,7 @@ TEST(MapLimits, PerspectiveDepthsCrowdAtTheFarPlane) {
     EXPECT_FALSE(spot("10", "d16").limits.any());
     const FittedLight crowded = spot("0.01", "d16");
     EXPECT_TRUE(crowded.limits.one_depth_step) << "2e-6 against a step of 1.5e-5";
-    EXPECT_TRUE(tells(crowded, "no bias tells casters from receivers"));
+    EXPECT_TRUE(tells(crowded, "no bias separates casters from receivers"));
     EXPECT_FALSE(spot("0.1", "d16").limits.any()) << "2e-5 against 1.5e-5";
 }
 

@@ -110,18 +110,18 @@ TEST(MapCells, MeetWhatTheyHold) {
     r.add({{1.2, 0.2}, {1.3, 0.3}}, false);
     EXPECT_TRUE(r.empty()) << "it lies beyond the map";
     r.add({{1.2, 0.2}, {1.3, 0.3}}, true);
-    EXPECT_TRUE(r.meets({{0.99, 0.25}, {0.995, 0.26}})) << "the rim stands for it";
-    EXPECT_FALSE(r.meets({{0.5, 0.25}, {0.6, 0.26}}));
-    EXPECT_FALSE(r.meets({{0.99, 0.5}, {1, 0.6}}));
-    EXPECT_TRUE(r.meets({{-1, -1}, {2, 2}}));
-    EXPECT_TRUE(MapCells::whole().holds(r));
-    EXPECT_FALSE(r.holds(MapCells::whole()));
+    EXPECT_TRUE(r.overlaps({{0.99, 0.25}, {0.995, 0.26}})) << "the rim stands for it";
+    EXPECT_FALSE(r.overlaps({{0.5, 0.25}, {0.6, 0.26}}));
+    EXPECT_FALSE(r.overlaps({{0.99, 0.5}, {1, 0.6}}));
+    EXPECT_TRUE(r.overlaps({{-1, -1}, {2, 2}}));
+    EXPECT_TRUE(MapCells::whole().contains(r));
+    EXPECT_FALSE(r.contains(MapCells::whole()));
     r.add({{-1, -1}, {2, 2}}, false);
     EXPECT_TRUE(r.is_whole());
     MapCells rim;
     rim.add_border_cells();
-    EXPECT_FALSE(rim.meets({{0.1, 0.1}, {0.9, 0.9}}));
-    EXPECT_TRUE(rim.meets({{0.1, 0.1}, {0.9, 0.99}}));
+    EXPECT_FALSE(rim.overlaps({{0.1, 0.1}, {0.9, 0.9}}));
+    EXPECT_TRUE(rim.overlaps({{0.1, 0.1}, {0.9, 0.99}}));
 }
 
 struct Kind {
@@ -241,7 +241,7 @@ TEST(NeededMaps, HoldAllThatIsSeen) {
                                 const glm::dvec2 held =
                                     repeats ? glm::fract(uv) : glm::clamp(uv, glm::dvec2(0), glm::dvec2(1));
                                 if (uv != held && ((!clamps && !repeats) || light.is_cascaded())) continue;
-                                ASSERT_TRUE(called.views[v].meets({held, held}))
+                                ASSERT_TRUE(called.views[v].overlaps({held, held}))
                                     << kind.name << ", round " << round << ", view " << v << ", at " << uv.x << ", "
                                     << uv.y;
                             }
@@ -274,7 +274,7 @@ TEST(NeededMaps, AreNotCalledForByWhatFacesAway) {
         int& cells = called[against] = 0;
         for (int y = 0; y < 64; ++y)
             for (int x = 0; x < 64; ++x)
-                cells += maps.views[0].meets({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
+                cells += maps.views[0].overlaps({{(x + 0.4) / 64, (y + 0.4) / 64}, {(x + 0.6) / 64, (y + 0.6) / 64}});
     }
     EXPECT_GT(called[false], 1500) << "a disc that nearly fills the map";
     EXPECT_LT(called[true], called[false] / 2) << "its rim, where clusters may show either side";
@@ -288,10 +288,11 @@ TEST(NeededMaps, SayWhyNothingOfThemIs) {
     const VisibleBodies seen =
         find_visible_bodies(scene, camera, 100, [&](std::size_t m) -> std::span<const Cluster> { return clusters[m]; });
     const FittedLight dark = fit_lights(scene, s, &camera)[0];
-    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .only_lit_points = true}).uncalled.find("intensity"),
+    EXPECT_NE(needed_maps(dark, seen, {.resolution = 512, .only_lit_points = true}).unneeded_reason.find("intensity"),
               std::string::npos);
-    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).uncalled, "") << "its visibility may be looked at";
-    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).uncalled.find("sees nothing"), std::string::npos);
+    EXPECT_EQ(needed_maps(dark, seen, {.resolution = 512}).unneeded_reason, "") << "its visibility may be looked at";
+    EXPECT_NE(needed_maps(dark, {seen.view, {}}, {.resolution = 512}).unneeded_reason.find("sees nothing"),
+              std::string::npos);
     VisibleBodies unknown{seen.view, {}, true};
     EXPECT_TRUE(needed_maps(dark, unknown, {.resolution = 512}).views[0].is_whole());
 }

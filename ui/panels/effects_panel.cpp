@@ -117,7 +117,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
         for (std::size_t i = 0; i < kOptimisations; ++i)
-            force_box(forced, Optimisation(i), std::string(savings()[i].label).c_str());
+            force_box(forced, Optimisation(i), std::string(optimisation_rows()[i].label).c_str());
         ImGui::EndPopup();
     }
     flow(button_width("Reset"));

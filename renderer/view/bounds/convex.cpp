@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-/// Corners of the six sides, each in turn around it.
+/// Corner indices of the six sides of a box, each in order around its side.
 constexpr int kSides[6][4] = {{0, 2, 6, 4}, {1, 5, 7, 3}, {0, 4, 5, 1}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 6, 7, 5}};
 
 double extent_m(const Box& body) {
@@ -20,7 +20,7 @@ void add_sides_within(std::vector<glm::dvec3>& points, const Box& body, std::spa
     for (const auto& corners : kSides) {
         side.clear();
         for (const int i : corners) side.push_back(body[std::size_t(i)]);
-        for (const HalfSpace& plane : planes) clip(side, plane);
+        for (const HalfSpace& plane : planes) clip_polygon(side, plane);
         points.insert(points.end(), side.begin(), side.end());
     }
 }
@@ -53,17 +53,17 @@ double polygon_area(std::span<const glm::dvec2> polygon) {
     return 0.5 * twice;
 }
 
-Lies lies(const Box& body, std::span<const HalfSpace> planes) {
+BoxPlacement classify_box(const Box& body, std::span<const HalfSpace> planes) {
     bool within = true;
     for (const HalfSpace& plane : planes) {
         const auto held = std::ranges::count_if(body, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; });
-        if (held == 0) return Lies::Beyond;
+        if (held == 0) return BoxPlacement::Outside;
         within &= held == std::ssize(body);
     }
-    return within ? Lies::Within : Lies::Across;
+    return within ? BoxPlacement::Inside : BoxPlacement::Crossing;
 }
 
-void clip(Polygon& polygon, const HalfSpace& plane) {
+void clip_polygon(Polygon& polygon, const HalfSpace& plane) {
     if (polygon.empty()) return;
     if (std::ranges::all_of(polygon, [&](const glm::dvec3& p) { return plane.distance(p) >= 0; })) return;
     Polygon left;
@@ -86,7 +86,7 @@ std::vector<HalfSpace> box_half_spaces(const Box& body) {
     const double size = extent_m(body);
     std::vector<HalfSpace> planes;
     for (const auto& side : kSides) {
-        // Diagonals, as an edge may have no length (the tip of a pyramid).
+        // Diagonals span the side, since an edge may have no length (the tip of a pyramid).
         const glm::dvec3 a = body[std::size_t(side[2])] - body[std::size_t(side[0])];
         const glm::dvec3 b = body[std::size_t(side[3])] - body[std::size_t(side[1])];
         const glm::dvec3 normal = glm::cross(a, b);
@@ -102,25 +102,25 @@ std::vector<HalfSpace> box_half_spaces(const Box& body) {
 
 std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes) {
     std::vector<glm::dvec3> points;
-    const Lies where = lies(body, planes);
-    if (where == Lies::Within) points.assign(body.begin(), body.end());
-    if (where == Lies::Across) add_sides_within(points, body, planes);
+    const BoxPlacement where = classify_box(body, planes);
+    if (where == BoxPlacement::Inside) points.assign(body.begin(), body.end());
+    if (where == BoxPlacement::Crossing) add_sides_within(points, body, planes);
     return points;
 }
 
 std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies) {
     bool within = true;
     for (const ConvexBody& body : bodies) {
-        const Lies where = lies(box, body.sides);
-        if (where == Lies::Beyond) return {};
-        within &= where == Lies::Within;
+        const BoxPlacement where = classify_box(box, body.sides);
+        if (where == BoxPlacement::Outside) return {};
+        within &= where == BoxPlacement::Inside;
     }
     if (within) return {box.begin(), box.end()};
     std::vector<HalfSpace> planes;
     for (const ConvexBody& body : bodies) planes.insert(planes.end(), body.sides.begin(), body.sides.end());
     std::vector<glm::dvec3> points;
     add_sides_within(points, box, planes);
-    // A flat body holds no corner of another; its own sides say it all.
+    // A flat box contains no corner of another body; its clipped sides are the whole intersection.
     const std::vector<HalfSpace> sides_of_box = box_half_spaces(box);
     if (sides_of_box.size() < 6) return points;
     for (const ConvexBody& body : bodies) {

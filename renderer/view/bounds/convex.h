@@ -1,4 +1,4 @@
-// Convex bodies cut by planes, for what lies in a light's or a camera's view. Pure CPU, double precision.
+// Convex polygons and bodies clipped by planes: the geometry of culling and fitting. CPU, double precision.
 #pragma once
 
 #include <array>
@@ -11,37 +11,44 @@
 
 namespace si {
 
+/// Corners of a convex polygon in space, metres, in order around it.
 using Polygon = std::vector<glm::dvec3>;
 
-/// Leaves of a convex polygon what lies on the positive side. Sutherland, Hodgman, Reentrant Polygon Clipping, CACM
-/// 17(1), 1974.
-void clip(Polygon& polygon, const HalfSpace& plane);
+/// Cuts a convex polygon by a plane in place, and keeps the part on the plane's positive side. The polygon is empty
+/// afterwards if no part of it lies there.
+/// Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17(1), 1974.
+void clip_polygon(Polygon& polygon, const HalfSpace& plane);
 
-/// Around points in a plane, counter-clockwise. Andrew, Another efficient algorithm for convex hulls in two dimensions,
-/// IPL 9(5), 1979.
+/// Returns the corners of the convex hull of points in a plane, counter-clockwise.
+/// Andrew, Another efficient algorithm for convex hulls in two dimensions, IPL 9(5), 1979.
 std::vector<glm::dvec2> convex_hull(std::vector<glm::dvec2> points);
 
-/// Of a polygon that goes round counter-clockwise.
+/// Returns the area of a simple polygon in a plane, in the square of its unit. A clockwise polygon has a negative area.
 double polygon_area(std::span<const glm::dvec2> polygon);
 
-/// The planes of a body with eight corners (ordered as Box), facing inwards; those of sides without area are left out.
+/// Returns the planes of the sides of a convex body with eight corners, facing inwards. Sides without area are left
+/// out, so a flat body has fewer than six planes.
+/// @param body corners in the order of Box
 std::vector<HalfSpace> box_half_spaces(const Box& body);
 
-/// Where a body lies of planes: all of it beyond one of them, or all of it within all of them.
-enum class Lies { Beyond, Across, Within };
-Lies lies(const Box& body, std::span<const HalfSpace> planes);
+/// Position of a box relative to half-spaces: outside one of them, inside all of them, or neither is certain.
+enum class BoxPlacement { Outside, Crossing, Inside };
+/// Returns whether a box lies outside one of the half-spaces, inside all of them, or possibly crosses their planes.
+/// Tests corners only, so a box reported as Crossing may still be outside.
+BoxPlacement classify_box(const Box& body, std::span<const HalfSpace> planes);
 
-/// Points whose hull is what lies of a body within all of the planes, where these are sides that never end (of a
-/// prism): no corner of theirs may lie within the body.
+/// Returns points whose convex hull is the part of a box inside all of the half-spaces; none if no part is.
+/// Precondition: the half-spaces bound an infinite prism, and no corner of the prism lies inside the box.
 std::vector<glm::dvec3> points_inside_planes(const Box& body, std::span<const HalfSpace> planes);
 
+/// Convex body with eight corners, together with the planes of its sides.
 struct ConvexBody {
-    Box corners;
-    std::span<const HalfSpace> sides;
+    Box corners;                       ///< in the order of Box
+    std::span<const HalfSpace> sides;  ///< planes facing inwards, see box_half_spaces()
 };
 
-/// Points whose hull is what a box and a few bodies have in common; none when that is nothing. All may be flat; of flat
-/// ones in one plane nothing is found but what their sides cut of each other.
+/// Returns points whose convex hull is the intersection of a box with several convex bodies; none if the intersection
+/// is empty. Bodies may be flat. For flat bodies in one plane only the clipped sides are found.
 std::vector<glm::dvec3> intersection_points(const Box& box, std::span<const ConvexBody> bodies);
 
 }  // namespace si

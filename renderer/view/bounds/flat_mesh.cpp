@@ -6,15 +6,17 @@
 namespace si {
 namespace {
 
-constexpr std::size_t kMaxPlaneTriangles = 64;  // triangles, of which the largest gives the plane
+/// Number of triangles searched for the largest, which gives the plane.
+constexpr std::size_t kMaxPlaneTriangles = 64;
 
-constexpr std::size_t kMaxTests = 1 << 18;  // of vertices against triangles
+/// Largest number of vertex-triangle tests for convexity.
+constexpr std::size_t kMaxTests = 1 << 18;
 
-/// Of a body's radius: what rounded vertices may stand out by where shadows on them matter to no texel of a map.
+/// Largest rounding of vertices as a share of the radius. Shadows of smaller relief matter to no texel of a map.
 constexpr double kMaxRoundingOfRadius = 1e-4;
 
-/// Of a mesh's coordinates, in its own space. Beyond kMaxRoundingOfRadius what is rounded has a relief of its own, with
-/// shadows.
+/// Flatness tolerance of a mesh in the space of the mesh, metres. Rounding above kMaxRoundingOfRadius is relief that
+/// casts shadows.
 double tolerance_of(const Mesh& mesh) {
     const double radius = mesh.bounds.radius();
     const double farthest = std::max(glm::length(glm::max(glm::abs(mesh.bounds.lo), glm::abs(mesh.bounds.hi))), radius);
@@ -58,8 +60,8 @@ bool is_convex(const Mesh& mesh) {
     return true;
 }
 
-std::optional<HalfSpace> transformed(const HalfSpace& plane, const glm::dmat4& world) {
-    // Two directions within the plane span what it becomes.
+std::optional<HalfSpace> transform_plane(const HalfSpace& plane, const glm::dmat4& world) {
+    // Two transformed directions within the plane span the transformed plane.
     const glm::dmat3 axes = glm::dmat3(world);
     const glm::dvec3 n = plane.normal;
     const glm::dvec3 u = glm::normalize(std::abs(n.x) > 0.5 ? glm::dvec3(-n.y, n.x, 0) : glm::dvec3(0, -n.z, n.y));

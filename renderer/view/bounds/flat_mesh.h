@@ -1,4 +1,4 @@
-// Meshes that cannot shade themselves: flat ones, as a ground or a wall may be, and convex ones.
+// Tests for meshes that cannot shadow their own lit side: flat meshes and convex meshes.
 #pragma once
 
 #include <optional>
@@ -8,20 +8,22 @@
 
 namespace si {
 
-/// How far from a plane a body of this radius still counts as lying in it; a floor of a kilometre: a millimetre.
+/// Returns the distance in metres from a plane within which a body of a given radius counts as flat: a millionth of the
+/// radius.
+/// @param radius radius of the body, metres
 constexpr double flat_tolerance(double radius) {
     return 1e-6 * radius;
 }
 
-/// The plane of a mesh whose vertices all lie in it, within flat_tolerance() of its radius and what single precision
-/// resolves at its coordinates, as long as that is less than 1/10,000 of the radius.
+/// Returns the plane that contains all vertices of a mesh, in the space of the mesh; empty if the mesh is not flat. The
+/// tolerance is flat_tolerance(), or the rounding of single-precision coordinates up to 1/10,000 of the radius.
 std::optional<HalfSpace> mesh_plane(const Mesh& mesh);
 
-/// Whether no front face of a mesh can lie in its own shadow: every triangle has all vertices behind it. Meshes of many
-/// triangles count as not convex, unless they are flat.
+/// Returns true when no front face of a mesh can lie in the shadow of the mesh: every triangle has all vertices behind
+/// it. Meshes too large for the test return false.
 bool is_convex(const Mesh& mesh);
 
-/// A plane under an affine map. Nothing where the map leaves no plane of it.
-std::optional<HalfSpace> transformed(const HalfSpace& plane, const glm::dmat4& world);
+/// Returns a plane after an affine transform to world space; empty if the transform collapses the plane.
+std::optional<HalfSpace> transform_plane(const HalfSpace& plane, const glm::dmat4& world);
 
 }  // namespace si

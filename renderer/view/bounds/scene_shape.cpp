@@ -11,7 +11,8 @@ namespace si {
 namespace {
 
 constexpr std::size_t kMaxFitObjects = 20000;
-constexpr std::size_t kMaxShadowVertices = 1 << 16;  // of all casters, that are projected onto the ground; else boxes
+/// Largest number of caster vertices projected onto the ground; above it boxes are projected.
+constexpr std::size_t kMaxShadowVertices = 1 << 16;
 
 bool finite(const Box& box) {
     return std::all_of(box.begin(), box.end(), [](const glm::dvec3& p) {
@@ -19,7 +20,7 @@ bool finite(const Box& box) {
     });
 }
 
-/// What the settings say of an object; the defaults where they say nothing.
+/// Settings of an object; defaults where the settings do not name it.
 ObjectSettings settings_of(const Scene& scene, const Settings& settings, const Object& object) {
     if (settings.objects.empty() || object.node < 0 || std::size_t(object.node) >= scene.nodes.size()) return {};
     const auto it = settings.objects.find(scene.nodes[object.node].path);
@@ -38,7 +39,7 @@ void add_box(SceneShape& shape, const Box& box, bool casts, bool receives, std::
 }
 
 bool clipped(const Box& box, const LightView& view) {
-    if (view.warped()) return false;  // no setting moves where it begins
+    if (view.warped()) return false;  // no setting moves the near plane of a warped map
     const double near = view.curve.near - 1e-9 * std::abs(view.curve.near);
     if (!view.curve.perspective) return extent_inside_view(box, view).lo.z < near;
     const ViewExtent e = extent_in_view(box, view);
@@ -55,7 +56,7 @@ std::vector<HalfSpace> sides_of(const LightView& view) {
     return sides;
 }
 
-/// A hull of many points: most lie within that of their eight outermost.
+/// Returns the convex hull of many points. Points inside the hull of the eight outermost are dropped first.
 std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
     if (points.size() < 3) return points;
     constexpr std::size_t kDirections = 8;
@@ -78,8 +79,8 @@ std::vector<glm::dvec2> hull_of(std::vector<glm::dvec2> points) {
     return hull;
 }
 
-/// Calls `add` with points of every caster whose hull holds it: its vertices, or where they are many, or where it
-/// travels, its box.
+/// Calls `add` with points whose hull contains every caster: vertices, or the box where there are many vertices or the
+/// object is animated.
 template <class Add>
 void visit_casters(const SceneShape& shape, const Scene& scene, const Add& add) {
     const auto mesh_of = [&](std::size_t box) -> const Mesh& {
@@ -98,7 +99,7 @@ void visit_casters(const SceneShape& shape, const Scene& scene, const Add& add) 
         const glm::dmat4& world = scene.objects[shape.box_objects[i]].world;
         const Mesh& mesh = mesh_of(i);
         for (const glm::vec3& p : mesh.positions) {
-            // Vertices of no triangle may lie anywhere.
+            // Vertices that no triangle uses may lie outside the bounds.
             const glm::dvec3 held = glm::clamp(glm::dvec3(p), mesh.bounds.lo, mesh.bounds.hi);
             add(glm::dvec3(world * glm::dvec4(held, 1)));
         }
@@ -109,7 +110,7 @@ void visit_casters(const SceneShape& shape, const Scene& scene, const Add& add) 
 
 SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     SceneShape s;
-    std::vector<std::optional<std::optional<HalfSpace>>> planes(scene.meshes.size());  // of meshes that were looked at
+    std::vector<std::optional<std::optional<HalfSpace>>> planes(scene.meshes.size());  // planes by mesh, found once
     for (const Object& o : scene.objects) {
         const Mesh& mesh = scene.meshes[o.mesh];
         if (mesh.indices.size() < 3 || mesh.bounds.empty()) continue;
@@ -126,7 +127,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
         if (!travels) {
             auto& known = planes[std::size_t(o.mesh)];
             if (!known) known = mesh_plane(mesh);
-            if (*known) plane = transformed(**known, o.world);
+            if (*known) plane = transform_plane(**known, o.world);
         }
         if (o.ground) s.ground = s.boxes.size();
         add_box(s, box, casts, own.receive, std::size_t(&o - scene.objects.data()), plane, travels);
@@ -141,7 +142,7 @@ SceneShape scene_shape(const Scene& scene, const Settings& settings) {
     s.one_box = s.boxes.size() == (s.ground ? 1 : 0);
     if (s.one_box) add_box(s, bounds.corners(), s.casters, s.receivers, 0, std::nullopt, false);
     s.centre = bounds.centre();
-    // A single point still needs a size: what a double resolves at its distance from the origin.
+    // A single point gets a radius of the resolution of a double at its distance from the origin.
     s.radius = std::max({bounds.radius(), 1e-7, glm::length(s.centre) * 0x1p-38});
     return s;
 }
@@ -165,10 +166,10 @@ SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, con
     for (const int axis : {0, 2}) {
         glm::dvec3 inwards(0);
         inwards[axis] = 1;
-        clip(part, HalfSpace::through(lo, inwards));
-        clip(part, HalfSpace::through(hi, -inwards));
+        clip_polygon(part, HalfSpace::through(lo, inwards));
+        clip_polygon(part, HalfSpace::through(hi, -inwards));
     }
-    // Where nothing casts onto it, a point of it under the scene says no more than the scene does.
+    // Without a shadow on the ground one point of the ground under the scene suffices.
     if (part.empty()) part.push_back({0.5 * (lo.x + hi.x), hi.y, 0.5 * (lo.z + hi.z)});
     Bounds around;
     for (const glm::dvec3& p : part) around.add(p);
@@ -199,7 +200,7 @@ std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_
                                              std::span<const HalfSpace> planes) {
     if (box != shape.ground || shape.ground_shadow.empty()) return points_inside_planes(shape.boxes[box], planes);
     Polygon part = shape.ground_shadow;
-    for (const HalfSpace& plane : planes) clip(part, plane);
+    for (const HalfSpace& plane : planes) clip_polygon(part, plane);
     return part;
 }
 

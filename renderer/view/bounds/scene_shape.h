@@ -1,4 +1,4 @@
-// What the light fit needs to know of a scene's extent. Pure CPU, double precision.
+// Boxes of a scene's objects, as the fits of shadow maps need them. CPU, double precision.
 #pragma once
 
 #include <array>
@@ -15,72 +15,86 @@
 
 namespace si {
 
+/// Bounding boxes of the objects of a scene with their shadow flags: the input of light placement and map fitting.
 struct SceneShape {
     glm::dvec3 centre{0};
-    double radius = 1;            ///< of the sphere around the bounds; never 0
-    bool one_box = false;         ///< it stands for all objects
-    std::vector<Box> boxes;       ///< of one object each (or of the scene), world; never empty
-    std::vector<bool> box_casts;  ///< as long as `boxes`, like all that begins so
-    std::vector<bool> box_receives;
-    std::vector<std::size_t> box_objects;  ///< of Scene::objects
-    /// Of objects whose triangles all lie in one plane, within box_tolerance.
+    double radius = 1;                     ///< radius of the sphere around the bounds, metres; never 0
+    bool one_box = false;                  ///< one box stands for all objects
+    std::vector<Box> boxes;                ///< world boxes, one an object or one for the scene; never empty
+    std::vector<bool> box_casts;           ///< objects that cast; indexed as `boxes`, like all members named box_*
+    std::vector<bool> box_receives;        ///< objects that receive shadows
+    std::vector<std::size_t> box_objects;  ///< indices into Scene::objects
+    /// Planes of flat objects, world space; empty for objects that are not flat within box_tolerance.
     std::vector<std::optional<HalfSpace>> box_planes;
-    std::vector<double> box_tolerance;  ///< metres
-    std::vector<bool>
-        box_spans_animation;            ///< of all the places that an animation takes an object to: triangles say less
-    std::optional<std::size_t> ground;  ///< which box is that of the ground under a model; nothing: there is none
-    /// Of one light: around its shadows on the ground, a convex polygon or a point; empty: all of the ground's box.
+    std::vector<double> box_tolerance;  ///< flatness tolerance in metres
+    /// Boxes around all poses of an animated object. Its triangles at one time do not bound them.
+    std::vector<bool> box_spans_animation;
+    std::optional<std::size_t> ground;  ///< index of the box of the generated ground under a model; empty without one
+    /// Convex polygon around one light's shadows on the ground, or a single point. Empty: the whole box of the ground
+    /// counts.
     std::vector<glm::dvec3> ground_shadow;
-    bool triangles = false;  ///< the scene has any
+    bool triangles = false;  ///< the scene has triangles
     bool casters = false;    ///< an object with triangles casts
     bool receivers = false;  ///< an object with triangles receives shadows
 };
 
-/// Boxes of all objects, over all of the animation where measure_animation_bounds() was called; above 20000 objects the
-/// scene's box stands for them. Always finite, also for empty scenes. Meshes are read to find the flat ones.
+/// Computes the boxes of all objects, over the whole animation after measure_animation_bounds(). Above 20,000 objects
+/// one box stands for the scene. Reads meshes to find flat ones. The result is finite, also for empty scenes.
 SceneShape scene_shape(const Scene& scene, const Settings& settings);
 
-/// The shape as a light's maps have to hold it: of the ground under a model no more than where casters shadow it, which
-/// across the light is within the casters.
-/// @param scene that the shape is of
+/// Returns a shape whose ground is reduced to the part that casters can shadow under one light, so that a large ground
+/// does not widen that light's maps.
+/// @param scene the scene that `shape` was computed from
 SceneShape with_shadowed_ground(const SceneShape& shape, const Scene& scene, const PlacedLight& light);
 
-/// Extent in a view: x and y across, z metres along the axis (positive in front).
+/// Extent of points in a light's view: x and y across the axis in metres, z metres along the axis, positive in front.
 struct ViewExtent {
     glm::dvec3 lo{std::numeric_limits<double>::infinity()};
     glm::dvec3 hi{-std::numeric_limits<double>::infinity()};
+    /// Widens this view extent to contain a point: x and y across the view, z along its axis.
     void add(const glm::dvec3& p) {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
+    /// Widens this view extent to contain another one.
     void add(const ViewExtent& e) {
         lo = glm::min(lo, e.lo);
         hi = glm::max(hi, e.hi);
     }
 };
 
+/// Returns the extent of world-space points in a light's view.
 ViewExtent extent_in_view(std::span<const glm::dvec3> points, const LightView& view);
-/// Of a ground under a model only how deep it lies counts.
+/// Returns the extent of all boxes of a shape in a light's view. A ground under a model counts along the axis only.
 ViewExtent extent_in_view(const SceneShape& shape, const LightView& view);
 
-/// Of what lies of a box within the sides of a parallel view.
+/// Returns the extent of the part of a world-space box between the four sides of a parallel light view.
 ViewExtent extent_inside_view(const Box& box, const LightView& view);
-/// The same of one of the shape's boxes; of the ground the part that lies in shadow.
+/// Returns the extent of the part of one box of a shape between the four sides of a parallel light view. For a ground,
+/// only its shadowed part counts.
+/// @param box index into SceneShape::boxes
 ViewExtent extent_inside_view(const SceneShape& shape, std::size_t box, const LightView& view);
 
-/// Points whose hull is what lies within planes of one of the shape's boxes; of the ground the part in shadow.
+/// Returns points whose convex hull is the part of one box of a shape inside all of the half-spaces. For a ground, only
+/// its shadowed part counts.
+/// @param box index into SceneShape::boxes
 std::vector<glm::dvec3> points_inside_planes(const SceneShape& shape, std::size_t box,
                                              std::span<const HalfSpace> planes);
 
-/// What of these extents, of shadows on the ground, sticks out of a model's own across the view is added to these, and
-/// all of what they have along it. Less than a millionth is rounding.
+/// Widens the extent of a model by the extent of its shadows on the ground. Along the axis always; across the axis only
+/// where the shadows stick out by more than kMinGroundWidening.
 void widen_for_ground_shadow(ViewExtent& model, const ViewExtent& ground);
+/// Least widening across the view as a share of the model's width; smaller differences are rounding.
 constexpr double kMinGroundWidening = 1e-6;
 
-/// The least distance along the axis at which a box can meet the pyramid |x|, |y| <= z tan; infinite when it cannot.
+/// Returns the smallest distance along the axis, in metres, at which a box can meet the pyramid |x|, |y| <= z tan_half;
+/// infinite if they do not meet.
+/// @param e extent of the box in the view
+/// @param tan_half tangent of half the pyramid's angle
 double pyramid_entry_m(const ViewExtent& e, double tan_half);
 
-/// Casting objects of which a part lies in front of the near plane of any view. Boxes only: an upper estimate.
+/// Counts casters with a part in front of the near plane of any view, where the map cannot store them. Tests boxes, so
+/// the count is an upper bound.
 int count_near_clipped_casters(const SceneShape& shape, const std::vector<LightView>& views);
 
 }  // namespace si

@@ -12,7 +12,7 @@ CameraSettings camera_settings(const Camera& c) {
     s.source = CameraSource::Manual;
     const glm::dvec3 back = c.axes[2];
     const double level = std::hypot(back.x, back.z);
-    // Straight up or down the azimuth is free: roll then says everything.
+    // Looking straight up or down, the azimuth is arbitrary; roll then sets the orientation.
     s.azimuth = level > 1e-12 ? std::atan2(back.x, back.z) / kDegree : 0;
     s.elevation = std::atan2(back.y, level) / kDegree;
     const glm::dmat3 level_axes = orbit_axes(s.azimuth, s.elevation, 0);

@@ -1,4 +1,4 @@
-// Settings that describe a given camera.
+// Conversion of a camera to camera settings.
 #pragma once
 
 #include "renderer/projection/camera.h"
@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Manual settings under which make_camera() gives this camera again; near and far planes are left to the fit.
+/// Returns manual camera settings for which make_camera() reproduces a camera. Near and far planes stay automatic.
 CameraSettings camera_settings(const Camera& camera);
 
 }  // namespace si

@@ -16,21 +16,21 @@ namespace si {
 namespace {
 
 constexpr double kFramingMargin = 1.05;
-/// Of the picture that a model on a ground fills together with its shadow.
+/// Share of the picture that a model fills together with its shadow on a ground.
 constexpr double kFilled = 0.85;
-/// A shadow longer than so many times the model's size is not seen to its end.
+/// Longest framed shadow, as a multiple of the size of the model.
 constexpr double kLongestShadow = 3;
-/// Of the picture, that a shadow should cover beside what casts it.
+/// Share of the picture that a shadow should cover outside its casters.
 constexpr double kShadowSeen = 0.03;
-/// Elevations that the automatic camera looks down from at most; the second is for what is no flatter than that where
-/// shadows fall on a floor of the file's own.
+/// Highest elevations of the automatic camera. The second applies to shadows on a floor of the file's own, unless the
+/// model is very flat.
 constexpr double kHighest_deg = 50, kHighestOverFloor_deg = 40;
 
-/// Places the eye so that all points lie in the middle kFilled of the picture, and reach its ends.
+/// Places the eye so that all points just fit into the middle kFilled of the picture.
 void frame_points(Camera& c, std::span<const glm::dvec3> points) {
     const glm::dmat3 turn = glm::transpose(c.axes);
     const double tan_y = kFilled * std::tan(0.5 * c.fov_y_rad), tan_x = tan_y * c.aspect;
-    // As seen along the view, z towards the eye: |x - eye.x| <= tan (eye.z - z).
+    // View space with z towards the eye: |x - eye.x| <= tan (eye.z - z).
     glm::dvec4 most(-std::numeric_limits<double>::infinity());
     double nearest = most.x, farthest = -most.x;
     for (const glm::dvec3& p : points) {
@@ -45,7 +45,8 @@ void frame_points(Camera& c, std::span<const glm::dvec3> points) {
     c.height = 2 * c.focus * std::tan(0.5 * c.fov_y_rad);
 }
 
-/// Where the scene suggests its first light, or the program does: a light that is turned leaves the camera alone.
+/// Direction to the first light as the scene suggests it, or its default. Turning the light then leaves the camera
+/// alone.
 glm::dvec3 suggested_light(const Scene& scene) {
     Settings s;
     for (const auto& [key, value] : scene.suggested)
@@ -55,7 +56,7 @@ glm::dvec3 suggested_light(const Scene& scene) {
     return direction_from_angles(s.lights[0].azimuth, s.lights[0].elevation);
 }
 
-/// What is to be framed of what stands there, world.
+/// Points of the model that the picture has to contain, world.
 std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
     const Box box = scene.bounds_without_floor.corners();
     if (scene.framed.empty()) return {box.begin(), box.end()};
@@ -64,21 +65,21 @@ std::vector<glm::dvec3> points_to_frame(const Scene& scene) {
     return points;
 }
 
-/// Where the camera looks from that should_frame_shadow(): from higher over what is flat, whose shadows are hidden from
-/// beside it, and across what is long.
+/// Direction of the camera that frames a shadow: from higher above flat models, whose shadows are otherwise hidden, and
+/// across long ones.
 struct ShadowView {
     double azimuth_deg, elevation_deg;
 };
 ShadowView view_for_shadow(const Bounds& standing) {
     const CameraSettings standard;
-    constexpr double kUpright = 0.35;  // from this height over the diagonal on as usual
+    constexpr double kUpright = 0.35;  // height / diagonal above which the usual elevation applies
     const glm::dvec3 size = standing.hi - standing.lo;
     const double upright = std::min(size.y / (kUpright * std::max(std::hypot(size.x, size.z), 1e-300)), 1.0);
     return {std::clamp(standard.azimuth / 45 * std::atan2(size.z, size.x) / kDegree, 15.0, 75.0),
             kHighest_deg + (standard.elevation - kHighest_deg) * upright};
 }
 
-/// Adds the shadows of what stands on the ground, or on a floor of the file's own, as the scene is first shown.
+/// Adds the shadows of the model on the ground, or on a floor of the file's own, under the suggested light.
 std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::dvec3>& standing,
                                      const Bounds& bounds) {
     const bool own_floor = scene.ground_bounds.empty();
@@ -91,13 +92,13 @@ std::vector<glm::dvec3> with_shadows(const Scene& scene, const std::vector<glm::
     for (const glm::dvec3& p : standing) {
         const glm::dvec3 cast = to_light * ((level - p.y) / to_light.y);
         if (glm::length(cast) > longest) continue;
-        // A shadow is not seen beyond the floor.
+        // Shadows end at the edge of the floor.
         points.push_back(own_floor ? glm::clamp(p + cast, whole.lo, whole.hi) : p + cast);
     }
     return points;
 }
 
-/// Of a picture, the part that hulls around `all` cover beyond those around `standing`.
+/// Share of the picture covered by the hull around `all` but not by the hull around `standing`.
 double shadow_seen(const Camera& c, const std::vector<glm::dvec3>& standing, const std::vector<glm::dvec3>& all) {
     const double tan_y = std::tan(0.5 * c.fov_y_rad);
     const auto covered = [&](const std::vector<glm::dvec3>& points) {
@@ -147,7 +148,7 @@ void frame_with_shadow(Camera& c, const Scene& scene) {
     const std::vector<glm::dvec3> all = with_shadows(scene, standing, bounds);
     const ShadowView from = view_for_shadow(bounds);
     constexpr double kStep_deg = 5;
-    Camera usual = c;  // windows of any shape look from the same side
+    Camera usual = c;  // fixed aspect, so that windows of any shape look from the same side
     usual.aspect = 16.0 / 9;
     const double highest = scene.ground_bounds.empty() ? kHighestOverFloor_deg : kHighest_deg;
     for (double elevation = from.elevation_deg;; elevation = std::min(elevation + kStep_deg, highest)) {

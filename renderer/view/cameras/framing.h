@@ -1,4 +1,4 @@
-// How the automatic camera is placed.
+// Placement of the automatic camera.
 #pragma once
 
 #include "renderer/projection/camera.h"
@@ -7,18 +7,19 @@
 
 namespace si {
 
-/// Right, up and back of a view from an azimuth and elevation. `right` comes from the azimuth alone, so that looking
-/// straight up or down is nothing special.
+/// Returns the axes of an orbit camera as columns right, up, back. `right` depends on the azimuth alone, so views
+/// straight up and down are no special case.
 glm::dmat3 orbit_axes(double azimuth_deg, double elevation_deg, double roll_deg);
 
-/// Moves the eye along `back` until the bounds fill the picture. Changes eye, focus and height.
+/// Moves the eye along the camera's back axis until the bounds fill the picture. Changes eye, focus and height.
 void frame_bounds(Camera& c, const Bounds& bounds);
 
-/// Whether the picture is framed for the shadow of what stands there, as of files that are shown on a ground.
+/// Returns true when the automatic camera frames a model together with its shadow: for model files that stand on an
+/// automatic ground.
 bool should_frame_shadow(const Scene& scene, const Settings& settings);
 
-/// Frames what stands in a file's scene, with its shadow, from as high as it takes to see the shadow beside it.
-/// @param c whose field of view and aspect count; its axes, eye, focus and height are set
+/// Frames the model of a file together with its shadow. Raises the camera until enough of the shadow is visible.
+/// @param c camera with field of view and aspect set; axes, eye, focus and height are overwritten
 void frame_with_shadow(Camera& c, const Scene& scene);
 
 }  // namespace si

@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// The bounds to look at: a unit box around zero when the scene is empty.
+/// Bounds that the camera looks at: a unit box around zero when the scene is empty.
 Bounds view_bounds(const Scene& scene) {
     Bounds b = scene.bounds;
     if (b.empty() || !std::isfinite(b.radius())) return {glm::dvec3(-1), glm::dvec3(1)};
@@ -26,7 +26,8 @@ Bounds view_bounds(const Scene& scene) {
     return b;
 }
 
-/// Near and far tight around the bounds along the view axis. The depth is a reversed float: a small near costs little.
+/// Sets near and far planes tight around the bounds. Depth is a reversed float, so a small near plane costs little
+/// precision.
 void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
     double nearest = std::numeric_limits<double>::infinity(), farthest = -nearest;
     for (const glm::dvec3& p : bounds.corners()) {
@@ -51,7 +52,7 @@ void fit_range(Camera& c, const Bounds& bounds, double near, double far) {
     }
 }
 
-/// The axes of a scene camera, made orthonormal; false when its transform is singular.
+/// Computes orthonormal axes of a scene camera; returns false when its transform is singular.
 bool scene_axes(const glm::dmat4& world, glm::dmat3& axes) {
     const glm::dvec3 back = glm::normalize(glm::dvec3(world[2]));
     const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(world[1]), back));
@@ -62,14 +63,14 @@ bool scene_axes(const glm::dmat4& world, glm::dmat3& axes) {
     return true;
 }
 
-/// The scene's camera that is chosen, when there is one whose transform is usable; its orthonormal axes go to `axes`.
+/// Returns the chosen camera of the scene if its transform is usable, and its orthonormal axes in `axes`.
 const SceneCamera* scene_camera(const Scene& scene, int index, glm::dmat3& axes) {
     if (index < 0 || std::size_t(index) >= scene.cameras.size()) return nullptr;
     const SceneCamera& camera = scene.cameras[std::size_t(index)];
     return scene_axes(camera.world, axes) ? &camera : nullptr;
 }
 
-/// The view of view.light, view.face as a camera; false when there is no light.
+/// Makes a camera from the view of view.light, view.face; returns false without a light.
 bool look_through_light(Camera& c, const Settings& settings, const Bounds& bounds,
                         std::span<const FittedLight> fitted) {
     if (fitted.empty()) return false;

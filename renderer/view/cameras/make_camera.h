@@ -1,4 +1,4 @@
-// The camera as the settings and the scene make it.
+// The picture's camera, made from settings and scene.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,18 +11,17 @@
 
 namespace si {
 
-/// The camera that the settings ask for: by hand, through the light shown in view.light (its view, near and far planes
-/// included; the map's square fills the shorter side of the picture), or (automatic) the scene's own, or one that
-/// frames the bounds. Where there is no light to look through it is the automatic one.
-/// @param fitted_without_camera fit_maps() of these settings' lights without a camera; fitted here when there are none
-/// and one is
-///     needed
+/// Makes the picture's camera from the settings. Sources are manual values, the view of the light in view.light, or
+/// automatic. A light's camera takes the near and far planes of the light's view; the map fills the shorter side of the
+/// picture. The automatic camera is the scene's own or frames the bounds; it also replaces a missing light.
+/// @param aspect width / height of the picture
+/// @param fitted_without_camera fit_maps() of the settings' lights without a camera; empty: fitted here if needed
 Camera make_camera(const Scene& scene, const Settings& settings, double aspect,
                    std::span<const FittedLight> fitted_without_camera = {});
 
-/// `settings` with the camera that make_camera() finds written out by hand, so that it can be moved. A light's near and
-/// far planes stay behind: as the camera moves away they would cut the scene at odd places.
-/// @param aspect the picture's width / height, on which the automatic framing depends
+/// Returns the camera of make_camera() as manual settings, so that it can be moved. A light's near and far planes are
+/// dropped, since they would cut the scene once the camera moves.
+/// @param aspect width / height of the picture, on which automatic framing depends
 CameraSettings manual_camera(const Scene& scene, const Settings& settings, double aspect = 16.0 / 9.0);
 
 }  // namespace si

@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// Of the angle between the axis and the ray through the picture's corner.
+/// Returns the tangent of the angle between the axis and the ray through the picture's corner.
 double corner_tangent(const Camera& camera) {
     return std::tan(0.5 * camera.fov_y_rad) * std::hypot(1.0, camera.aspect);
 }
@@ -32,7 +32,7 @@ CameraSlice::CameraSlice(const Camera& camera, double from_m, double to_m) : eye
         const double z = i & 4 ? to_m : from_m, scale = camera.orthographic ? 1 : z;
         corners_[i] = {(i & 1 ? scale : -scale) * wide.x, (i & 2 ? scale : -scale) * wide.y, z};
     }
-    // By the camera's numbers and not by the corners: a slice may be flat, and what lies in it is seen.
+    // Planes come from the camera and not from the corners, since a slice may be flat and still contain surfaces.
     planes_[0] = {{0, 0, 1}, -from_m}, planes_[1] = {{0, 0, -1}, to_m};
     for (int side = 0; side < 4; ++side) {
         const int axis = side / 2;
@@ -78,7 +78,7 @@ std::vector<glm::dvec3> CameraSlice::visible_points(const SceneShape& shape, std
     if (box != shape.ground || shape.ground_shadow.empty()) return visible_points(shape.boxes[box]);
     Polygon part = shape.ground_shadow;
     for (glm::dvec3& p : part) p = in_view(p);
-    for (const HalfSpace& plane : planes_) clip(part, plane);
+    for (const HalfSpace& plane : planes_) clip_polygon(part, plane);
     for (glm::dvec3& p : part) p = in_world(p);
     return part;
 }
@@ -105,7 +105,7 @@ DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre,
     const double distance = glm::distance(camera.eye, centre);
     if (!(distance > radius)) return {0, 2 * radius};
     const double octave = radius * std::exp2(std::floor(std::log2(distance / radius)));
-    // What stands beside the axis is less deep than far away.
+    // A point off the axis has less depth than distance.
     return {(octave - radius) / std::hypot(1.0, corner_tangent(camera)), 2 * octave + radius};
 }
 
@@ -116,7 +116,7 @@ Sphere bounding_sphere(const Camera& camera, const DepthSpan& span) {
         along = 0.5 * (near + far);
         radius = 0.5 * std::hypot(far - near, camera.height, camera.height * camera.aspect);
     } else {
-        // On the axis as far from the near corners as from the far ones, or in the middle of the far side.
+        // The centre lies on the axis at equal distance from near and far corners, or in the middle of the far side.
         const double diagonal = corner_tangent(camera);
         along = std::min(0.5 * (near + far) * (1 + diagonal * diagonal), far);
         radius = std::hypot(far - along, far * diagonal);

@@ -1,4 +1,4 @@
-// What the camera sees of boxes, and how its depth is divided among several maps. Pure CPU, double precision.
+// Parts of boxes visible to a camera, and the division of camera depth among cascades. CPU, double precision.
 #pragma once
 
 #include <array>
@@ -12,51 +12,67 @@
 
 namespace si {
 
-/// Camera depths at which `count` cascades end, metres; the last one is `far`. The practical split: of the i-th,
+/// Returns the camera depths in metres at which cascades end; the last one is `far`. Practical split scheme, for the
+/// i-th of `count`:
 /// lambda * near * (far / near)^(i / count) + (1 - lambda) * (near + i / count * (far - near)).
 /// Zhang, Sun, Xu, Lun, Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006.
-/// @param near, far above 0 where lambda is
+/// @param near,far camera depths in metres; above 0 where lambda is above 0
+/// @param lambda 0 uniform to 1 logarithmic
 std::vector<double> split_depths(double near, double far, int count, double lambda);
 
-/// What a camera sees between two of its depths.
+/// Part of a camera's view frustum between two camera depths. Clips boxes to it.
 class CameraSlice {
 public:
+    /// Makes the slice of a camera's view frustum between two depths, metres along the viewing direction.
     CameraSlice(const Camera& camera, double from_m, double to_m);
-    /// Points whose convex hull is the part of a box that is seen, world space; none when nothing of it is.
-    /// @param within only what lies in this body counts
+    /// Returns world-space points whose convex hull is the part of a world-space box inside this slice of the view
+    /// frustum; none if the box is outside.
+    /// @param within optional second body in the order of Box; only the part inside it counts
     std::vector<glm::dvec3> visible_points(const Box& box, const Box* within = nullptr) const;
-    /// The same of one of the shape's boxes; of the ground the part in shadow.
+    /// Returns world-space points whose convex hull is the part of one box of a shape inside this slice of the view
+    /// frustum. For a ground, only its shadowed part counts.
+    /// @param box index into SceneShape::boxes
     std::vector<glm::dvec3> visible_points(const SceneShape& shape, std::size_t box) const;
-    /// The same in view space: x right, y up, z the distance along the axis.
+    /// Returns points whose convex hull is the part of a world-space box inside this slice of the view frustum. The
+    /// points are in view space: x right, y up, z depth along the viewing direction, metres.
     std::vector<glm::dvec3> visible_points_in_view_space(const Box& box) const;
-    /// Whether all of a box, or nothing of it, is seen; Across where that is not sure.
-    Lies lies(const Box& box) const { return si::lies(in_view(box), planes_); }
+    /// Returns whether a world-space box lies inside or outside this slice of the view frustum; Crossing where neither
+    /// is certain.
+    BoxPlacement classify_box(const Box& box) const { return si::classify_box(in_view(box), planes_); }
 
 private:
+    /// Converts a world-space point to view space: x right, y up, z depth.
     glm::dvec3 in_view(const glm::dvec3& p) const;
+    /// Converts a point from view space to world space.
     glm::dvec3 in_world(const glm::dvec3& p) const { return eye_ + axes_ * glm::dvec3(p.x, p.y, -p.z); }
+    /// Converts the corners of a world-space box to view space.
     Box in_view(const Box& box) const;
 
     glm::dvec3 eye_;
     glm::dmat3 axes_;
-    Box corners_;                      ///< in view space
-    std::array<HalfSpace, 6> planes_;  ///< the same
+    Box corners_;                      ///< view space
+    std::array<HalfSpace, 6> planes_;  ///< sides in view space, facing inwards
 };
 
-/// The camera depths of what it sees of the boxes that `wanted` names; nothing where it sees none.
+/// Returns the range of camera depths of the visible parts of boxes; empty if none is visible.
+/// @param boxes world space
+/// @param wanted flags, as long as `boxes`; only boxes with true count
 std::optional<DepthSpan> visible_depths(const Camera& camera, const std::vector<Box>& boxes,
                                         const std::vector<bool>& wanted);
 
-/// Camera depths that hold all of a sphere that the camera may see, whichever way it looks; they stay as it turns, and
-/// change by octaves of its distance. Of an orthographic camera, which sees behind itself, they change with the depth
-/// of the sphere's centre, in steps of its radius.
+/// Returns camera depths that contain the visible part of a sphere for every viewing direction, so that stabilised
+/// cascades keep their size as the camera turns. The depths change in octaves of the distance to the sphere. For an
+/// orthographic camera they change with the depth of the centre, in steps of the radius.
+/// @param centre,radius world, metres
 DepthSpan rotation_stable_depths(const Camera& camera, const glm::dvec3& centre, double radius);
 
+/// Sphere in world space.
 struct Sphere {
     glm::dvec3 centre{0};  ///< world
-    double radius = 0;
+    double radius = 0;     ///< metres
 };
-/// The smallest sphere around what a camera sees between two depths. Its radius depends on neither place nor direction.
+/// Returns the smallest sphere around a camera's frustum between two depths. The radius is independent of the camera's
+/// place and direction, as stabilised cascades need.
 Sphere bounding_sphere(const Camera& camera, const DepthSpan& span);
 
 }  // namespace si

@@ -14,18 +14,18 @@
 namespace si {
 namespace {
 
-constexpr double kDepthPad = 1e-3;              // of the depth range, at each end
-constexpr double kDepthSteps = 16;              // in a power of two of metres: ends of the range lie on such steps
-constexpr double kFarthest = 1e30;              // metres: as far as the coarsest level is used
-constexpr double kMinUsedWidthShare = 1.0 / 8;  // of a map's width that a level is used for, about its centre, at least
+constexpr double kDepthPad = 1e-3;              // share of the depth range added at each end
+constexpr double kDepthSteps = 16;              // steps in a power of two of metres, on which the ends of the range lie
+constexpr double kUnlimitedEnd_m = 1e30;        // metres; end of the coarsest level
+constexpr double kMinUsedWidthShare = 1.0 / 8;  // least share of a map's width around its centre that is used
 
 double power_above(double x) {
     return std::exp2(std::ceil(std::log2(std::max(x, 1e-12))));
 }
 
-/// Depths along the light of all that the scene holds, outwards to steps that small moves do not leave.
+/// Depth range of the scene along the light, widened to steps that small moves do not cross.
 struct DepthRange {
-    double towards = 0, away = 0, step = 1;  ///< along the axis that points to the light
+    double towards = 0, away = 0, step = 1;  ///< metres along the axis that points to the light
 };
 
 DepthRange depth_range(const SceneShape& shape, const glm::dvec3& back) {
@@ -40,7 +40,7 @@ DepthRange depth_range(const SceneShape& shape, const glm::dvec3& back) {
     return {std::ceil((hi + pad) / step) * step, std::floor((lo - pad) / step) * step, step};
 }
 
-/// Of the receivers that the camera sees: across the light, and how far away.
+/// Extent of visible receivers across the light, and their largest distance from the camera.
 struct SeenExtent {
     glm::dvec2 lo{std::numeric_limits<double>::infinity()}, hi{-std::numeric_limits<double>::infinity()};
     double farthest_m = 0;
@@ -73,25 +73,24 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
     const glm::dmat3 axes = orthonormal_basis(q.to_light);
     const DepthRange range = depth_range(shape, axes[2]);
     const double n = q.resolution, page = q.page_texels;
-    // Across the light a level holds this many of its texels about the camera: it is placed by whole pages.
+    // Texels around the camera that a level is sure to contain, since it is placed by whole pages.
     const double held = std::max(0.5 * n - 0.5 * page - q.margin_texels, kMinUsedWidthShare * n);
 
     glm::dvec2 centre(glm::dot(axes[0], camera.eye), glm::dot(axes[1], camera.eye));
     SeenExtent seen = seen_extent(shape, camera, axes);
-    if (!(seen.lo.x <= seen.hi.x))
-        seen = {centre - shape.radius, centre + shape.radius, 0};  // nothing will be looked up
+    if (!(seen.lo.x <= seen.hi.x)) seen = {centre - shape.radius, centre + shape.radius, 0};  // no visible receiver
     if (camera.orthographic) centre = 0.5 * (seen.lo + seen.hi);
     const glm::dvec2 farthest = glm::max(glm::abs(seen.lo - centre), glm::abs(seen.hi - centre));
     const double reach = std::max({farthest.x, farthest.y, 1e-9 * shape.radius});
     const double pixel =
         camera.orthographic ? camera.height / q.picture_lines : 2 * std::tan(0.5 * camera.fov_y_rad) / q.picture_lines;
-    const double widest = pixel * std::exp2(q.bias);  // of a texel: in metres, or per metre from the camera
+    const double widest = pixel * std::exp2(q.bias);  // largest texel: metres, or metres per metre from the camera
 
-    // The coarsest holds all that is seen, with texels no finer than the farthest of it asks for; parallel rays see all
-    // places at one size.
+    // The coarsest level contains all visible receivers, with texels no finer than the farthest one needs. An
+    // orthographic camera sees all places at one size.
     const double asked = camera.orthographic ? widest * std::exp2(q.count - 1) : widest * seen.farthest_m;
     int coarsest = int(std::ceil(std::log2(std::max(reach / held, 0.5 * asked))));
-    // Numbers of pages are whole, and doubles tell its texels apart.
+    // Page numbers stay exact, and doubles resolve single texels.
     const double far_off = std::max({std::abs(centre.x), std::abs(centre.y), std::abs(range.towards)}) + reach;
     coarsest = std::max(coarsest, int(std::ceil(std::log2(far_off))) - 44 + q.count);
 
@@ -112,7 +111,7 @@ ClipLevels clip_levels(const ClipLevelRequest& q, const SceneShape& shape, const
         out.views.push_back(view);
         out.levels.push_back(level);
         const bool last = i + 1 == q.count;
-        double ends = last ? kFarthest : std::min(2 * texel / widest, held * texel);
+        double ends = last ? kUnlimitedEnd_m : std::min(2 * texel / widest, held * texel);
         if (camera.orthographic) ends = std::max(0.5 - q.margin_texels / n, 0.3);
         out.chooser.spans.push_back({ends, ends});
     }

@@ -1,6 +1,7 @@
-// Clip levels: concentric maps of a directional light about the camera, each with texels twice as wide as the one
-// before. They lie on grids of the light's own that do not move with the camera, so that pages of them can be kept.
-// Losasso, Hoppe, Geometry Clipmaps, SIGGRAPH 2004; Sakmary, Ryan, Hall, Lustri, Virtual Shadow Maps, GPU Zen 3, 2024.
+// Clip levels of virtual shadow maps: concentric maps of a directional light around the camera, each with texels twice
+// as wide as the level before. Levels lie on world-space grids that do not move with the camera, so that their pages
+// can be cached. Losasso, Hoppe, Geometry Clipmaps, SIGGRAPH 2004; Sakmary, Ryan, Hall, Lustri, Virtual Shadow Maps,
+// GPU Zen 3, 2024.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,37 +18,44 @@ namespace si {
 struct Camera;
 struct SceneShape;
 
+/// Views of a directional light's clip levels, with their grid positions and the choice among them.
 struct ClipLevels {
-    std::vector<LightView> views;  ///< finest first; all share axes and depths
-    std::vector<ClipLevel> levels;
-    ViewChooser chooser;
+    std::vector<LightView> views;   ///< finest first; all share axes and depths
+    std::vector<ClipLevel> levels;  ///< grid positions, in the order of `views`
+    ViewChooser chooser;            ///< choice of the level for a point
 };
 
+/// Input of clip_levels(): light direction, resolution, number and density of the levels.
 struct ClipLevelRequest {
-    glm::dvec3 to_light{0, 1, 0};
+    glm::dvec3 to_light{0, 1, 0};  ///< unit
     DepthConvention convention;
-    int resolution = 0, page_texels = 0, count = 1;
-    double bias = 0;           ///< in levels, as map.virtual_bias
-    double margin_texels = 0;  ///< how far from a surface its look-ups lead
-    int picture_lines = 720;   ///< pixels of the picture's height
+    int resolution = 0;        ///< texels a side of a level
+    int page_texels = 0;       ///< texels a side of a page
+    int count = 1;             ///< number of levels
+    double bias = 0;           ///< offset in levels, as map.virtual_bias
+    double margin_texels = 0;  ///< largest distance in texels between a surface and its look-ups
+    int picture_lines = 720;   ///< height of the picture in pixels
 };
 
-/// The levels for a camera. A pure function.
+/// Computes the clip levels of a directional light for a camera. Each level's range of distances is chosen so that its
+/// texels are about as large as the picture's pixels there. A pure function.
 ClipLevels clip_levels(const ClipLevelRequest& request, const SceneShape& shape, const Camera& camera);
 
-/// What the shaders that draw pages of a scene count positions from: a grid point near its centre, so that casters
-/// which move do not move it each time.
+/// Returns the world-space origin of positions in the shaders that draw pages: a grid point near the scene's centre. A
+/// grid point stays the same while casters move, so that cached pages stay valid.
 glm::dvec3 page_origin(const SceneShape& shape);
 
-/// Of blocks of this many pages to a side each page is drawn as part of one, wherever the camera stands.
+/// Pages along a side of a block. Each page is drawn as a part of its block, so its depths do not depend on the camera.
 inline constexpr int kBlockPages = 8;
 
-/// The view of the block of a level's grid that holds a page.
-/// @param[out] page its place in the block
+/// Returns the view of the block of pages that contains a page of a level's grid.
+/// @param of_level view of the level
+/// @param grid_page page counted from the world's origin
+/// @param[out] page place of the page within its block, 0 to kBlockPages - 1
 LightView block_view(const LightView& of_level, const ClipLevel& level, int page_texels, const glm::i64vec2& grid_page,
                      glm::ivec2& page);
 
-/// Quotient rounded down.
+/// Returns a / b rounded down, also for negative numbers.
 constexpr glm::i64 floor_div(glm::i64 a, glm::i64 b) {
     return a / b - (a % b != 0 && (a < 0) != (b < 0));
 }

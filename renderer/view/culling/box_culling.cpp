@@ -5,7 +5,7 @@ namespace {
 
 constexpr std::size_t kNearPlane = 4, kFarPlane = 5, kWidth = 6;
 
-/// Of what a product of floats comes of, the share that it may be off by.
+/// Largest relative error of a product of floats.
 constexpr double kFloatSlack = 4e-6;
 
 }  // namespace
@@ -29,21 +29,21 @@ BoxCuller::Span BoxCuller::span_of(std::size_t plane, const SkewBox& box) const 
     return {middle - half, middle + half, kFloatSlack * terms};
 }
 
-bool BoxCuller::misses(const SkewBox& box) const {
+bool BoxCuller::is_outside(const SkewBox& box) const {
     const Span w = span_of(kWidth, box);
-    if (w.most < -w.slack) return true;
+    if (w.max < -w.slack) return true;
     for (std::size_t i = 0; i <= kFarPlane; ++i) {
-        // What lies before or behind a map whose depths are clamped is drawn on its near or far plane.
+        // A map with clamped depths draws casters outside its depth range on its near or far plane.
         if (clamps_near_ && i >= kNearPlane) break;
         const Span span = span_of(i, box);
-        if (span.most < -span.slack - texel_ * std::max(w.most, 0.0)) return true;
+        if (span.max < -span.slack - texel_ * std::max(w.max, 0.0)) return true;
     }
     return false;
 }
 
 bool BoxCuller::is_in_front(const SkewBox& box) const {
     const Span w = span_of(kWidth, box), near = span_of(kNearPlane, box);
-    return w.least > w.slack && (clamps_near_ || near.least > near.slack);
+    return w.min > w.slack && (clamps_near_ || near.min > near.slack);
 }
 
 }  // namespace si

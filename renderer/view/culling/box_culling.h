@@ -1,4 +1,4 @@
-// Which boxes a map's view can draw something of, in double and on the safe side of a driver's floats.
+// Culling of boxes against the frustum of a view, conservative for float rounding in the driver.
 #pragma once
 
 #include <array>
@@ -9,37 +9,51 @@
 
 namespace si {
 
-/// A box that need not stand upright, nor have right angles.
+/// World-space parallelepiped: a mesh's box after an affine transform.
 struct SkewBox {
     glm::dvec3 centre{0};  ///< world
-    glm::dmat3 half{0.0};  ///< columns: from the centre to three faces' centres
+    glm::dmat3 half{0.0};  ///< columns: vectors from the centre to the centres of three faces
+    /// Makes an empty box at the origin.
     SkewBox() = default;
+    /// Transforms the bounds of a mesh to world space.
+    /// @param local bounds in the space of the mesh
+    /// @param world world_from_mesh
     SkewBox(const Bounds& local, const glm::dmat4& world)
         : centre(world * glm::dvec4(local.centre(), 1)), half(glm::dmat3(world)) {
         for (int i = 0; i < 3; ++i) half[i] *= 0.5 * (local.hi[i] - local.lo[i]);
     }
 };
 
+/// Frustum test of boxes against one view. Errs on the safe side: a box that might cover a texel is never reported as
+/// outside.
 class BoxCuller {
 public:
-    /// @param clip_from_relative of positions relative to `origin`
+    /// Makes the test from a view's matrix.
+    /// @param clip_from_relative clip space from positions relative to `origin` (world)
+    /// @param clamps_near casters before the near plane are drawn on it (pancaking), so near and far planes do not cull
+    /// @param resolution texels a side of the map
     BoxCuller(const glm::dmat4& clip_from_relative, const glm::dvec3& origin, const DepthConvention& convention,
               bool clamps_near, int resolution);
-    /// Nothing in the box covers a texel.
-    bool misses(const SkewBox& box) const;
-    /// All of the box lies before the viewer, and the near plane cuts nothing of it: the viewer is outside of it.
+    /// Returns true when no part of a world-space box can cover a texel of the view, so that the object need not be
+    /// drawn.
+    bool is_outside(const SkewBox& box) const;
+    /// Returns true when a world-space box lies wholly in front of the viewer and the near plane does not cut it. The
+    /// viewer is then outside the box.
     bool is_in_front(const SkewBox& box) const;
 
 private:
     glm::dvec3 origin_;
     bool clamps_near_;
-    double texel_;
-    /// A plane's value is 0 or more on its inner side; left, right, bottom, top, near, far, and w.
+    double texel_;  ///< width of a texel in normalised device coordinates
+    /// Planes with values of 0 or more on their inner side: left, right, bottom, top, near, far, and w.
     std::array<glm::dvec4, 7> planes_;
+    /// Range of a plane's value over a box.
     struct Span {
-        double least, most;
-        double slack;  ///< by how much floats may be off
+        double min, max;
+        double slack;  ///< float rounding of the value
     };
+    /// Returns the range that a frustum plane's value takes over a box, with its float rounding.
+    /// @param plane index into `planes_`
     Span span_of(std::size_t plane, const SkewBox& box) const;
 };
 

@@ -9,10 +9,10 @@
 namespace si {
 namespace {
 
-/// Tests of two boxes, and pairs found, past which the order is left as it is: some milliseconds.
+/// Largest numbers of box tests and of pairs found: some milliseconds of work.
 constexpr std::size_t kMaxTests = 1'000'000, kMaxPairs = 200'000;
 
-/// Boxes up to which each has a step of its own, and how many steps more are sorted into.
+/// Up to kMaxUnsteppedBoxes each box has a rank of its own; above, distances are quantised to kSteps.
 constexpr std::size_t kMaxUnsteppedBoxes = 512, kSteps = 32;
 
 Bounds upright(const SkewBox& box, double room_m) {
@@ -21,7 +21,7 @@ Bounds upright(const SkewBox& box, double room_m) {
     return {box.centre - half, box.centre + half};
 }
 
-/// Of each box that is seen its rank by distance within its group, counted in steps.
+/// Returns the rank of each visible box by distance.
 std::vector<std::uint32_t> steps_of(std::span<const SortedBox> boxes) {
     std::vector<std::uint32_t> seen;
     for (std::uint32_t i = 0; i < boxes.size(); ++i)
@@ -45,7 +45,7 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
     std::sort(by_start.begin(), by_start.end(),
               [&](std::uint32_t a, std::uint32_t b) { return bounds[a].lo.x < bounds[b].lo.x; });
     std::vector<BoxPair> pairs;
-    std::vector<std::uint32_t> open;  // those that begin before the present one, and have not ended
+    std::vector<std::uint32_t> open;  // boxes that start before the current one and have not ended
     std::size_t tests = 0;
     for (const std::uint32_t i : by_start) {
         const Bounds& b = bounds[i];
@@ -54,7 +54,7 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
         std::erase_if(open, [&](std::uint32_t other) { return bounds[other].hi.x < b.lo.x; });
         for (const std::uint32_t other : open) {
             const Bounds& o = bounds[other];
-            // Of a box of no numbers all comparisons fail: it touches all.
+            // Comparisons with NaN fail, so a box with NaN touches all.
             const bool apart = o.hi.y < b.lo.y || b.hi.y < o.lo.y || o.hi.z < b.lo.z || b.hi.z < o.lo.z;
             if (!apart) pairs.emplace_back(std::min(i, other), std::max(i, other));
         }
@@ -66,7 +66,8 @@ std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxe
 
 std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching) {
     const std::vector<std::uint32_t> steps = steps_of(boxes);
-    // Later ones of each box's pairs, one list after another; and how many earlier ones a box waits for.
+    // Lists of the later partner of each pair, by earlier partner, and the number of earlier partners that a box waits
+    // for.
     std::vector<std::uint32_t> first(boxes.size() + 1, 0), later(touching.size()), waits(boxes.size(), 0);
     const auto counts = [&](const BoxPair& p) {
         return boxes[p.first].seen && boxes[p.second].seen && boxes[p.first].group == boxes[p.second].group;
@@ -78,7 +79,7 @@ std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, 
     for (const BoxPair& p : touching)
         if (counts(p)) later[next[p.first]++] = p.second;
 
-    using Rank = std::tuple<int, std::uint32_t, std::uint32_t>;  // group, step, number
+    using Rank = std::tuple<int, std::uint32_t, std::uint32_t>;  // group, step, index
     std::priority_queue<Rank, std::vector<Rank>, std::greater<>> ready;
     const auto offer = [&](std::uint32_t i) { ready.emplace(boxes[i].group, steps[i], i); };
     for (std::uint32_t i = 0; i < boxes.size(); ++i)

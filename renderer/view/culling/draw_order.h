@@ -1,4 +1,4 @@
-// Which objects a camera draws, and in what order, so that little is shaded that something nearer hides.
+// Front-to-back draw order of visible objects, which reduces the shading of hidden surfaces.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,27 @@
 
 namespace si {
 
-/// Numbers of two boxes of a sequence, the earlier first.
+/// Indices of two boxes of a sequence, the smaller first.
 using BoxPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// The pairs of boxes that touch: only in those may one surface lie exactly in another's place.
-/// @param room_m by which boxes are larger, for what floats make of surfaces
-/// @returns nothing where finding them takes too long to be worth it
+/// Returns the pairs of boxes that touch. Only such pairs can hold coplanar surfaces, whose draw order decides which
+/// one is seen.
+/// @param room_m padding of the boxes in metres, for float rounding of surfaces
+/// @return empty optional when there are too many boxes or pairs to find in a few milliseconds
 std::optional<std::vector<BoxPair>> touching_boxes(std::span<const SkewBox> boxes, double room_m);
 
-/// Where an object stands in the order.
+/// Sort key of one object for sort_front_to_back().
 struct SortedBox {
-    int group = 0;     ///< of lower groups all are drawn before any of higher ones
-    double far_m = 0;  ///< how far the farthest of it lies along the viewing direction: what encloses others comes late
-    bool seen = false;  ///< else it is left out
+    int group = 0;  ///< draw group: lower groups are drawn first
+    double far_m =
+        0;  ///< largest distance along the viewing direction in metres; large objects that enclose others come late
+    bool seen = false;  ///< visible; other objects are left out
 };
 
-/// The numbers of the boxes that are seen, by groups, the nearest first; of two that touch the earlier stays the
-/// earlier, so that of surfaces in one place the same one wins wherever the camera is. Many boxes are told apart by
-/// steps of their distance alone, so that runs of like ones stay together.
-/// @param touching of all boxes, seen or not
+/// Returns the indices of the visible boxes, by group and then front to back. Of two touching boxes the one with the
+/// smaller index stays first, so that the winner between coplanar surfaces does not depend on the camera. Above 512
+/// boxes distances are quantised, so that runs of equal batches stay together.
+/// @param touching touching_boxes() of all boxes, visible or not
 std::vector<std::uint32_t> sort_front_to_back(std::span<const SortedBox> boxes, std::span<const BoxPair> touching);
 
 }  // namespace si

@@ -10,9 +10,9 @@ namespace si {
 namespace {
 
 constexpr std::uint64_t kFullRow = ~std::uint64_t(0);
-static_assert(MapCells::kCells == 64, "a row is a word");
+static_assert(MapCells::kCells == 64, "a row of cells is one 64-bit word");
 
-/// Cells of a rectangle that lies in the map, or reaches into it.
+/// Range of cells that a rectangle overlaps.
 struct CellRange {
     int first_row, last_row;
     std::uint64_t columns;
@@ -35,7 +35,7 @@ bool lies_beyond(const MapRect& rect) {
 }  // namespace
 
 std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
-                                      double before) {
+                                      double min_w) {
     const glm::dvec4 centre = uvd_from_relative * glm::dvec4(box.centre - origin, 1);
     std::array<glm::dvec4, 3> half;
     for (int i = 0; i < 3; ++i) half[std::size_t(i)] = uvd_from_relative * glm::dvec4(box.half[i], 0);
@@ -44,7 +44,7 @@ std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_
     for (unsigned corner = 0; corner < 8; ++corner) {
         glm::dvec4 h = centre;
         for (unsigned i = 0; i < 3; ++i) h += corner >> i & 1 ? half[i] : -half[i];
-        if (!(h.w > before)) return std::nullopt;
+        if (!(h.w > min_w)) return std::nullopt;
         const glm::dvec2 at = glm::dvec2(h) / h.w;
         rect.lo = glm::min(rect.lo, at);
         rect.hi = glm::max(rect.hi, at);
@@ -66,13 +66,13 @@ bool MapCells::is_whole() const {
     return std::ranges::all_of(rows_, [](std::uint64_t row) { return row == kFullRow; });
 }
 
-bool MapCells::holds(const MapCells& other) const {
+bool MapCells::contains(const MapCells& other) const {
     for (std::size_t i = 0; i < rows_.size(); ++i)
         if (other.rows_[i] & ~rows_[i]) return false;
     return true;
 }
 
-bool MapCells::meets(const MapRect& rect) const {
+bool MapCells::overlaps(const MapRect& rect) const {
     if (lies_beyond(rect)) return false;
     const CellRange cells = cells_of(rect);
     for (int row = cells.first_row; row <= cells.last_row; ++row)
@@ -80,8 +80,8 @@ bool MapCells::meets(const MapRect& rect) const {
     return false;
 }
 
-void MapCells::add(const MapRect& rect, bool beyond) {
-    if (lies_beyond(rect) && !beyond) return;
+void MapCells::add(const MapRect& rect, bool clamp) {
+    if (lies_beyond(rect) && !clamp) return;
     const CellRange cells = cells_of(rect);
     for (int row = cells.first_row; row <= cells.last_row; ++row) rows_[std::size_t(row)] |= cells.columns;
 }
@@ -95,7 +95,7 @@ void MapCells::add(const MapCells& other) {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] |= other.rows_[i];
 }
 
-std::vector<TexelRect> MapCells::texels(int resolution) const {
+std::vector<TexelRect> MapCells::texel_rects(int resolution) const {
     const auto first = [&](int cell) { return int(std::int64_t(cell) * resolution / kCells); };
     const auto end = [&](int cell) { return int((std::int64_t(cell) * resolution + kCells - 1) / kCells); };
     std::vector<TexelRect> out;

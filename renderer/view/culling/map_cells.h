@@ -1,5 +1,4 @@
-// Which parts of a shadow map look-ups may read, in cells: coarse enough to be kept and compared, fine enough to tell
-// which casters matter.
+// Parts of a shadow map that look-ups may read, as a grid of 64 x 64 cells.
 #pragma once
 
 #include <array>
@@ -13,45 +12,59 @@
 
 namespace si {
 
-/// Map coordinates; all from 0 to 1 lie in the map.
+/// Rectangle in map coordinates; 0 to 1 is the map.
 struct MapRect {
     glm::dvec2 lo{0}, hi{1};
 };
 
-/// Texels of a map, from the first to before the last.
+/// Rectangle of texels, from the first to before the last.
 struct TexelRect {
     glm::ivec2 from{0}, to{0};
     bool operator==(const TexelRect&) const = default;
 };
 
-/// Around what a box covers in a map; nothing where that may be anything, as part of the box lies behind the viewer.
-/// @param uvd_from_relative homogeneous map coordinates from positions relative to `origin`
-/// @param before least w of what is seen
+/// Returns the bounding rectangle of a box in map coordinates; empty if a part of the box lies behind the viewer, so
+/// that the rectangle has no bound.
+/// @param uvd_from_relative homogeneous map coordinates from positions relative to `origin` (world)
+/// @param min_w smallest clip-space w that counts as in front of the viewer
 std::optional<MapRect> projected_rect(const SkewBox& box, const glm::dmat4& uvd_from_relative, const glm::dvec3& origin,
-                                      double before);
+                                      double min_w);
 
+/// Set of cells of a shadow map. Marks the parts of the map that are read or drawn.
 class MapCells {
 public:
-    static constexpr int kCells = 64;  ///< along a side
+    static constexpr int kCells = 64;  ///< cells along a side
+    /// Makes an empty set of map cells.
     MapCells() = default;
+    /// Returns the set of all cells of a map.
     static MapCells whole();
+    /// Returns true when the set holds no cell of the map.
     bool empty() const;
+    /// Returns true when the set holds all cells of the map.
     bool is_whole() const;
-    bool holds(const MapCells& other) const;
-    bool meets(const MapRect& rect) const;
-    /// @param beyond what lies beyond a side is looked up at it; else nowhere
-    void add(const MapRect& rect, bool beyond);
-    /// The cells along the sides.
+    /// Returns true when this set of map cells holds every cell of another set.
+    bool contains(const MapCells& other) const;
+    /// Returns true when a rectangle of the map overlaps a cell of the set.
+    bool overlaps(const MapRect& rect) const;
+    /// Adds the map cells that overlap a rectangle.
+    /// @param rect map coordinates
+    /// @param clamp the part of the rectangle outside the map reads the border cells (clamp to edge); false: the part
+    ///     outside reads nothing
+    void add(const MapRect& rect, bool clamp);
+    /// Adds the cells along the four sides of the map to the set.
     void add_border_cells();
+    /// Adds all cells of another set of map cells.
     void add(const MapCells& other);
-    /// Few rectangles that together hold the cells' texels. They overlap only where a texel lies in two cells.
-    /// @param resolution texels along a side of the map
-    std::vector<TexelRect> texels(int resolution) const;
+    /// Returns a few rectangles of texels that together cover the marked map cells, for copies and scissored draws.
+    /// Rectangles overlap only in texels that two cells share.
+    /// @param resolution texels a side of the map
+    std::vector<TexelRect> texel_rects(int resolution) const;
+    /// Adds the set of map cells to a cache key.
     void add_to(Key& key) const { key.bytes(rows_.data(), sizeof rows_); }
     bool operator==(const MapCells&) const = default;
 
 private:
-    std::array<std::uint64_t, kCells> rows_{};
+    std::array<std::uint64_t, kCells> rows_{};  ///< one bit a cell
 };
 
 }  // namespace si

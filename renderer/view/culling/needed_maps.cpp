@@ -10,18 +10,22 @@
 namespace si {
 namespace {
 
-// By how much more is taken to be seen: what floats of a driver make of a picture's sides.
-constexpr double kPixelsBeside = 2;
+/// Padding of the view frustum in pixels, for float rounding in the driver's clipper.
+constexpr double kFrustumPadPixels = 2;
+/// Padding of near and far planes, as a share of their depth.
 constexpr double kFrustumDepthPad = 1e-3;
 
-constexpr double kMinLightDistanceShare =
-    1e-4;                             ///< of how far a body reaches from a light: nearer, it may be anywhere in a map
-constexpr double kSpanEndPad = 1e-5;  ///< of a view's end, about which a driver may choose the next one
-constexpr double kLightRangePad = 1e-4;  ///< of a light's range and cone
-constexpr double kLookupPadTexels = 2;   ///< beside all that is read or drawn
+/// Least distance from a light as a share of a body's farthest distance; nearer points may lie anywhere in a map.
+constexpr double kMinLightDistanceShare = 1e-4;
+/// Padding of the end of a view, where a driver may choose the next view.
+constexpr double kSpanEndPad = 1e-5;
+/// Padding of a light's range and cone.
+constexpr double kLightRangePad = 1e-4;
+/// Padding of the texels that are read or drawn.
+constexpr double kLookupPadTexels = 2;
 
-CameraSlice wider(Camera camera, int lines) {
-    const double more = 1 + 2 * kPixelsBeside / std::max(lines, 1);
+CameraSlice padded_frustum(Camera camera, int lines) {
+    const double more = 1 + 2 * kFrustumPadPixels / std::max(lines, 1);
     camera.fov_y_rad = 2 * std::atan(std::tan(0.5 * camera.fov_y_rad) * more);
     camera.height *= more;
     const DepthCurve& c = camera.curve;
@@ -48,13 +52,13 @@ BoundingBall ball_around(std::span<const glm::dvec3> points) {
     return ball;
 }
 
-/// Where points lie in a map. Nothing of what lies behind a light is looked up.
+/// Projection of points into a map. Points behind a light are never looked up.
 struct Projected {
     MapRect rect{glm::dvec2(std::numeric_limits<double>::infinity()),
                  glm::dvec2(-std::numeric_limits<double>::infinity())};
-    double nearest = std::numeric_limits<double>::infinity();    ///< w
-    double farthest = -std::numeric_limits<double>::infinity();  ///< w
-    bool beside = false;                                         ///< all of them lie beyond one of the map's sides
+    double nearest = std::numeric_limits<double>::infinity();    ///< clip-space w
+    double farthest = -std::numeric_limits<double>::infinity();  ///< clip-space w
+    bool outside = false;                                        ///< all points lie outside one side of the map
 };
 
 class ViewRegion {
@@ -76,13 +80,13 @@ public:
         if (region.is_whole() || !may_be_chosen(points)) return;
         const Projected p = project(points);
         const bool faces = light_.chooser.choice == ViewChoice::Face;
-        if (!(p.farthest > 0) || (faces && p.beside)) return;
+        if (!(p.farthest > 0) || (faces && p.outside)) return;
         const double near = std::max(kMinLightDistanceShare * p.farthest, kMinLightDistanceShare * view_.curve.near);
         if (!view_.curve.perspective) {
-            if (!(p.nearest > 0)) return take_all();
-            return take(p.rect, false);
+            if (!(p.nearest > 0)) return add_all();
+            return add_rect(p.rect, false);
         }
-        if (p.nearest > near) return take(p.rect, faces);
+        if (p.nearest > near) return add_rect(p.rect, faces);
         add_in_front(seen, body, p.farthest);
     }
 
@@ -94,19 +98,19 @@ private:
     glm::dmat4 uvd_from_relative_;
     double room_;
 
-    void take_all() { region = MapCells::whole(); }
+    void add_all() { region = MapCells::whole(); }
 
-    /// @param held look-ups beyond the map's sides are another view's
-    void take(MapRect rect, bool held) {
-        if (!held && area_.wrap == MapWrap::Repeat) return take_all();
+    /// @param is_face look-ups outside the map's sides belong to another view
+    void add_rect(MapRect rect, bool is_face) {
+        if (!is_face && area_.wrap == MapWrap::Repeat) return add_all();
         rect.lo -= room_;
         rect.hi += room_;
-        const bool beyond = !held && (area_.wrap == MapWrap::Clamp || area_.reads_border_texels);
+        const bool beyond = !is_face && (area_.wrap == MapWrap::Clamp || area_.reads_border_texels);
         MapCells read;
         read.add(rect, beyond);
         if (read.empty()) return;
-        // A view that warps has texels of other widths beside.
-        if (area_.whole_maps || area_.wrap == MapWrap::Repeat || view_.warped()) return take_all();
+        // Texels of a warped view differ in width, so the padding in texels does not hold.
+        if (area_.whole_maps || area_.wrap == MapWrap::Repeat || view_.warped()) return add_all();
         region.add(rect, beyond);
     }
 
@@ -122,7 +126,7 @@ private:
                 out.rect.hi = glm::max(out.rect.hi, at);
             }
             out.nearest = out.farthest = 1;
-            out.beside = out.rect.hi.x < 0 || out.rect.hi.y < 0 || out.rect.lo.x > 1 || out.rect.lo.y > 1;
+            out.outside = out.rect.hi.x < 0 || out.rect.hi.y < 0 || out.rect.lo.x > 1 || out.rect.lo.y > 1;
             return out;
         }
         bool beyond[4] = {true, true, true, true};
@@ -139,11 +143,11 @@ private:
             out.rect.lo = glm::min(out.rect.lo, at);
             out.rect.hi = glm::max(out.rect.hi, at);
         }
-        out.beside = std::ranges::any_of(beyond, [](bool all) { return all; });
+        out.outside = std::ranges::any_of(beyond, [](bool all) { return all; });
         return out;
     }
 
-    /// Of a body beside or around a light: what lies within the view's sides.
+    /// Adds a body beside or around a light: the part of it between the view's sides.
     void add_in_front(const VisibleBodies& seen, const VisibleBody& body, double farthest) {
         Box pyramid, about;
         const double far = 1.01 * farthest, near = kMinLightDistanceShare * farthest;
@@ -153,20 +157,20 @@ private:
             const double wide = 2 * near * (1 + view_.half_width);
             about[i] = view_.eye + wide * glm::dvec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
         }
-        if (!seen.view.visible_points(body.box, &about).empty()) return take_all();
+        if (!seen.view.visible_points(body.box, &about).empty()) return add_all();
         const std::vector<glm::dvec3> within = seen.view.visible_points(body.box, &pyramid);
         if (!within.empty()) {
             const Projected p = project(within);
-            if (!(p.nearest > 0)) return take_all();
-            take(p.rect, true);
+            if (!(p.nearest > 0)) return add_all();
+            add_rect(p.rect, true);
         }
         const bool ends = area_.wrap == MapWrap::Border || area_.wrap == MapWrap::Range;
         if (light_.chooser.choice == ViewChoice::Face || (ends && !area_.reads_border_texels)) return;
-        if (area_.whole_maps || area_.wrap == MapWrap::Repeat) return take_all();
+        if (area_.whole_maps || area_.wrap == MapWrap::Repeat) return add_all();
         region.add_border_cells();
     }
 
-    /// Whether choose_view() may name this view, or blend it in, for a point among these.
+    /// Returns true when choose_view() may choose or blend in this view for a point among these.
     bool may_be_chosen(std::span<const glm::dvec3> points) const {
         const ViewChooser& c = light_.chooser;
         const bool last = number_ + 1 == light_.views.size();
@@ -186,13 +190,13 @@ private:
         }
         if (c.choice != ViewChoice::Map || last) return true;
         const MapRect rect = project(points).rect;
-        constexpr double kWideLayout = 1e-3;
-        return rect.hi.x >= -kWideLayout && rect.hi.y >= -kWideLayout && rect.lo.x <= 1 + kWideLayout &&
-               rect.lo.y <= 1 + kWideLayout;
+        constexpr double kPad = 1e-3;
+        return rect.hi.x >= -kPad && rect.hi.y >= -kPad && rect.lo.x <= 1 + kPad && rect.lo.y <= 1 + kPad;
     }
 };
 
-/// Whether angles in a mesh's space are nearly those in the world: sides that are clear there are clear here.
+/// Returns true when angles in a mesh's space are close to those in the world, so that a visible side there is visible
+/// here.
 bool keeps_sides(const glm::dmat4& world) {
     constexpr double kMaxSkew = 30;
     const glm::dmat3 m(world), back = glm::inverse(m);
@@ -204,8 +208,8 @@ bool keeps_sides(const glm::dmat4& world) {
     return std::sqrt(there * here) < kMaxSkew;
 }
 
-/// Whether all that the camera sees of a body is of triangles whose other side the light meets: shaders take normals on
-/// the camera's side, and look nothing up where those face away, whatever is shaded by.
+/// Returns true when the camera sees only triangles of a body whose other side faces the light. Shaders take normals on
+/// the camera's side, and skip look-ups where those face away.
 bool is_turned_away(const VisibleBody& body, const VisibleBodies& seen, const FittedLight& light) {
     if (body.side == VisibleSide::Either) return false;
     const glm::dvec4 from =
@@ -215,8 +219,8 @@ bool is_turned_away(const VisibleBody& body, const VisibleBodies& seen, const Fi
 }
 
 std::string none_arrives(const FittedLight& light) {
-    return light.range_m > 0 ? "nothing that the camera sees lies within the light's range and cone"
-                             : "nothing that the camera sees lies where the light shines";
+    return light.range_m > 0 ? "no visible surface lies within the light's range and cone"
+                             : "no visible surface lies where the light shines";
 }
 
 }  // namespace
@@ -231,13 +235,13 @@ bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points
     const double along = -glm::dot(d, light.to_light);
     const double aside = std::sqrt(std::max(glm::dot(d, d) - along * along, 0.0));
     const double cosine = light.cos_cone_outer, sine = std::sqrt(std::max(1 - cosine * cosine, 0.0));
-    // How far its centre is from the cone's side, or from its tip.
+    // Distance of the centre from the cone's side, or from its tip.
     return aside * cosine - along * sine <= ball.radius + kLightRangePad * glm::length(d);
 }
 
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
                                   const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters) {
-    VisibleBodies out{wider(camera, lines), {}};
+    VisibleBodies out{padded_frustum(camera, lines), {}};
     out.mesh_from_world.resize(scene.objects.size());
     out.bodies.reserve(scene.objects.size());
     for (std::size_t number = 0; number < scene.objects.size(); ++number) {
@@ -249,8 +253,8 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
             out.unknown = true;
             continue;
         }
-        const Lies where = out.view.lies(box);
-        if (where == Lies::Beyond) continue;
+        const BoxPlacement where = out.view.classify_box(box);
+        if (where == BoxPlacement::Outside) continue;
         const std::span<const Cluster> parts = clusters(std::size_t(object.mesh));
         const auto has_sides = [](const Cluster& part) { return part.axis != glm::dvec3(0); };
         const bool sides = std::ranges::any_of(parts, has_sides) && keeps_sides(object.world);
@@ -262,13 +266,13 @@ VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int 
         if (parts.size() > 1) {
             for (const Cluster& part : parts) {
                 const Box corners = part.box.corners(object.world);
-                if (where != Lies::Within && out.view.lies(corners) == Lies::Beyond) continue;
+                if (where != BoxPlacement::Inside && out.view.classify_box(corners) == BoxPlacement::Outside) continue;
                 out.bodies.push_back({corners, {}, part, side(part), number});
             }
             continue;
         }
         const Cluster whole = parts.empty() ? Cluster{mesh.bounds} : parts[0];
-        if (where == Lies::Within) {
+        if (where == BoxPlacement::Inside) {
             out.bodies.push_back({box, {}, whole, side(whole), number});
         } else if (std::vector<glm::dvec3> seen = out.view.visible_points(box); !seen.empty()) {
             out.bodies.push_back({box, std::move(seen), whole, side(whole), number});
@@ -281,7 +285,7 @@ NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, cons
     NeededMaps out;
     if (area.only_lit_points && light.radiance == glm::dvec3(0)) {
         out.views.resize(light.views.size());
-        out.uncalled = kLightAddsNothing;
+        out.unneeded_reason = kLightAddsNothing;
         return out;
     }
     if (seen.unknown || light.chooser.choice == ViewChoice::Distance) {
@@ -300,16 +304,16 @@ NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, cons
         }
         for (ViewRegion& view : views) view.add(seen, body);
     }
-    bool called = false;
+    bool needed = false;
     for (const ViewRegion& view : views) {
         out.views.push_back(view.region);
-        called |= !view.region.empty();
+        needed |= !view.region.empty();
     }
-    if (!called)
-        out.uncalled = seen.bodies.empty() ? "the camera sees nothing"
-                       : !arrives          ? none_arrives(light)
-                       : turned            ? "all that the camera sees is turned away from the light, or lies beside it"
-                                           : "nothing that the camera sees is looked up in it";
+    if (!needed)
+        out.unneeded_reason = seen.bodies.empty() ? "the camera sees nothing"
+                              : !arrives          ? none_arrives(light)
+                              : turned ? "all visible surfaces face away from the light, or lie outside its maps"
+                                       : "no visible surface is looked up in it";
     return out;
 }
 

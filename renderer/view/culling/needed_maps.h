@@ -1,5 +1,5 @@
-// What of a light's maps a picture's look-ups may read: where bounds of what its camera sees lie in them. Pure CPU,
-// double precision, on the safe side.
+// Parts of a light's shadow maps that the look-ups of a picture may read. Computed from bounds of visible surfaces;
+// CPU, double precision, conservative.
 #pragma once
 
 #include <functional>
@@ -17,56 +17,60 @@
 
 namespace si {
 
-/// Why a black light counts for nothing.
+/// Reason printed for a light that is off or black.
 inline constexpr const char* kLightAddsNothing =
-    "the light brings nothing: it is off, or its colour or its intensity is 0";
+    "the light adds nothing: it is off, or its colour or its intensity is 0";
 
-/// Whether some of the light may arrive among points, whatever stands between.
+/// Returns true when light may reach the convex hull of world-space points by its range and cone, occluders aside.
 bool may_illuminate(const FittedLight& light, std::span<const glm::dvec3> points);
 
-/// A body that holds surfaces that the camera sees.
+/// Bounds of surfaces that the camera may see: an object, or one cluster of its triangles.
 struct VisibleBody {
-    Box box{};
-    std::vector<glm::dvec3> seen;            ///< points around the part of it that is seen; none: all of it may be
-    Cluster cluster;                         ///< that it is, where `side` is known
-    VisibleSide side = VisibleSide::Either;  ///< of its triangles that the camera sees
-    std::size_t object = 0;                  ///< in Scene::objects;
+    Box box{};                     ///< world
+    std::vector<glm::dvec3> seen;  ///< points around the visible part, world; empty: the whole box may be visible
+    Cluster cluster;               ///< cluster of triangles, valid where `side` is known
+    VisibleSide side = VisibleSide::Either;  ///< side of the triangles that faces the camera
+    std::size_t object = 0;                  ///< index into Scene::objects
+    /// Returns world-space points whose hull contains the visible part of the body.
     std::span<const glm::dvec3> points() const {
         return seen.empty() ? std::span<const glm::dvec3>(box) : std::span<const glm::dvec3>(seen);
     }
 };
 
-/// All that a camera may see.
+/// Boxes of the objects that one camera may see, from which the parts of a map that are read are found.
 struct VisibleBodies {
-    CameraSlice view;  ///< a little wider than the picture
+    CameraSlice view;  ///< view frustum with padding for rounding
     std::vector<VisibleBody> bodies;
-    bool unknown = false;                     ///< a body has no place: anything may be seen
-    std::vector<glm::dmat4> mesh_from_world;  ///< by object; of those whose clusters show a side
+    bool unknown = false;  ///< a body has non-finite bounds: anything may be visible
+    /// Inverse world matrices by object. Set for objects with clusters that show one side.
+    std::vector<glm::dmat4> mesh_from_world;
 };
 
-/// @param clusters of a mesh: as build_clusters() finds them; none: it is one
-/// @param lines pixels of the picture's height
+/// Finds the objects and clusters inside a camera's view frustum.
+/// @param lines height of the picture in pixels
+/// @param clusters function that returns build_clusters() of a mesh; an empty result: the mesh is one cluster
 VisibleBodies find_visible_bodies(const Scene& scene, const Camera& camera, int lines,
                                   const std::function<std::span<const Cluster>(std::size_t mesh)>& clusters);
 
-/// How a picture's look-ups read.
+/// Footprint of a picture's look-ups in a shadow map: kernel reach, offsets and wrapping.
 struct LookupArea {
-    int resolution = 1;
-    double reach_texels = 0;   ///< of texels that are read, with all that moves the look-up but the normal offset
-    double normal_texels = 0;  ///< bias.normal
+    int resolution = 1;       ///< texels a side of the map
+    double reach_texels = 0;  ///< largest distance in texels between look-up and texels read, without the normal offset
+    double normal_texels = 0;  ///< normal offset in texels, as bias.normal
     MapWrap wrap = MapWrap::Border;
-    bool whole_maps = false;           ///< what is read depends on the whole of each map that is read
-    bool reads_border_texels = false;  ///< beyond a map's sides its last texels are read, if only to count for nothing
+    bool whole_maps = false;  ///< a value read depends on the whole map, as with mip levels or summed-area tables
+    bool reads_border_texels = false;  ///< look-ups outside the map read its border texels, even with weight 0
     bool only_lit_points = false;      ///< visibility counts only where light arrives
 };
 
+/// Parts of one light's maps that are read.
 struct NeededMaps {
-    std::vector<MapCells> views;  ///< of each of the light's
-    std::string uncalled;         ///< why all of them are empty; empty: they are not
+    std::vector<MapCells> views;  ///< cells by view of the light
+    std::string unneeded_reason;  ///< reason for all cells being empty; empty text: some cells are set
 };
 
-/// What of the maps of a light that casts is read. A caster may be left out of a view if it covers nothing of its
-/// region.
+/// Finds the cells of a casting light's maps that look-ups at visible surfaces may read. Casters that cover none of the
+/// cells of a view need not be drawn into it.
 NeededMaps needed_maps(const FittedLight& light, const VisibleBodies& seen, const LookupArea& area);
 
 }  // namespace si

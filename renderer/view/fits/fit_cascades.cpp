@@ -1,4 +1,4 @@
-// Maps of a sun for slices of what the camera sees: cascades, and maps that keep still.
+// Fits of cascades: maps of a directional light for slices of the view frustum, tight or stabilised.
 #include <algorithm>
 #include <cmath>
 
@@ -21,7 +21,7 @@ bool is_warped(const FitContext& c) {
     return fit_row(c.settings.fit).warps;
 }
 
-/// Where the cascades of camera depths end, metres; the last one is `all.to_m`.
+/// Returns the camera depths in metres at which the cascades end; the last one is `all.to_m`.
 std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const Camera& camera, const DepthSpan& all,
                                  int count) {
     const auto split = c.settings.split;
@@ -38,20 +38,20 @@ std::vector<double> cascade_ends(FittedLight& light, const FitContext& c, const 
     double lambda = split == Split::Uniform       ? 0
                     : split == Split::Logarithmic ? 1
                                                   : std::clamp(finite_or(c.settings.split_lambda, 0.5), 0.0, 1.0);
-    // Parallel rays of the camera see all depths at one size, for which even cascades are right.
+    // An orthographic camera sees all depths at one size, so cascades of equal depth are best.
     if (camera.orthographic) {
         if (split == Split::Logarithmic)
-            note(light,
-                 "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
-                 "divided evenly");
+            add_note(light,
+                     "light.split logarithmic: an orthographic camera sees all depths at one size, so they are "
+                     "divided evenly");
         lambda = 0;
     }
     const double nearest = camera.orthographic ? all.from_m : std::max(all.from_m, kMinSeenDepthShare * all.to_m);
     return split_depths(nearest, all.to_m, count, lambda);
 }
 
-/// The map of one slice: what it holds across the light is what the camera sees of receivers in it; towards the light
-/// it reaches to the first caster.
+/// Fits the map of one slice. Across the light it contains the visible receivers of the slice; towards the light it
+/// reaches to the first caster.
 void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                double margin) {
     std::vector<glm::dvec3> points, on_ground;
@@ -63,7 +63,7 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
         all.insert(all.end(), part.begin(), part.end());
     }
     if (points.empty()) points.swap(on_ground);
-    if (points.empty())  // nothing will be looked up in it
+    if (points.empty())  // no visible receiver
         for (std::size_t i = 0; i < c.shape.boxes.size(); ++i)
             if (i != c.shape.ground) points.insert(points.end(), c.shape.boxes[i].begin(), c.shape.boxes[i].end());
     if (is_warped(c)) return fit_warped(light, view, c, camera, points, on_ground, margin);
@@ -85,15 +85,15 @@ void fit_slice(FittedLight& light, LightView view, const FitContext& c, const Ca
     add_finished_view(light, view, c, 1);
 }
 
-/// A map of the sphere around a slice, in steps of whole texels: neither its width nor its texels' places change as the
-/// camera turns, and as it moves they change by whole texels. Never more than the sphere around the scene.
+/// Fits a map to the sphere around a slice, never larger than the sphere around the scene. The map keeps its size and
+/// texel grid as the camera turns. As the camera moves the map moves by whole texels.
 void fit_sphere(FittedLight& light, LightView view, const FitContext& c, const Camera& camera, const DepthSpan& span,
                 double margin) {
     Sphere sphere = bounding_sphere(camera, span);
     if (!(sphere.radius < c.shape.radius)) sphere = {c.shape.centre, c.shape.radius};
     view.half_width = half_extent_with_margin(sphere.radius, c.shape.radius, c.resolution, margin + 1);
     const double texel = view.texel_size(1, c.resolution);
-    // Counted from the scene's centre: its place in the world takes no digits away.
+    // Positions relative to the scene's centre, so that a scene far from the origin loses no digits.
     const glm::dmat3 to_view = glm::transpose(view.axes);
     const glm::dvec3 away = to_view * (sphere.centre - c.shape.centre) / texel;
     const glm::dvec3 steps = c.settings.snap ? glm::round(away) : away;
@@ -126,7 +126,8 @@ void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera)
     for (int i = 0; i < count; ++i) {
         const double end = ends[std::size_t(i)], blends_from = i + 1 < count ? end - blend * (end - begins) : end;
         (is_stabilised(c) ? fit_sphere : fit_slice)(light, view, c, camera, {holds_from, end}, margin);
-        const double rim = std::max(0.5 - (margin - 0.5) / c.resolution, 0.3);  // holds what the fit was for
+        // Distance from the map's centre to the end of the part that the fit covers, without its margin.
+        const double rim = std::max(0.5 - (margin - 0.5) / c.resolution, 0.3);
         if (count > 1 && by_map)
             light.chooser.spans.push_back({rim, i + 1 < count ? rim * (1 - blend) : rim});
         else if (count > 1)

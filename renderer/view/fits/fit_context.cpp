@@ -11,11 +11,10 @@
 namespace si {
 namespace {
 
-// 2^10 steps of a float: a thinner range or map has no useful resolution.
+// Least depth range or width relative to `scale`: 1024 float steps. Smaller ones have no useful resolution.
 constexpr double kMinShare = 1024.0 / (1 << 23);
 
-/// Makes the range of `curve` positive: at least two texels and a thousand float steps of `scale`, about the same
-/// middle.
+/// Widens the range of `curve` about its middle to at least two texels and 1024 float steps of `scale`.
 void widen_range(DepthCurve& curve, double texel, double scale) {
     const double least = std::max({2 * texel, kMinShare * scale, 1e-12});
     if (curve.far - curve.near >= least) return;
@@ -28,21 +27,22 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
     }
 }
 
-/// light.near and light.far in place of the fitted range, where they make sense.
+/// Applies light.near and light.far where they are valid.
 void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve) {
     if (!uses_manual_near_far(s)) return;
     const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
     if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
     if (far != 0) curve.far = far;
-    if (near < 0 && curve.perspective) note(light, "a perspective map needs near > 0: light.near is fitted instead");
+    if (near < 0 && curve.perspective)
+        add_note(light, "a perspective map needs near > 0: light.near is fitted instead");
     if (!(curve.far > curve.near)) {
-        note(light,
-             fmt::format("near {:.6g} m is not below far {:.6g} m: far is moved behind near", curve.near, curve.far));
+        add_note(light, fmt::format("near {:.6g} m is not below far {:.6g} m: far is moved behind near", curve.near,
+                                    curve.far));
         curve.far = curve.near + std::max(std::abs(curve.near), 1e-6);
     }
 }
 
-/// light.stretch.
+/// Applies light.stretch.
 void stretch_range(const LightSettings& s, DepthCurve& curve) {
     const double by = std::clamp(finite_or(s.stretch, 1), 1.0, 1e5);
     if (by == 1) return;
@@ -67,7 +67,7 @@ void step_view_forward(LightView& view) {
 
 }  // namespace
 
-void note(PlacedLight& light, std::string text) {
+void add_note(PlacedLight& light, std::string text) {
     if (std::find(light.notes.begin(), light.notes.end(), text) == light.notes.end())
         light.notes.push_back(std::move(text));
 }
@@ -84,7 +84,7 @@ double half_extent_with_margin(double half, double scale, int resolution, double
 void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z) {
     manual_range(light, c.settings, view.curve);
     stretch_range(c.settings, view.curve);
-    // An orthographic depth is affine: only what doubles resolve that far from the light matters besides the scene.
+    // Orthographic depth is affine, so distance matters only through the resolution of doubles.
     const double scale =
         view.curve.perspective ? view.curve.far : std::max(c.shape.radius, 0x1p-30 * std::abs(view.curve.far));
     widen_range(view.curve, view.texel_size(reference_z, c.resolution), scale);

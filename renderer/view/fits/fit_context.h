@@ -1,4 +1,4 @@
-// What fitting the maps of one light goes by, and the steps that kinds of maps share. Inside of view/ only.
+// Input of fitting one light's shadow maps, and the steps that kinds of maps share. Inside of view/ only.
 #pragma once
 
 #include <algorithm>
@@ -14,61 +14,75 @@
 
 namespace si {
 
-inline constexpr double kMinHalfAngle = 1e-3, kMaxHalfAngle = 1.5;  // rad; tan() stays below 15
-inline constexpr double kMarginTexels = 2;  // at each side, so that a kernel at the scene's edge finds cleared texels
-inline constexpr double kMinNearShare = 1e-3;  // least near / far of a perspective map: D24 then resolves far / 2e4
-inline constexpr double kMinSeenDepthShare =
-    1e-3;                                     // of the farthest depth: a camera within the scene sees surfaces at 0 m
-inline constexpr double kDepthMargin = 1e-4;  // of the depth range, at each end
+/// Limits of half a map's opening angle, radians; tan() stays below 15.
+inline constexpr double kMinHalfAngle = 1e-3;
+inline constexpr double kMaxHalfAngle = 1.5;
+/// Margin at each side of a map in texels, so that a kernel at the scene's edge finds cleared texels.
+inline constexpr double kMarginTexels = 2;
+/// Least near / far of a perspective map: D24 then resolves far / 20,000.
+inline constexpr double kMinNearShare = 1e-3;
+/// Least visible depth as a share of the farthest: a camera inside the scene sees surfaces at 0 m.
+inline constexpr double kMinSeenDepthShare = 1e-3;
+/// Margin at each end of the depth range, as a share of the range.
+inline constexpr double kDepthMargin = 1e-4;
 
+/// Input of fitting the maps of one light: scene, settings, resolution and camera.
 struct FitContext {
     const Scene& scene;
     const SceneShape& shape;
-    const LightSettings& settings;
+    const LightSettings& settings;  ///< settings of this light
     const Settings& all_settings;
     DepthConvention convention;
-    int resolution;
-    double face_margin_texels;
-    double reach_m;  ///< how far a spot or point light shines; infinite when unlimited
-    const Camera* camera;
+    int resolution;                   ///< texels a side of a map
+    double face_margin_texels;        ///< face_margin_texels()
+    double reach_m;                   ///< range of a spot or point light in metres; infinite when unlimited
+    const Camera* camera;             ///< null for fits without a camera
     double margin_texels;             ///< fit_margin_texels()
-    std::optional<DepthSpan> seen_m;  ///< depths of all that the camera sees, where they were measured
+    std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces, where they were measured
 };
 
-/// Says something of a light, once.
-void note(PlacedLight& light, std::string text);
+/// Adds a message to the notes of a light, unless the light has it already.
+void add_note(PlacedLight& light, std::string text);
 
-/// Shaders know the ends of a range in single precision. Parallel rays look the same from anywhere along them: where
-/// the light stands so far off that its range would lose its digits, the map is seen from so much nearer; else 0.
+/// Returns the distance in metres by which a parallel view moves its eye forward so that near and far stay exact in
+/// single precision: `near` if the range is tiny beside its distance, else 0. Parallel rays look the same from anywhere
+/// along them.
 double eye_advance_m(double near, double far);
 
-/// Half extent plus the margin in texels, at least a thousand float steps of `scale`.
+/// Returns the half extent of a map after adding a margin in texels at each side. The half extent is at least a
+/// thousand float steps of `scale`.
+/// @param half half extent without margin, metres or tangent
+/// @param margin texels
 double half_extent_with_margin(double half, double scale, int resolution, double margin = kMarginTexels);
 
-/// Repairs the view's range, makes its matrix and adds it to the light's.
-/// @param reference_z where texels are measured, metres
+/// Applies manual range and stretch to a view, widens a degenerate range, computes the projection, and adds the view to
+/// the light.
+/// @param reference_z distance in metres at which texels are measured
 void add_finished_view(FittedLight& light, LightView view, const FitContext& c, double reference_z);
 
-/// Kernels cross from one face of six into the next; a texel more for the normal offset's.
+/// Returns the margin in texels around each of six cube faces, for kernels that cross into the next face and for the
+/// normal offset.
 double face_margin_texels(const Settings& settings);
 
-/// Six faces of one range, so that a depth means the same distance in each.
+/// Fits the six cube faces of a point light or a wide cone. All share one depth range, so a stored depth means the same
+/// distance in each.
 void fit_faces(FittedLight& light, const FitContext& c);
 
-/// The single map of a sun or of a spot light.
+/// Fits the single shadow map of a directional light or a spot light.
 void fit_one_view(FittedLight& light, const FitContext& c);
 
-/// Adds a view that holds points and is warped towards the camera: texels near it are smaller than far ones.
+/// Adds a view that contains given points and is warped towards the camera (LiSPSM): texels near the camera are smaller
+/// than far ones.
 /// Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
-/// @param view its axes: the third one towards the light
-/// @param points that are looked up, world; at least one
-/// @param on_ground the same, of a ground under a model: where what holds `points` holds these, too, only its depths
-///     change
+/// @param view view with its axes set; the third one points to the light
+/// @param points receiver points, world; at least one
+/// @param on_ground receiver points on a ground under a model, world; they widen the map only where they lie outside of
+///     it
 /// @param margin texels at each side
 void fit_warped(FittedLight& light, LightView view, const FitContext& c, const Camera& camera,
                 std::span<const glm::dvec3> points, std::span<const glm::dvec3> on_ground, double margin);
 
-/// Maps of a directional light, each for an interval of the camera's depth.
+/// Fits one map of a directional light for each interval of camera depth (cascaded shadow maps).
 void fit_cascades(FittedLight& light, const FitContext& c, const Camera& camera);
 
 }  // namespace si

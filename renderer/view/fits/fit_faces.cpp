@@ -1,4 +1,4 @@
-// Six maps of a point light, or of a cone that is too wide for one.
+// Fits of six cube faces, for a point light or a cone too wide for one map.
 #include <array>
 #include <cmath>
 #include <utility>
@@ -54,7 +54,7 @@ void fit_faces(FittedLight& light, const FitContext& c) {
     }
     light.chooser = {ViewChoice::Face, light.position, {}, {}};
     if (c.settings.projection == LightProjection::Orthographic)
-        note(light, "six faces are always perspective: light.projection has no effect");
+        add_note(light, "six faces are always perspective: light.projection has no effect");
 }
 
 }  // namespace si

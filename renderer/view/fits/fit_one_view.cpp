@@ -1,4 +1,4 @@
-// One map of a sun or of a spot light, orthographic or in perspective.
+// Fits of a single map of a directional or spot light, orthographic or perspective.
 #include <cmath>
 
 #include "renderer/base/directions.h"
@@ -12,12 +12,12 @@
 namespace si {
 namespace {
 
-/// Half extent in metres by hand, or 0.
+/// Returns the manual half extent in metres, or 0.
 double manual_half_extent(const LightSettings& s) {
     return s.fit == LightFit::Manual ? positive_or(s.extent, 0) : 0;
 }
 
-/// An orthographic map over all boxes (`half` 0) or of a given half extent about the view's axis.
+/// Fits an orthographic map over all boxes (`half` 0), or with a given half extent about the view's axis.
 void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, double half, bool in_front_only) {
     const double manual = manual_half_extent(c.settings);
     if (manual > 0) half = manual;
@@ -38,7 +38,7 @@ void fit_orthographic(FittedLight& light, LightView view, const FitContext& c, d
     add_finished_view(light, view, c, 1);
 }
 
-/// A perspective map of tangent `tan_half`; 0 chooses it so that every box is inside.
+/// Fits a perspective map with tangent `tan_half`; 0 chooses the tangent so that every box is inside.
 void fit_perspective(FittedLight& light, LightView view, const FitContext& c, double tan_half) {
     if (tan_half <= 0) {
         double tangent = kMinHalfAngle;
@@ -51,14 +51,14 @@ void fit_perspective(FittedLight& light, LightView view, const FitContext& c, do
             }
         const double limit = std::tan(kMaxHalfAngle);
         tan_half = std::min(half_extent_with_margin(tangent, tangent, c.resolution), limit);
-        if (tan_half == limit) note(light, "the light stands in the scene: its map covers 172 degrees only");
+        if (tan_half == limit) add_note(light, "the light stands in the scene: its map covers 172 degrees only");
     }
     view.half_width = tan_half;
     set_perspective_range(view, c);
     add_finished_view(light, view, c, view.curve.far);
 }
 
-/// Depths along the light of what the camera sees of receivers, where the fit goes by it.
+/// Returns the depth range along the light of visible receivers, where the fit depends on it.
 std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext& c) {
     const bool asked = c.settings.near_far == NearFar::Casters || c.settings.near_far == NearFar::Pancaking;
     if (!asked || !c.camera || !fit_row(c.settings.fit).reads_camera) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<DepthSpan> seen_receivers(const LightView& view, const FitContext&
     return DepthSpan{seen.lo.z, seen.hi.z};
 }
 
-/// A map narrowed to a region: about the region's middle, or in perspective about the light's axis.
+/// Fits a map to a region: about the region's middle, or in perspective about the light's axis.
 void fit_region(FittedLight& light, LightView view, const FitContext& c, const MapRegion& region) {
     light.closed = true;
     if (view.curve.perspective) {
@@ -87,14 +87,15 @@ void fit_region(FittedLight& light, LightView view, const FitContext& c, const M
         half_extent_with_margin(0.5 * std::max(size.x, size.y), c.shape.radius, c.resolution, c.margin_texels);
     ViewExtent held;
     for (std::size_t i = 0; i < c.shape.boxes.size(); ++i) held.add(extent_inside_view(c.shape, i, view));
-    if (!(held.lo.z <= held.hi.z)) held = extent_in_view(c.shape, view);  // too far away for doubles to tell
+    if (!(held.lo.z <= held.hi.z)) held = extent_in_view(c.shape, view);  // too far away for double precision
     const std::optional<DepthSpan> receivers = seen_receivers(view, c);
     set_parallel_range(view, c, {held.lo.z, held.hi.z}, receivers ? &*receivers : nullptr);
     add_finished_view(light, view, c, 1);
 }
 
-/// Returns what finds the region of a fit: asked for suns without perspective, and for spot lights of one map.
-Fit finder_of(LightFit fit) {
+/// Returns the function that finds the region of a fit, for directional lights without perspective and single-map spot
+/// lights.
+FitFunction fit_function(LightFit fit) {
     switch (fit) {
         case LightFit::Casters:
             return fit_casters;
@@ -109,9 +110,9 @@ Fit finder_of(LightFit fit) {
     return fit_scene;
 }
 
-/// What a fit finds. A ground under the model widens it by no more than shadows that fall on the ground, and are not in
-/// what the model alone needs; nothing where the model alone needs nothing, as the whole scene's map then holds all.
-std::optional<MapRegion> region_of(const FitInput& in, Fit find) {
+/// Returns the region of a fit. A ground widens the region only by shadows on the ground that stick out of the model's
+/// own region. Empty where the model alone has no region, since the map of the whole scene then contains everything.
+std::optional<MapRegion> region_of(const FitInput& in, FitFunction find) {
     if (!in.shape.ground) return find(in);
     FitInput part = in;
     part.receiver_filter = ReceiverFilter::Model;
@@ -132,16 +133,17 @@ void fit_one_view(FittedLight& light, const FitContext& c) {
     view.axes = orthonormal_basis(light.to_light);
     view.eye = light.position;
     const bool directional = light.type == LightType::Directional;
-    // As the cone's circle touches the map's sides, only kernels at its rim need the margin.
+    // The circle of the cone touches the map's sides, so only kernels at its rim need the margin.
     double tangent = directional ? 0 : half_extent_with_margin(std::tan(light.half_cone_rad), 0, c.resolution);
     const LightProjection projection = c.settings.projection;
     const bool perspective =
         directional ? projection == LightProjection::Perspective : projection != LightProjection::Orthographic;
-    if (perspective != directional) {  // else its rays are not the light's
+    if (perspective != directional) {  // otherwise the map's rays differ from the light's
         view.curve.perspective = perspective;
         view.half_width = directional ? 1 : std::tan(light.half_cone_rad);
         const FitInput input{c.scene, c.shape, view, c.reach_m, c.camera, c.seen_m, ReceiverFilter::All};
-        if (const auto region = region_of(input, finder_of(c.settings.fit))) return fit_region(light, view, c, *region);
+        if (const auto region = region_of(input, fit_function(c.settings.fit)))
+            return fit_region(light, view, c, *region);
     }
     if (perspective) {
         const double by_hand = directional ? 0 : manual_half_extent(c.settings) / light.distance_m;

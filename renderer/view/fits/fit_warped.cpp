@@ -1,4 +1,5 @@
-// Maps of a sun with a perspective across its rays, so that texels near the camera are smaller than far ones.
+// Fits of warped maps (LiSPSM): directional maps with a perspective across their rays, so that texels near the camera
+// are smaller.
 // Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004.
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@
 namespace si {
 namespace {
 
-constexpr double kMinSine = 1e-9;  // of the angle between light and view: below it `across` has no direction
-constexpr double kRimShare = 0.5;  // of 1 / w at the farthest point: what is left of it at the map's rim
+constexpr double kMinSine = 1e-9;  // least sine of the angle between light and view at which `across` has a direction
+constexpr double kRimShare = 0.5;  // least 1 / w at the map's rim, as a share of 1 / w at the farthest point
 
 /// A range of numbers.
 struct Extent {
@@ -38,27 +39,27 @@ double turn_to_camera(LightView& view, const Camera& camera) {
     const auto across = [&](const glm::dvec3& v) { return v - glm::dot(v, back) * back; };
     glm::dvec3 up = across(forward);
     const double sine = glm::length(up);
-    // Where a light ends that comes down into the view, from behind the camera or towards it.
+    // Direction for a light parallel to the viewing direction, from behind the camera or towards it.
     if (sine < kMinSine) up = across(glm::dot(forward, back) > 0 ? -camera.axes[1] : camera.axes[1]);
     up = glm::normalize(up);
     view.axes = glm::dmat3(glm::cross(up, back), up, back);
     return sine;
 }
 
-/// By how much of its value at y = 0 the divisor w grows per metre along y, where y = 0 is the middle of what the map
-/// holds: 1 over the distance from there to the plane where w is 0, which is the paper's n_opt before the nearest y.
-/// @param depths of the camera, of what the map holds
-/// @param length_m of that along y
-/// @param most_ratio that w may grow by over that
+/// Returns the relative growth of the divisor w per metre along y at the middle of the map, y = 0. The result is 1 over
+/// the distance to the plane w = 0; the paper's n_opt counts from the nearest y.
+/// @param depths camera depths of the points in the map
+/// @param length_m length of the points along y
+/// @param most_ratio largest growth of w over that length
 double rise_of_w(const Extent& depths, double length_m, double sine, double most_ratio) {
     const double near = std::max(depths.lo, kMinSeenDepthShare * depths.hi);
-    // The paper's formula over the sine, which may be 0: n_opt is then infinite, and nothing is warped.
+    // The paper's formula times the sine. A sine of 0 makes n_opt infinite, and nothing is warped.
     const double n_opt_sine = near + std::sqrt(near * (near + length_m * sine));
     const double least_sine = length_m / (most_ratio - 1) * sine;
     return sine / (std::max(n_opt_sine, least_sine) + 0.5 * length_m * sine);
 }
 
-/// World length of the longest texel in a row of the map.
+/// Returns the length in metres of the longest texel in a row of the map.
 double texel_in_row(const LightView& view, double row, int resolution) {
     const auto longest = [&](double u) {
         return view.texel_size_at(view.position_ws({u, row}, 0), resolution).longest;
@@ -66,8 +67,8 @@ double texel_in_row(const LightView& view, double row, int resolution) {
     return std::max(longest(0), longest(1));
 }
 
-/// The view with a margin of that many texels on each side of what is looked up.
-/// @param deep of what is looked up, too, what counts along the rays only
+/// Returns the warped view with a margin in texels on each side of the points.
+/// @param deep points that count along the rays only
 LightView warped_view(LightView view, const FitContext& c, const Camera& camera, std::span<const glm::dvec3> points,
                       std::span<const glm::dvec3> deep, double margin) {
     const double sine = turn_to_camera(view, camera);
@@ -78,7 +79,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
         x.add(at.x);
         y.add(at.y);
     }
-    // x = 0 passes through the camera, so that what it sees to both sides is widened alike.
+    // x = 0 passes through the camera, so that both sides are widened equally.
     view.eye += view.axes * glm::dvec3((to_view * (camera.eye - view.eye)).x, y.middle(), 0);
     Extent camera_depths, depths;
     for (const glm::dvec3& p : points) {
@@ -86,7 +87,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
         depths.add(glm::dot(view.eye - p, view.axes[2]));
     }
     const double share = c.resolution > 4 * margin ? 1 - 2 * margin / c.resolution : 0.5;
-    // The map goes on by its margin, where 1 / w falls on: to half of what it is at the farthest point, never to 0.
+    // The margin extends the map to where 1 / w falls to half its value at the farthest point, never to 0.
     const double most_ratio = 1 + (1 - kRimShare) * 2 * share / (1 - share);
     double k = 0;
     if (!camera.orthographic && camera_depths.hi > 0) k = rise_of_w(camera_depths, y.size(), sine, most_ratio);
@@ -119,8 +120,8 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     const auto near_far = c.settings.near_far;
     view.clamps_near = near_far == NearFar::Pancaking;
 
-    // Along the rays: depth is (z - middle) / w, so that with w its unit grows away from the camera; counted from the
-    // middle of what is seen, so that little of the range is lost. What lies between the map's sides bounds it.
+    // Along the rays depth is (z - middle) / w, so its unit grows away from the camera. It counts from the middle of
+    // the visible points to lose little of the range. Points between the map's sides bound the range.
     std::vector<HalfSpace> sides;
     const auto add_side = [&](const glm::dvec2& normal, double offset) {
         const double length = glm::length(normal);
@@ -143,10 +144,10 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
             for (const glm::dvec3& p : points_inside_planes(c.shape, i, sides)) casters.add(depth_of(p));
     for (const glm::dvec3& p : points) all.add(depth_of(p));
     for (const glm::dvec3& p : deep) all.add(depth_of(p));
-    // A caster behind all that is looked up says nothing of where the map begins.
+    // A caster behind all receivers does not bound the near end.
     if (casters.lo <= all.hi) all.lo = near_far == NearFar::Casters ? casters.lo : std::min(all.lo, casters.lo);
     if (near_far == NearFar::Scene) all.hi = std::max(all.hi, casters.hi);
-    // Of metres along a ray, and of texels, the most is at one end of the map.
+    // Metres per depth step and per texel are largest at one end of the map.
     double room = 0, texel = 0;
     for (const double row : {0.0, 1.0}) {
         const double w = 1 / inverse_w(2 * row - 1), longest = texel_in_row(view, row, c.resolution);
@@ -155,7 +156,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     }
     all.widen(std::max(2 * texel, least_m));
     const double pad = kDepthMargin * all.size();
-    // A floor that the light meets straight has no depth of its own to take a share of.
+    // A floor facing the light has no depth of its own, so the pad is a texel.
     const double begin = all.lo - pad - room;
     const double end = all.hi + pad + (view.clamps_near ? texel : 0) + ground_kernel_depth_m(view, c, texel);
 
@@ -179,7 +180,7 @@ LightView warped_view(LightView view, const FitContext& c, const Camera& camera,
     return view;
 }
 
-/// Whether points lie across the rays within what a warped view has of others, up to rounding.
+/// Returns true when points lie inside a warped map of other points across the rays, up to rounding.
 bool holds_across(const LightView& view, std::span<const glm::dvec3> points, std::span<const glm::dvec3> others) {
     const glm::dmat4 m = view.clip_from_relative(view.eye);
     Extent x, y;
@@ -211,8 +212,8 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
         if (!holds_across(warped, points, on_ground)) seen.insert(seen.end(), on_ground.begin(), on_ground.end());
         warped = warped_view(view, c, camera, seen, on_ground, margin);
     }
-    // The normal offset goes by a texel's longest side, which a margin in texels does not hold; a wider map has longer
-    // ones.
+    // The normal offset is a multiple of the longest side of a texel, so the margin in texels does not cover it. A
+    // wider map has longer texels.
     const double normal = std::abs(finite_or(c.all_settings.bias.normal, 0));
     std::vector<glm::dvec3> held;
     for (int i = 0; i < 3 && normal > 0; ++i) {
@@ -225,9 +226,10 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
         warped = warped_view(view, c, camera, held, on_ground, margin);
     }
     if (camera.orthographic)
-        note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
+        add_note(light,
+                 "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
     if (uses_manual_near_far(c.settings))
-        note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
+        add_note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
     light.views.push_back(warped);
 }
 

@@ -24,10 +24,11 @@
 namespace si {
 namespace {
 
-constexpr double kMaxOffsetTexels = 32;  // beyond it a normal offset leads where the map ends
-constexpr double kMarginSteps = 64;      // in the map's width, of the margin of a region
+constexpr double kMaxOffsetTexels = 32;  // largest normal offset in texels that the margin covers
+constexpr double kMarginSteps = 64;      // steps of the margin in a map's width
 
-/// Whether any box begins within the range; along the views' axes, so that a few may pass that do not.
+/// Returns true when a box may begin within the range. Distances are measured along the views' axes, so a few boxes
+/// outside may pass.
 bool reaches_anything(const FittedLight& light, const SceneShape& shape) {
     return std::any_of(shape.boxes.begin(), shape.boxes.end(), [&](const Box& box) {
         return std::any_of(light.views.begin(), light.views.end(), [&](const LightView& view) {
@@ -55,8 +56,8 @@ SkewBox skew_box(const Box& corners) {
     return box;
 }
 
-/// Points around all of a box that a view may show and its light's range holds.
-std::vector<glm::dvec3> shown_of(const Box& box, const LightView& view, double range_m) {
+/// Returns points around the part of a box inside a view and the light's range.
+std::vector<glm::dvec3> points_in_view(const Box& box, const LightView& view, double range_m) {
     if (!view.curve.perspective) return {box.begin(), box.end()};
     double far = 0;
     for (const glm::dvec3& p : box) far = std::max(far, 1.01 * glm::distance(p, view.eye));
@@ -71,34 +72,35 @@ std::vector<glm::dvec3> shown_of(const Box& box, const LightView& view, double r
     return intersection_points(box, {&body, 1});
 }
 
-/// How much nearer than a map's end, in depth, what is looked up in an empty map is lit whatever floats make of it.
-constexpr double kBeforeEnd = 1e-5;
+/// Least distance before the far plane, as a share of the depth range, at which an empty map is lit despite float
+/// rounding.
+constexpr double kMinFarMargin = 1e-5;
 
-bool ends_before(const Box& box, const LightView& view, double range_m) {
+bool lies_before_far(const Box& box, const LightView& view, double range_m) {
     const DepthCurve& c = view.curve;
-    return std::ranges::all_of(shown_of(box, view, range_m), [&](const glm::dvec3& p) {
+    return std::ranges::all_of(points_in_view(box, view, range_m), [&](const glm::dvec3& p) {
         const double z = -glm::dot(view.axes[2], p - view.eye);
         const double before = (c.far - z) / (c.far - c.near);
-        return before * (c.perspective ? c.near / std::max(z, c.near) : 1) > kBeforeEnd;
+        return before * (c.perspective ? c.near / std::max(z, c.near) : 1) > kMinFarMargin;
     });
 }
 
-/// Why nothing is drawn into a light's maps, and all it shines on lies before their far end; else empty.
+/// Returns the reason why a light's maps stay empty with all lit surfaces before their far plane; else an empty text.
 std::string why_empty(const FittedLight& light, const SceneShape& shape, const FitContext& c) {
     for (const LightView& view : light.views) {
         const BoxCuller sight(view.clip_from_relative(light.map_origin), light.map_origin, view.curve.convention,
                               view.clamps_near, c.resolution);
         for (std::size_t i = 0; i < shape.boxes.size(); ++i) {
             const Box& box = shape.boxes[i];
-            if (shape.box_casts[i] && !sight.misses(skew_box(box))) return {};
-            if (shape.box_receives[i] && may_illuminate(light, box) && !ends_before(box, view, light.range_m))
+            if (shape.box_casts[i] && !sight.is_outside(skew_box(box))) return {};
+            if (shape.box_receives[i] && may_illuminate(light, box) && !lies_before_far(box, view, light.range_m))
                 return {};
         }
     }
-    return "nothing that casts lies in what its map holds: all that it shines on is lit";
+    return "no caster lies in its map: all surfaces that it reaches are lit";
 }
 
-/// Maps about the camera that pages are drawn of.
+/// Fits clip levels around the camera, whose pages are drawn on demand.
 void fit_clip_levels(FittedLight& light, const FitContext& c, const Camera& camera, int picture_lines) {
     const Settings& settings = c.all_settings;
     ClipLevels found = clip_levels({.to_light = light.to_light,
@@ -125,7 +127,7 @@ bool adds_no_light(const FittedLight& light, const Settings& settings) {
 bool is_always_lit(const FittedLight& light, const Settings& settings) {
     const Filter& kernel = filter_of(settings);
     const bool compares = kernel.samples == Samples::Depth && (!kernel.reads_light_size || kernel.searches_blockers);
-    // What faces the light is moved towards it.
+    // Bias must move lit surfaces towards the light.
     const BiasSettings& b = settings.bias;
     const bool nearer = b.constant >= 0 && b.slope >= 0 &&
                         (b.normal == 0 || (b.normal > 0 && b.normal_source == NormalSource::Geometric));
@@ -171,12 +173,14 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         else
             fit_one_view(light, context);
         if (light.range_m > 0 && !reaches_anything(light, shape))
-            note(light, fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
+            add_note(light,
+                     fmt::format("light.range: nothing lies within {} of light {}", metres_text(light.range_m), i));
         light.dark = why_dark(light, scene);
         if (!s.cast)
             light.reason = "light.cast is off";
         else if (!shape.triangles)
-            light.reason = scene.hidden.empty() ? "the scene has no triangles" : "all that has triangles is hidden";
+            light.reason =
+                scene.hidden.empty() ? "the scene has no triangles" : "all objects with triangles are hidden";
         else if (!shape.casters)
             light.reason = "no object casts";
         else if (!shape.receivers)
@@ -189,7 +193,7 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
         if (!light.views.front().clamps_near) light.clipped_casters = count_near_clipped_casters(shape, light.views);
         light.limits = map_limits(shape, light.views, settings.map.format, resolution);
         if (!fit_reads_camera(settings, int(i))) light.empty = why_empty(light, shape, context);
-        for (std::string& text : map_limit_notes(light.limits, int(i))) note(light, std::move(text));
+        for (std::string& text : map_limit_notes(light.limits, int(i))) add_note(light, std::move(text));
     }
     return lights;
 }

@@ -1,4 +1,4 @@
-// Where the lights stand and what their shadow maps cover. Pure CPU, double precision, no GL.
+// Placement of lights and fitting of their shadow maps. CPU, double precision, no GL.
 #pragma once
 
 #include <optional>
@@ -12,36 +12,35 @@ namespace si {
 
 struct Camera;
 
-/// Whether shading can do without the light: nothing of it arrives, and the composition does not show by its visibility
-/// alone what is lit.
+/// Returns true when shading may skip a light: no surface receives light from it, and the composition does not show its
+/// visibility alone.
 bool adds_no_light(const FittedLight& light, const Settings& settings);
 
-/// Whether look-ups of a light's maps answer 1 wherever it shines on what receives: nothing lies in them, and by its
-/// place nothing beside or behind them is dark.
+/// Returns true when every look-up in a light's shadow maps would return 1 (lit): the maps hold no caster, and no
+/// setting darkens points outside of them. Shaders then skip the look-ups.
 bool is_always_lit(const FittedLight& light, const Settings& settings);
 
-/// Spot and point intensities fall with the square of the distance and are scaled together so that the brightest light
-/// contributes 1 at the scene's centre.
+/// Places the lights of the settings in the scene, without maps. Spot and point intensities fall with the square of the
+/// distance; they are scaled together so that the brightest contributes 1 at the scene's centre.
 PlacedLights place_lights(const Scene& scene, const Settings& settings);
 
-/// Texels that a map has on each side of the region that a fit narrows it to: the kernel's reach, the normal offset (at
-/// least its default, so that it does not change the map up to there) and two more, in steps of 1/64 of the map:
-/// kernels and resolutions are then mostly compared on the same region, and a truth once traced serves all of them.
-/// What lies less than one texel from the rim, or beyond, is taken to be lit: no kernel would find anything else there.
+/// Returns the margin in texels around the region that a fit narrows a map to: kernel reach, normal offset and two
+/// texels more. The margin grows in steps of 1/64 of the map, so that most kernels and resolutions share a region, and
+/// a traced reference serves all of them. The normal offset counts at least with its default.
+/// @param resolution texels a side of the map
 double fit_margin_texels(const Settings& settings, int resolution);
 
-/// Gives every placed light the views of its maps. A pure function.
-/// @param scene that the lights were placed in
-/// @param camera whose picture the maps are for; null: fits that depend on one hold the whole scene instead, as the
-///     camera that looks through a light has them
+/// Computes the shadow map views of every placed light. A pure function.
+/// @param scene the scene that the lights were placed in
+/// @param camera camera of the picture; null: fits that depend on a camera cover the whole scene
 /// @param max_resolution the GL limit on texture size
-/// @param picture_lines pixels of the picture's height, which clip levels go by
-/// @param seen_m depths of all that the camera sees, where they were measured: what light.depth_bounds sdsm goes by
+/// @param picture_lines height of the picture in pixels, for clip levels
+/// @param seen_m camera depths of all visible surfaces, as measured for light.depth_bounds sdsm
 std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene, const Settings& settings,
                                   const Camera* camera, int max_resolution = 16384,
                                   const std::optional<DepthSpan>& seen_m = std::nullopt, int picture_lines = 720);
 
-/// Both at once.
+/// Places the lights and computes their shadow map views: place_lights() followed by fit_maps().
 std::vector<FittedLight> fit_lights(const Scene& scene, const Settings& settings, const Camera* camera = nullptr);
 
 }  // namespace si

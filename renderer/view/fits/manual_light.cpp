@@ -5,9 +5,9 @@
 namespace si {
 namespace {
 
-// An orthographic near plane in front of which the light stands, as a share of the range; light.near must be positive.
+// Distance of the light from an orthographic near plane, as a share of the range; light.near must be positive.
 constexpr double kStandBack = 0.01;
-constexpr double kSamePlace = 1e-12;  // of the light's distance
+constexpr double kSamePlace = 1e-12;  // share of the light's distance
 
 bool leaves_nothing(const LightSettings& s, bool orthographic) {
     return s.fit == LightFit::Manual && uses_manual_near_far(s) && s.distance > 0 && s.near > 0 && s.far > 0 &&
@@ -31,12 +31,12 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
     const LightView& view = fitted.views[0];
     s.near = view.curve.near;
     s.far = view.curve.far;
-    // What the cone bounds follows it still.
+    // A map bounded by the cone keeps following the cone.
     if (!orthographic && fitted.closed) s.extent = view.half_width * s.distance;
     if (!orthographic) return s;
     s.extent = view.half_width;
     glm::dvec2 middle(0);
-    if (view.warped()) {  // as a square map: that around its corners
+    if (view.warped()) {  // the square around the corners of the warped map
         glm::dvec2 lo(0), hi(0);
         for (int i = 0; i < 4; ++i) {
             const glm::dvec2 at(glm::transpose(view.axes) * (view.position_ws({i & 1, i >> 1}, 0) - view.eye));
@@ -47,11 +47,11 @@ LightSettings manual_light(const LightSettings& settings, const FittedLight& fit
         middle = 0.5 * (lo + hi);
     }
     if (fitted.type != LightType::Directional) {
-        // The range begins at the light itself: that is what 0 finds again.
+        // A range that begins at the light is what 0 means.
         if (s.near <= 0) s.near = 0;
         return s;
     }
-    // A fit moves the map sideways to the middle of the scene; by hand it lies about the target.
+    // A fit moves the map sideways to the middle of the scene; a manual map lies about the target.
     const glm::dvec3 aside = view.eye + view.axes * glm::dvec3(middle, 0) - fitted.position;
     if (glm::length(aside) > kSamePlace * s.distance) {
         s.target_x += aside.x;

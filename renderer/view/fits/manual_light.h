@@ -1,4 +1,4 @@
-// A light's fitted map written out as settings by hand, so that one part of it can be moved and the rest stays.
+// Conversion of a fitted light to manual settings.
 #pragma once
 
 #include "renderer/settings/settings.h"
@@ -6,13 +6,12 @@
 
 namespace si {
 
-/// `settings` with everything that the fit chose (distance, near, far, extent, for directional lights the place)
-/// written out under light.fit = manual: fit_lights() then finds the same views within rounding. Settings that leave
-/// nothing to the fit come back as they are.
-/// @param fitted what fit_lights() made of `settings`
+/// Returns light settings with all fitted values written out under light.fit = manual: distance, near, far, extent and
+/// place. fit_lights() then finds the same views within rounding. Use it before the user changes one value by hand.
+/// @param fitted fit_lights() of `settings`
 LightSettings manual_light(const LightSettings& settings, const FittedLight& fitted);
 
-/// What light.N.target_x, y, z count from, world.
+/// Returns the world-space point to which light.N.target_x, target_y and target_z are relative.
 glm::dvec3 target_origin(const LightSettings& settings, const FittedLight& fitted);
 
 }  // namespace si

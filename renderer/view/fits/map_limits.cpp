@@ -11,9 +11,9 @@
 namespace si {
 namespace {
 
-constexpr double kFlat = 1e-6;  ///< of the scene's radius: less is no depth
+constexpr double kFlat = 1e-6;  ///< least depth range as a share of the scene's radius
 
-/// One view's part of the scene, from near to far plane.
+/// Part of the scene between one view's near and far planes.
 struct Held {
     double nearest = 0, farthest = 0;  ///< metres along the axis
     double across = 0;                 ///< metres, the larger of width and height
@@ -34,7 +34,7 @@ Held held_by(const LightView& view, const SceneShape& shape) {
     return held;
 }
 
-/// Metres along the axis that one step of the format spans at its coarsest between two distances.
+/// Returns the largest step of the format between two distances, in metres along the axis.
 double step_m(const DepthCurve& curve, MapFormat format, double nearest, double farthest) {
     double coarsest = 0;
     for (const double z : {nearest, farthest})
@@ -52,7 +52,7 @@ MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& view
         const double deep = held.farthest - held.nearest;
         if (!(deep > kFlat * shape.radius)) continue;
         any = true;
-        // Of a warped view where its steps and texels are coarsest, which is its last row.
+        // The last row of a warped view has the coarsest steps and texels.
         const DepthCurve curve = view.curve.curve_at_row(1);
         const double from = curve.depth(held.nearest), to = curve.depth(held.farthest);
         one_step &=
@@ -76,12 +76,12 @@ std::vector<std::string> map_limit_notes(const MapLimits& limits, int light) {
     std::vector<std::string> notes;
     if (limits.one_depth_step)
         notes.push_back(fmt::format(
-            "light {}: all that its map holds ({} deep) lies in one step of map.format ({}): no bias "
-            "tells casters from receivers; bring light.near and light.far to the scene, or take a finer format",
+            "light {}: the whole depth of its map ({}) lies in one step of map.format ({}): no bias "
+            "separates casters from receivers; bring light.near and light.far to the scene, or take a finer format",
             light, metres_text(limits.depth_m), metres_text(limits.step_m)));
     if (limits.one_texel)
         notes.push_back(
-            fmt::format("light {}: one texel ({}) is larger than the scene ({} across): its map holds no shape; "
+            fmt::format("light {}: one texel ({}) is larger than the scene ({} across): its map resolves no shape; "
                         "raise map.resolution or lower light.extent",
                         light, metres_text(limits.texel_m), metres_text(limits.across_m)));
     return notes;

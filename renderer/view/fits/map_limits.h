@@ -1,4 +1,4 @@
-// What a shadow map cannot tell apart whatever its bias and filter: the limits of its format and of its resolution.
+// Limits of a shadow map that no bias or filter can overcome: too coarse a depth format or resolution.
 #pragma once
 
 #include <string>
@@ -8,11 +8,13 @@
 
 namespace si {
 
-/// Of the parts of the scene that the views hold. A scene that is flat as the light sees it has no depth to resolve.
-/// @param resolution of the map
+/// Tests whether the depth range of the scene falls into one step of the map format, or the scene into one texel. Flat
+/// scenes are not tested for depth.
+/// @param resolution texels a side of the map
 MapLimits map_limits(const SceneShape& shape, const std::vector<LightView>& views, MapFormat format, int resolution);
 
-/// A sentence for each limit that holds, with a remedy. @param light index, of whom they tell
+/// Returns one sentence for each limit that applies, with a fix.
+/// @param light index of the light, for the text
 std::vector<std::string> map_limit_notes(const MapLimits& limits, int light);
 
 }  // namespace si

@@ -9,15 +9,16 @@
 namespace si {
 namespace {
 
-constexpr double kMaxSunCotangent = 3;  // cotangent of a sun's height
-constexpr double kMaxGroundKernelOfMap =
-    0.125;  // of its width, that kernels have room for beyond a shadow on the ground
+/// Largest cotangent of a sun's height; flatter light casts shadows to the end of the ground.
+constexpr double kMaxSunCotangent = 3;
+/// Largest reach of kernels at the end of a ground shadow, as a share of the map's width.
+constexpr double kMaxGroundKernelOfMap = 0.125;
 
 NearFar choice_of(const FitContext& c) {
     return c.settings.near_far;
 }
 
-/// Whether a box bounds the near plane, or the far one.
+/// Returns true when a box bounds the near plane, or the far plane.
 bool bounds_near(const FitContext& c, std::size_t box) {
     switch (choice_of(c)) {
         case NearFar::Casters:
@@ -38,7 +39,7 @@ bool bounds_far(const FitContext& c, std::size_t box) {
 double near_margin_for_bias_m(const FitContext& c, double texel_m, double range_m) {
     const BiasSettings& b = c.all_settings.bias;
     const double amount = std::max({0.0, finite_or(b.constant, 0), finite_or(b.slope, 0)});
-    // Where each texel has a depth of its own, a kernel's taps lie on the slope of the receiver's plane.
+    // With a compared depth per texel, taps lie on the slope of the receiver's plane.
     const double aside = 2 * lookup_reach_texels(c.all_settings) * texel_m;
     switch (b.unit) {
         case BiasUnit::Depth:
@@ -59,7 +60,7 @@ double ground_kernel_depth_m(const LightView& view, const FitContext& c, double 
     if (!c.shape.ground || !c.shape.box_receives[*c.shape.ground]) return 0;
     const double rise = view.axes[2].y;
     if (c.settings.type != LightType::Directional || !(rise > 0)) return 0;
-    // A flatter light's shadows run to the ground's end.
+    // Shadows of flatter light run to the end of the ground.
     const double texels = std::min(lookup_reach_texels(c.all_settings), kMaxGroundKernelOfMap * c.resolution);
     return texels * texel_m * std::min(std::sqrt(std::max(1 - rise * rise, 0.0)) / rise, kMaxSunCotangent);
 }
@@ -81,7 +82,7 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
         }
         if (receivers) far.hi.z = receivers->to_m;
         if (receivers && choice == NearFar::Pancaking) near.lo.z = receivers->from_m;
-        // A caster behind all receivers, or none at all, says nothing.
+        // A caster behind all receivers, or a scene without casters, bounds nothing.
         if (near.lo.z <= far.hi.z) found = {near.lo.z, far.hi.z};
     }
     const double texel = view.texel_size(1, c.resolution);
@@ -94,7 +95,7 @@ void set_parallel_range(LightView& view, const FitContext& c, DepthSpan found, c
     view.clamps_near = choice == NearFar::Pancaking;
     const double room = view.clamps_near ? near_margin_for_bias_m(c, texel, found.to_m - found.from_m) : 0;
     view.curve.near = found.from_m - pad - room;
-    // A floor that the light meets straight has no depth of its own to take a share of.
+    // A floor facing the light has no depth of its own, so the pad is a texel.
     view.curve.far = found.to_m + pad + (view.clamps_near ? texel : 0);
 }
 

@@ -1,4 +1,4 @@
-// Where the settings place the lights.
+// Placement of the lights of the settings in a scene.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -24,12 +24,12 @@ double range_of(const LightSettings& s) {
     return s.type == LightType::Directional ? 0 : positive_or(s.range, 0);
 }
 
-/// Half the cone's angle in radians, clamped.
+/// Returns half the cone's angle in radians, clamped.
 double half_cone(PlacedLight& light, const LightSettings& s) {
     double half = 0.5 * s.cone * kDegree;
     if (std::isnan(half) || half < kMinHalfAngle) {
-        note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
-                                2 * kMinHalfAngle / kDegree));
+        add_note(light, fmt::format("light.cone {:.4g} degrees is too narrow: {:.3g} is used", s.cone,
+                                    2 * kMinHalfAngle / kDegree));
         half = kMinHalfAngle;
     }
     return std::min(half, std::numbers::pi);
@@ -41,15 +41,15 @@ void place_spot(PlacedLight& light, const LightSettings& s) {
     light.cos_cone_outer = std::cos(light.half_cone_rad);
     light.cos_cone_inner = std::cos(light.half_cone_rad * (1 - blend));
     light.six_faces = light.half_cone_rad > kMaxHalfAngle;
-    if (light.six_faces) note(light, "the cone is wider than one map can hold: it is drawn as six faces");
+    if (light.six_faces) add_note(light, "the cone is wider than one map can hold: it is drawn as six faces");
 }
 
-/// How far from its target a light stands where the settings leave it open.
+/// Returns the automatic distance of a light from its target, metres.
 double automatic_distance(const PlacedLight& light, const LightSettings& s, double radius) {
     switch (light.type) {
         case LightType::Directional:
             return (s.projection == LightProjection::Perspective ? 4 : 2) * radius;
-        case LightType::Spot:  // far enough for the sphere around the scene to fit into the cone
+        case LightType::Spot:  // the sphere around the scene fits into the cone
             return radius / std::sin(std::min(light.half_cone_rad, kMaxHalfAngle));
         case LightType::Point:
             break;
@@ -78,8 +78,8 @@ PlacedLight place(const LightSettings& s, const SceneShape& shape) {
     return light;
 }
 
-/// Divides spot and point radiances by what the brightest of them brings to the scene's centre, where the shaders'
-/// 1/d^2 makes it 1 again. Nearer than a quarter of the scene's radius counts as that far.
+/// Divides spot and point radiances by the illuminance of the brightest at the scene's centre, so that the shaders'
+/// 1/d^2 gives 1 there. Lights nearer than a quarter of the scene's radius count as being that far.
 void normalise_punctual(std::vector<PlacedLight>& lights, const Settings& settings, const SceneShape& shape) {
     double brightest = 0;
     for (std::size_t i = 0; i < lights.size(); ++i) {

@@ -1,4 +1,4 @@
-// What a fit finds of a light that is placed: where across its view shadows may lie. Pure CPU, double precision.
+// Fits of a placed light: the region across its view in which shadows may lie. CPU, double precision.
 #pragma once
 
 #include <limits>
@@ -11,49 +11,60 @@
 
 namespace si {
 
-/// Whose shadows count: of all that receives, or of the model, or of the ground that it is stood on.
+/// Receivers whose shadows a fit takes into account: all, those of the model, or the generated ground.
 enum class ReceiverFilter { All, Model, Ground };
 
+/// Input of a fit: scene, light view, camera and receivers.
 struct FitInput {
     const Scene& scene;
-    const SceneShape& shape;  ///< of the scene
-    /// Place, axes and kind of projection; in perspective nothing beyond half_width is lit by this light.
+    const SceneShape& shape;  ///< boxes of the scene
+    /// Place, axes and projection of the light. A perspective light lights nothing outside half_width.
     const LightView& view;
-    double reach_m = std::numeric_limits<double>::infinity();  ///< in perspective: nothing beyond is lit
-    const Camera* camera = nullptr;                            ///< of rows that read it; null: there is none
-    std::optional<DepthSpan> seen_m;  ///< camera depths of all that it sees, where they were measured
-    ReceiverFilter receiver_filter = ReceiverFilter::All;
+    double reach_m = std::numeric_limits<double>::infinity();  ///< range of a perspective light in metres
+    const Camera* camera = nullptr;   ///< camera of the picture, for fits that read it; else null
+    std::optional<DepthSpan> seen_m;  ///< camera depths of all visible surfaces, where they were measured
+    ReceiverFilter receiver_filter = ReceiverFilter::All;  ///< receivers that count
+    /// Returns true when an object receives shadows and passes the receiver filter of the fit.
+    /// @param box index into SceneShape::boxes
     bool receives(std::size_t box) const {
         return shape.box_receives[box] && (receiver_filter == ReceiverFilter::All ||
                                            (box == shape.ground) == (receiver_filter == ReceiverFilter::Ground));
     }
 };
 
-/// A rectangle across the view: metres, or in perspective tangents.
+/// Rectangle across a light's view: metres, or tangents in perspective. Empty by default.
 struct MapRegion {
     glm::dvec2 lo{std::numeric_limits<double>::infinity()};
     glm::dvec2 hi{-std::numeric_limits<double>::infinity()};
+    /// Returns true when the map region contains no point.
     bool empty() const { return !(lo.x <= hi.x && lo.y <= hi.y); }
-    bool holds(const MapRegion& r) const {
+    /// Returns true when another map region lies inside this one, or is empty.
+    bool contains(const MapRegion& r) const {
         return r.empty() || (lo.x <= r.lo.x && lo.y <= r.lo.y && hi.x >= r.hi.x && hi.y >= r.hi.y);
     }
+    /// Widens this map region to contain another one.
     void add(const MapRegion& r) {
         lo = glm::min(lo, r.lo);
         hi = glm::max(hi, r.hi);
     }
+    /// Widens this map region to contain a point across the light's view.
     void add(const glm::dvec2& p) {
         lo = glm::min(lo, p);
         hi = glm::max(hi, p);
     }
-    MapRegion common(const MapRegion& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
+    /// Returns the intersection of two map regions; empty if they do not overlap.
+    MapRegion intersection(const MapRegion& r) const { return {glm::max(lo, r.lo), glm::min(hi, r.hi)}; }
 };
 
-/// All that a map has to cover, so that no point that the light can reach lies in shadow outside of it; nothing: the
-/// whole scene, without such a promise.
-using Fit = std::optional<MapRegion> (*)(const FitInput&);
+/// Function that finds the region a map has to cover: no point that the light reaches lies in shadow outside of it. An
+/// empty result: the map covers the whole scene without such a guarantee.
+using FitFunction = std::optional<MapRegion> (*)(const FitInput&);
 
+/// Returns no region: the map covers the whole scene (light.fit scene).
 std::optional<MapRegion> fit_scene(const FitInput&);
+/// Returns the region in which casters shadow any receiver (light.fit casters).
 std::optional<MapRegion> fit_casters(const FitInput&);
+/// Returns the region in which casters shadow receivers that the camera sees (light.fit view).
 std::optional<MapRegion> fit_view(const FitInput&);
 
 }  // namespace si

@@ -8,13 +8,13 @@
 namespace si {
 namespace {
 
-constexpr double kViewBegins = 1e-4;              // of the farthest corner's distance: a perspective view begins there
-constexpr double kEdgeOn = 1e-6;                  // cosine up to which rounding decides which side of a plane is lit
-constexpr std::size_t kMaxShadowPairs = 1 << 18;  // of casters and receivers that are held against each other
-constexpr std::size_t kMaxTriangles = 1 << 19;
-constexpr double kLarge = 0.25;                    // of what receives shadows, across: it is worth a closer look
+constexpr double kViewBegins = 1e-4;        // start of a perspective view, as a share of the farthest corner's distance
+constexpr double kEdgeOn = 1e-6;            // cosine up to which rounding decides the lit side of a plane
+constexpr std::size_t kMaxShadowPairs = 1 << 18;  // pairs of casters and receivers that are compared
+constexpr std::size_t kMaxTriangles = 1 << 19;  // receiver triangles that are clipped
+constexpr double kLarge = 0.25;  // caster area, as a share of the receivers' area, from which its shape counts
 constexpr std::size_t kMaxOutlineVertices = 4096;  // vertices of a caster whose outline is found
-constexpr std::size_t kMaxOutlineEdges = 256;      // of that outline
+constexpr std::size_t kMaxOutlineEdges = 256;      // edges of an outline
 
 bool empty(const ViewExtent& e) {
     return !(e.lo.x <= e.hi.x && e.lo.y <= e.hi.y && e.lo.z <= e.hi.z);
@@ -24,7 +24,7 @@ MapRegion across(const ViewExtent& e) {
     return {glm::dvec2(e.lo), glm::dvec2(e.hi)};
 }
 
-/// x and y across the view as a region has them, z metres along it.
+/// Returns a point in view space: x and y as in MapRegion, z metres along the axis.
 glm::dvec3 seen_from_light(const LightView& view, const glm::dvec3& p) {
     const glm::dvec3 v = glm::transpose(view.axes) * (p - view.eye);
     return view.curve.perspective ? glm::dvec3(v.x / -v.z, v.y / -v.z, -v.z) : glm::dvec3(v.x, v.y, -v.z);
@@ -36,7 +36,7 @@ ViewExtent seen_from_light(const LightView& view, std::span<const glm::dvec3> po
     return e;
 }
 
-/// The pyramid within which a perspective view is lit, out to `far`.
+/// Returns the lit pyramid of a perspective view, from `near` to `far`.
 Box pyramid_of(const LightView& view, double near, double far) {
     Box box;
     for (int i = 0; i < 8; ++i) {
@@ -50,11 +50,11 @@ bool is_within(const ViewExtent& e, const LightView& view, double near, double f
     return e.lo.z >= near && e.hi.z <= far && std::max({-e.lo.x, e.hi.x, -e.lo.y, e.hi.y}) <= e.lo.z * view.half_width;
 }
 
-/// What a caster can shadow lies behind all of these planes, on their positive sides, and within its outline.
+/// Space that a caster can shadow: the positive sides of all planes, inside the outline.
 struct Blocker {
     std::vector<HalfSpace> planes;
-    std::vector<HalfSpace> outline;  ///< as seen from the light; z of the normals is 0
-    double rim = 0;                  ///< by which the outline lies within the caster's own
+    std::vector<HalfSpace> outline;  ///< lines across the view; z of the normals is 0
+    double rim = 0;                  ///< distance of the outline inside the caster's own outline
 };
 
 class Shadowed {
@@ -79,9 +79,9 @@ public:
             if (s.box_planes[i] || (large && never_shades_itself(i)))
                 last.push_back(i);
             else
-                add(across(casts_[i]).common(across(all_)));
+                add(across(casts_[i]).intersection(across(all_)));
         }
-        // What is found so far spares most of the work on these.
+        // The region found so far makes most of these tests unnecessary.
         for (const std::size_t i : last) add_caster(i);
         return region_.empty() ? std::nullopt : std::optional(region_);
     }
@@ -99,29 +99,29 @@ private:
         return mesh.material >= 0 && in_.scene.materials[std::size_t(mesh.material)].double_sided;
     }
 
-    /// What is convex does not, unless its inner side is drawn, too.
+    /// Returns true for convex casters whose inner side is not drawn.
     bool never_shades_itself(std::size_t caster) const {
         if (in_.shape.one_box || in_.shape.box_spans_animation[caster]) return false;
         const Mesh& mesh = mesh_of(caster);
         return !is_two_sided(mesh) && is_convex(mesh);
     }
 
-    /// Whether so many pairs more are to be held against each other.
+    /// Counts the pairs of one more caster, and returns true while they are affordable.
     bool affords_pairs() {
         pairs_ += receivers_.size();
         return pairs_ <= kMaxShadowPairs;
     }
 
-    /// Cosine between the direction to the light and a plane's normal, about.
+    /// Returns the approximate cosine between the direction to the light and a plane's normal.
     double facing(const HalfSpace& plane, const glm::dvec3& at) const {
         if (!in_.view.curve.perspective) return glm::dot(plane.normal, in_.view.axes[2]);
         return plane.distance(in_.view.eye) / std::max(glm::distance(in_.view.eye, at), 1e-300);
     }
 
-    /// A caster that does not shade itself.
+    /// Adds the shadows of a caster that never shades itself.
     void add_caster(std::size_t caster) {
-        const MapRegion most = across(casts_[caster]).common(across(all_));
-        if (most.empty() || region_.holds(most)) return;
+        const MapRegion most = across(casts_[caster]).intersection(across(all_));
+        if (most.empty() || region_.contains(most)) return;
         if (!affords_pairs()) return region_.add(most);
         const double tolerance = in_.shape.box_tolerance[caster];
         const glm::dvec3 at = in_.shape.boxes[caster][0];
@@ -144,8 +144,8 @@ private:
     void add_behind(std::size_t caster, Blocker blocker) {
         for (std::size_t i = 0; i < receivers_.size(); ++i) {
             if (i == caster || empty(receivers_[i])) continue;
-            const MapRegion both = across(casts_[caster]).common(across(receivers_[i]));
-            if (both.empty() || region_.holds(both)) continue;
+            const MapRegion both = across(casts_[caster]).intersection(across(receivers_[i]));
+            if (both.empty() || region_.contains(both)) continue;
             const Box& box = in_.shape.boxes[i];
             if (std::ranges::any_of(blocker.planes, [&](const HalfSpace& plane) {
                     return std::ranges::all_of(box, [&](const glm::dvec3& p) { return plane.distance(p) <= 0; });
@@ -156,7 +156,7 @@ private:
         }
     }
 
-    /// The lines around a caster, a little within it, so that what only touches its rim is outside.
+    /// Sets the outline of a caster, slightly inside the true one, so that receivers touching its rim are outside.
     void find_outline(std::size_t caster, Blocker& blocker) const {
         std::vector<glm::dvec2> points;
         const Object& object = in_.scene.objects[in_.shape.box_objects[caster]];
@@ -175,7 +175,7 @@ private:
             for (const glm::dvec3& p : in_.shape.boxes[caster]) add(p);
             hull = convex_hull(points);
         }
-        // Behind a perspective light there is no outline: everything counts as within it.
+        // Casters reaching behind a perspective light have no outline: every point counts as inside.
         if (!in_front) return;
         const ViewExtent& e = casts_[caster];
         blocker.rim = flat_tolerance(std::max(e.hi.x - e.lo.x, e.hi.y - e.lo.y));
@@ -188,9 +188,9 @@ private:
         }
     }
 
-    /// Adds where across the view a caster shadows a receiver; at most `both`.
+    /// Adds the part of the view where a caster shadows a receiver; at most `both`.
     void add_receiver(const Blocker& blocker, std::size_t receiver, const MapRegion& both) {
-        if (in_.shape.box_spans_animation[receiver]) return add(both);  // its triangles are elsewhere at other times
+        if (in_.shape.box_spans_animation[receiver]) return add(both);  // its triangles move
         const Object& object = in_.scene.objects[in_.shape.box_objects[receiver]];
         const Mesh& mesh = mesh_of(receiver);
         triangles_ += mesh.indices.size() / 3;
@@ -208,25 +208,25 @@ private:
             const glm::dvec3 to_light = view.curve.perspective ? view.eye - a : view.axes[2];
             if (!two_sided && winding * glm::dot(glm::cross(b - a, c - a), to_light) <= 0) continue;
             polygon.assign({a, b, c});
-            for (const HalfSpace& plane : blocker.planes) clip(polygon, plane);
+            for (const HalfSpace& plane : blocker.planes) clip_polygon(polygon, plane);
             if (view.curve.perspective &&
                 std::ranges::any_of(polygon, [&](const glm::dvec3& p) { return !(ahead.distance(p) > 0); }))
                 return add(both);
             for (glm::dvec3& p : polygon) p = seen_from_light(view, p);
-            for (const HalfSpace& line : blocker.outline) clip(polygon, line);
+            for (const HalfSpace& line : blocker.outline) clip_polygon(polygon, line);
             MapRegion part;
             for (const glm::dvec3& p : polygon) {
                 part.add(glm::dvec2(p) - blocker.rim);
                 part.add(glm::dvec2(p) + blocker.rim);
             }
-            add(part.common(both));
+            add(part.intersection(both));
         }
     }
 
     const FitInput& in_;
     std::span<const ViewExtent> receivers_;
-    std::vector<ViewExtent> casts_;  ///< by box, empty for those that do not
-    ViewExtent all_;                 ///< of the receivers
+    std::vector<ViewExtent> casts_;  ///< lit extents by box; empty for objects that do not cast
+    ViewExtent all_;                 ///< extent of all receivers
     MapRegion region_;
     std::size_t pairs_ = 0, triangles_ = 0;
 };

@@ -1,4 +1,4 @@
-// Where casters throw shadows on given receivers: what the fits share that narrow a map down to it.
+// The region across a light's view in which casters shadow given receivers, shared by the fits that narrow a map.
 #pragma once
 
 #include <span>
@@ -10,17 +10,16 @@
 
 namespace si {
 
-/// Extent across and along the view (as the region's, and metres) of what the light can reach of a box of the shape.
-/// Empty where it reaches nothing.
-/// @param seen only what lies in it counts
+/// Returns the extent of the part of a box that a light can reach; x and y as in MapRegion, z in metres. Empty if the
+/// light reaches no part.
+/// @param box index into SceneShape::boxes
+/// @param seen slice of the camera; only the part inside it counts
 ViewExtent lit_extent(const FitInput& in, std::size_t box, const CameraSlice* seen = nullptr);
 
-/// Holds every place across the view where a caster shadows a receiver that faces the light, by their boxes. Flat
-/// casters, and large ones that are convex, are looked at closer: they shadow nothing that lies in the planes that they
-/// turn to the light or before them, nothing beyond their outline, and of single-sided materials, whose back faces are
-/// not drawn, no triangle that faces away.
-/// @param receivers by box of the shape, empty for those that do not count
-/// @return nothing where there is no shadow at all
+/// Returns a region that contains every place where a caster shadows a receiver facing the light; empty without any
+/// shadow. Tests boxes. Flat casters and large convex casters are also clipped by their planes and outlines, since they
+/// cannot shadow their own lit side. Back-facing triangles of single-sided receivers are skipped.
+/// @param receivers lit_extent() by box of the shape; empty for boxes that do not count
 std::optional<MapRegion> shadowed_region(const FitInput& in, std::span<const ViewExtent> receivers);
 
 }  // namespace si

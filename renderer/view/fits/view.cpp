@@ -1,6 +1,5 @@
-// The receivers that the camera sees, and the casters between them and the light: what Brabec, Annen, Seidel, Practical
-// Shadow Mapping, Journal of Graphics Tools 7(4), 2002, call the focus of a shadow map, narrowed to where shadows can
-// be.
+// The fit `view`: the region in which casters shadow visible receivers. Brabec, Annen, Seidel, Practical Shadow
+// Mapping, Journal of Graphics Tools 7(4), 2002, call it the focus of a shadow map.
 #include "renderer/view/fits/shadowed.h"
 
 namespace si {

@@ -8,11 +8,12 @@ namespace si {
 double max_penumbra_radius_texels(const FittedLight& light, int resolution) {
     double widest = 0;
     for (const LightView& view : light.views) {
-        // Of a warped view the widest is in its first row or its last: ranges grow with w, texels with w or its square.
+        // The widest penumbra of a warped view lies in its first or last row: ranges grow with w, texels with w or its
+        // square.
         for (const double row : {0.0, 1.0}) {
             const DepthCurve c = view.curve.curve_at_row(row);
             const double depth_m = c.far - c.near;
-            // The penumbra's radius on a receiver at the far plane, of an occluder at the near plane.
+            // Penumbra radius on a receiver at the far plane, cast by an occluder at the near plane.
             const double width_m = light.type == LightType::Directional ? light.size * depth_m
                                    : c.perspective                      ? light.size * depth_m / c.near
                                                                         : light.size * c.far / std::max(c.near, 1e-6);

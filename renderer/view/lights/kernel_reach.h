@@ -1,5 +1,4 @@
-// How far a kernel reaches under one light: by its settings, and where it follows metres or the light's size, by its
-// map.
+// Reach of the filter kernel in texels under one light.
 #pragma once
 
 #include "renderer/settings/filters.h"
@@ -7,13 +6,18 @@
 
 namespace si {
 
-/// Radius in texels of the widest penumbra that the light can throw in its maps: from their near to their far planes.
+/// Returns the radius in texels of the widest penumbra in a light's maps: of an occluder at the near plane on a
+/// receiver at the far plane.
+/// @param resolution texels a side of the map
 double max_penumbra_radius_texels(const FittedLight& light, int resolution);
 
-/// Least width of a texel in the light's maps, metres.
+/// Returns the width in metres of the smallest texel in a light's maps.
+/// @param resolution texels a side of the map
 double smallest_texel_m(const FittedLight& light, int resolution);
 
-/// reach_of() under a light that casts.
+/// Returns the reach of the filter kernel in texels under one light. Kernels sized in metres or by the light's size
+/// depend on the light's maps; for a light that does not cast the result is reach_of() of the settings.
+/// @param resolution texels a side of the map
 Reach kernel_reach_in_light(const Settings& settings, const FittedLight& light, int resolution);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Lights as the settings place them, and with the views of their shadow maps. Pure CPU, double precision, no GL.
+// Lights as placed by the settings, and lights with the views of their shadow maps. CPU, double precision, no GL.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,74 +15,84 @@ namespace si {
 
 struct SceneShape;
 
-/// Where a level lies on the light's plane: its texels are 2^exponent m wide, and its first page, at the lower left, is
-/// this page of the grid that starts at the world's origin.
+/// Grid position of a clip level on the light's plane. Texels are 2^exponent m wide; `corner` is the level's first
+/// page, counted from the world's origin.
 struct ClipLevel {
     int exponent = 0;
-    glm::i64vec2 corner{0};
-    double eye_m = 0;  ///< where the views' eyes are along the axis that points to the light, from the world's origin
+    glm::i64vec2 corner{0};  ///< page at the lower left
+    double eye_m = 0;        ///< position of the eye along the axis to the light, metres from the world's origin
+    /// Returns the width of a texel of the clip level in metres.
     double texel_m() const;
 };
 
-/// What no bias and no kernel can mend; see map_limits().
+/// Limits of a shadow map that no bias or kernel can overcome; computed by map_limits().
 struct MapLimits {
-    bool one_depth_step = false;       ///< all depth lies in one step of the map's format
-    bool one_texel = false;            ///< a texel is larger than the scene
-    double step_m = 0, depth_m = 0;    ///< along the light's axis: that step at its coarsest, and what the map holds
-    double texel_m = 0, across_m = 0;  ///< width of a texel at the scene's centre, and of what the map holds
+    bool one_depth_step = false;  ///< all depths fall into one step of the map format
+    bool one_texel = false;       ///< a texel is larger than the scene
+    double step_m = 0;            ///< coarsest step of the format along the light's axis, metres
+    double depth_m = 0;           ///< depth range of the scene in the map, metres
+    double texel_m = 0;           ///< width of a texel at the scene's centre, metres
+    double across_m = 0;          ///< width of the scene in the map, metres
+    /// Returns true when at least one limit of the shadow map applies: too coarse a depth format or resolution.
     bool any() const { return one_depth_step || one_texel; }
 };
 
-/// A light where the settings place it, before it has a map. Nothing of it depends on the camera.
+/// Light as the settings place it, before it has a map. Independent of the camera.
 struct PlacedLight {
     LightType type = LightType::Directional;
-    glm::dvec3 position{0};        ///< world; directional: as the settings place it, before a fit centres the map
-    glm::dvec3 target{0};          ///< world; what `position` is `to_light` away from
-    glm::dvec3 to_light{0, 1, 0};  ///< unit; directional: towards the light; spot: against its axis
-    double distance_m = 0;         ///< of the place from the target
-    double half_cone_rad = 0, cos_cone_outer = -1, cos_cone_inner = -1;
-    double size = 0;  ///< tangent of a directional light's angular radius (below 89 degrees), else its radius in metres
-    bool six_faces = false;          ///< no single map holds all directions that it shines in
-    double range_m = 0;              ///< of spot and point lights: no light from there on; 0: unlimited
-    glm::dvec3 radiance{1};          ///< colour × intensity, normalised to the scene's centre (see place_lights)
-    glm::dvec3 map_origin{0};        ///< world; what the shaders that draw its maps count positions from
-    std::vector<std::string> notes;  ///< values clamped on the way, and (fitted) what the map cannot do
+    glm::dvec3 position{0};        ///< world; for a directional light before a fit centres the map
+    glm::dvec3 target{0};          ///< world; `position` lies from here along `to_light`
+    glm::dvec3 to_light{0, 1, 0};  ///< unit vector; directional: towards the light; spot: against its axis
+    double distance_m = 0;         ///< distance between position and target
+    double half_cone_rad = 0;      ///< half the angle of a spot light's cone
+    double cos_cone_outer = -1;    ///< cosine at which a spot light ends
+    double cos_cone_inner = -1;    ///< cosine at which a spot light begins to fall off
+    double size = 0;           ///< angular radius as a tangent (directional, below 89 degrees), else radius in metres
+    bool six_faces = false;    ///< needs six cube faces, since one map cannot hold all its directions
+    double range_m = 0;        ///< distance at which a spot or point light ends; 0: unlimited
+    glm::dvec3 radiance{1};    ///< colour x intensity, normalised by place_lights()
+    glm::dvec3 map_origin{0};  ///< world; origin of positions in the shaders that draw its maps
+    std::vector<std::string> notes;  ///< messages about clamped values and limits of the map
 };
 
+/// Placed light together with the views of its shadow maps.
 struct FittedLight : PlacedLight {
-    bool shadowed = false;  ///< light.cast is on and something casts and receives, by whatever source
-    bool casts = false;     ///< the same, and the source is a map: has views and anything to draw into them
-    std::string reason;     ///< why it has no map
-    std::string dark;       ///< why no surface of the scene gets anything of it; empty: some may
-    std::string empty;  ///< of one that casts, under a fit that knows no camera: why its maps stay empty; else empty
-    std::vector<LightView> views;   ///< all perspective or none; six faces: +x -x +y -y +z -z; cascades
-    ViewChooser chooser;            ///< which of them a point is looked up in
-    std::vector<ClipLevel> levels;  ///< where its views lie, if they are clip levels; else none
-    /// No point that the light reaches lies in shadow beyond its map: there the shaders say lit, without a look.
+    bool shadowed = false;          ///< light.cast is on, and the scene has casters and receivers
+    bool casts = false;             ///< shadowed, and the source is a shadow map
+    std::string reason;             ///< reason for having no map; empty: it has one
+    std::string dark;               ///< reason for lighting no surface; empty: it may light some
+    std::string empty;              ///< reason for maps without casters, under a fit without camera; else empty
+    std::vector<LightView> views;   ///< all perspective or none; faces in the order +x -x +y -y +z -z; or cascades
+    ViewChooser chooser;            ///< choice of the view in which a point is looked up
+    std::vector<ClipLevel> levels;  ///< grid positions of clip levels; else empty
+    /// Guarantee of the fit: no point that the light reaches lies in shadow outside the map. Shaders treat such points
+    /// as lit.
     bool closed = false;
-    int clipped_casters = 0;  ///< objects reaching in front of the near plane
-    MapLimits limits;         ///< of lights that cast
-    /// Whether its maps are drawn in perspective, all of them; false when it has none.
+    int clipped_casters = 0;  ///< casters with a part in front of the near plane
+    MapLimits limits;         ///< limits of the maps of a casting light
+    /// Returns true when the light's shadow maps are perspective; false for a light without maps.
     bool is_perspective() const { return !views.empty() && views[0].curve.perspective; }
-    /// Whether its maps are warped across their rays, all of them.
+    /// Returns true when the light's shadow maps are warped across their rays (LiSPSM).
     bool is_warped() const { return !views.empty() && views[0].warped(); }
-    /// Whether its views are for parts of what the camera sees: cascades or clip levels.
+    /// Returns true when each view of the light covers a part of the camera's frustum: cascades or clip levels.
     bool is_cascaded() const {
         return chooser.choice == ViewChoice::Interval || chooser.choice == ViewChoice::Map ||
                chooser.choice == ViewChoice::Distance;
     }
 };
 
-/// Whether a light of this range (0: unlimited) shines so far.
+/// Returns true when a distance lies within the range of a light.
+/// @param distance_m,range_m metres; a range of 0 is unlimited
 constexpr bool within_range(double distance_m, double range_m) {
     return range_m <= 0 || distance_m < range_m;
 }
 
-/// The lights 0..light_count-1 of the settings, and what of the scene their maps may have to cover.
+/// Lights 0 to light_count - 1 of the settings, placed in a scene, with the scene shape (object boxes) that the maps of
+/// each have to cover.
 struct PlacedLights {
-    std::shared_ptr<const SceneShape> shape;
+    std::shared_ptr<const SceneShape> shape;  ///< shape of the whole scene
     std::vector<PlacedLight> lights;
-    std::vector<std::shared_ptr<const SceneShape>> shapes;  ///< of each light; on a ground each has its own
+    std::vector<std::shared_ptr<const SceneShape>> shapes;  ///< shape by light; with a ground each light has its own
 };
 
 }  // namespace si

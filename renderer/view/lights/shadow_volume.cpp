@@ -13,12 +13,12 @@
 namespace si {
 namespace {
 
-/// The number of the first of all vertices that have a vertex's place.
+/// Returns for each vertex the index of the first vertex at the same place.
 std::vector<std::uint32_t> welded(const std::vector<glm::vec3>& positions, std::vector<glm::vec3>& unique) {
     std::vector<std::uint32_t> order(positions.size()), out(positions.size());
     std::iota(order.begin(), order.end(), 0u);
     const auto key = [&](std::uint32_t i) {
-        const glm::vec3 p = positions[i] + 0.f;  // no zero has a sign
+        const glm::vec3 p = positions[i] + 0.f;  // turns -0 into 0
         return std::tuple(p.x, p.y, p.z);
     };
     std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) { return key(a) < key(b); });
@@ -29,7 +29,7 @@ std::vector<std::uint32_t> welded(const std::vector<glm::vec3>& positions, std::
     return out;
 }
 
-/// Sets of which any two can be made one. Tarjan, Efficiency of a Good But Not Linear Set Union Algorithm, 1975.
+/// Disjoint sets with union. Tarjan, Efficiency of a Good But Not Linear Set Union Algorithm, 1975.
 class Sets {
 public:
     explicit Sets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
@@ -43,10 +43,10 @@ private:
     std::vector<std::uint32_t> parent_;
 };
 
-/// A triangle's side, by which its triangles find each other.
+/// Side of a triangle, sorted by its corners to find adjacent triangles.
 struct Side {
     std::uint32_t lo, hi, triangle;
-    std::uint8_t k;  ///< of the triangle's sides
+    std::uint8_t k;  ///< side 0 to 2
     bool upwards;    ///< runs from lo to hi
 };
 
@@ -58,7 +58,7 @@ double volume_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) 
 
 VolumeMesh::VolumeMesh(const Mesh& mesh) {
     const std::vector<std::uint32_t> unique = welded(mesh.positions, positions);
-    // The copies of vertices that drawing adds are left aside: they have their originals' places.
+    // Duplicate vertices of the renderer have the places of their originals and are left out.
     const FlatNormalMesh faced = face_normals(mesh.positions, mesh.indices);
     const auto source = [&](std::uint32_t v) {
         return unique[v < mesh.positions.size() ? v : faced.copies[v - mesh.positions.size()]];
@@ -67,7 +67,7 @@ VolumeMesh::VolumeMesh(const Mesh& mesh) {
     for (std::size_t i = 0; i + 2 < faced.indices.size(); i += 3) {
         Triangle t;
         for (std::size_t k = 0; k < 3; ++k) t.corners[k] = source(faced.indices[i + k]);
-        // Without an area it shadows nothing; what it joined is joined without it.
+        // A triangle without area shadows nothing; its neighbours are joined without it.
         if (t.corners[0] == t.corners[1] || t.corners[1] == t.corners[2] || t.corners[2] == t.corners[0]) continue;
         for (std::size_t k = 0; k < 3; ++k) {
             const std::uint32_t a = t.corners[k], b = t.corners[(k + 1) % 3];
@@ -79,7 +79,7 @@ VolumeMesh::VolumeMesh(const Mesh& mesh) {
         return std::tuple(a.lo, a.hi, a.triangle, a.k) < std::tuple(b.lo, b.hi, b.triangle, b.k);
     });
     Sets sets(triangles.size());
-    std::vector<std::uint32_t> torn;  // a triangle at each edge that does not join two
+    std::vector<std::uint32_t> torn;  // one triangle of each edge that does not join exactly two
     for (std::size_t first = 0, end = 0; first < sides.size(); first = end) {
         const auto edge = std::uint32_t(edges++);
         for (end = first; end < sides.size() && sides[end].lo == sides[first].lo && sides[end].hi == sides[first].hi;
@@ -99,7 +99,8 @@ VolumeMesh::VolumeMesh(const Mesh& mesh) {
             volume.push_back(0);
         }
         triangles[i].part = n;
-        const glm::dvec3 from(positions[triangles[0].corners[0]]);  // near the mesh, that little is lost
+        // A reference point near the mesh loses little precision.
+        const glm::dvec3 from(positions[triangles[0].corners[0]]);
         const auto at = [&](std::size_t k) { return glm::dvec3(positions[triangles[i].corners[k]]) - from; };
         volume[n] += volume_of(at(0), at(1), at(2));
     }
@@ -115,7 +116,7 @@ void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const Vo
         at[i] = glm::dvec3(world * glm::dvec4(glm::dvec3(mesh.positions[i]), 1));
     const bool mirrored = glm::determinant(glm::dmat3(world)) < 0;
     struct Net {
-        int times = 0;  ///< along the edge from the lower corner to the higher, less the other way
+        int times = 0;  ///< uses from the lower corner to the higher, minus uses in the other direction
         std::uint32_t lo = 0, hi = 0;
     };
     std::vector<Net> nets(mesh.edges);

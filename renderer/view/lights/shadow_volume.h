@@ -1,14 +1,13 @@
-// The boundary of what lies in a light's shadow, as triangles. Pure CPU; all decisions in double.
+// Shadow volumes: the boundary of the space in a light's shadow, as triangles. CPU; all decisions in double precision.
 //
-// What a triangle shadows is the prism from it away from the light, without end. The boundary of a sum of such prisms
-// is the triangles themselves (light caps), an infinitely far copy of them (dark caps), and quads from those edges
-// whose prisms do not cancel. How often a point lies in a prism is how many of the triangles stand between it and the
-// light, so that nothing depends on how the triangles are joined; joined ones only cost less:
-//   - of a closed surface (each edge has two triangles that run along it in opposite directions) those that face the
-//     light do, as each way out of it leads through one of them. Its edges are the silhouette.
-//   - of any other all triangles cast, each turned to the light (Aldridge and Woods, Robust, Geometry-Independent
-//   Shadow
-//     Volumes, GRAPHITE 2004).
+// A triangle shadows the infinite prism behind it. The boundary of all prisms consists of the triangles themselves
+// (light caps), copies of them at infinity (dark caps), and quads from edges whose prisms do not cancel. A point's
+// shadow count is the number of triangles between it and the light, so the result does not depend on shared edges.
+// Shared edges only save work:
+//   - In a closed surface each edge joins two triangles that run along it in opposite directions. Its triangles facing
+//     the light cast, and its edges are the silhouette.
+//   - In any other surface all triangles cast, each turned to the light (Aldridge and Woods, Robust,
+//     Geometry-Independent Shadow Volumes, GRAPHITE 2004).
 // Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977; Bergeron, A General Version of Crow's Shadow Volumes,
 // IEEE CG&A 6(9), 1986.
 #pragma once
@@ -23,57 +22,64 @@
 
 namespace si {
 
-/// A mesh's triangles, joined where corners share a place.
+/// Triangles of a mesh with corners at the same place joined, as shadow volumes need them.
 struct VolumeMesh {
+    /// Triangle of a shadow volume's mesh, with its corners and edges.
     struct Triangle {
-        std::array<std::uint32_t, 3> corners{};  ///< of `positions`, in the order in which the camera draws them
-        std::array<std::uint32_t, 3> edges{};    ///< from each corner to the next
-        std::uint32_t part = 0;
+        std::array<std::uint32_t, 3> corners{};  ///< indices into `positions`, in the camera's winding order
+        std::array<std::uint32_t, 3> edges{};    ///< edge from each corner to the next
+        std::uint32_t part = 0;                  ///< index into `parts`
     };
-    /// Triangles that hang together by their edges.
+    /// Part of a shadow volume's mesh: triangles connected by edges.
     struct Part {
-        bool closed = false;
-        bool inside_out = false;  ///< closed, and its normals look inwards
+        bool closed = false;      ///< every edge joins two triangles in opposite directions
+        bool inside_out = false;  ///< closed, with normals that point inwards
     };
-    std::vector<glm::vec3> positions;  ///< no two alike
+    std::vector<glm::vec3> positions;  ///< distinct positions, mesh space
     std::vector<Triangle> triangles;
     std::vector<Part> parts;
-    std::size_t edges = 0;           ///< numbers below which edges are
-    std::size_t open_triangles = 0;  ///< of parts that are not closed
+    std::size_t edges = 0;           ///< number of edges
+    std::size_t open_triangles = 0;  ///< triangles in parts that are not closed
 
+    /// Joins the corners of a mesh that share a place, and finds its closed parts.
     explicit VolumeMesh(const Mesh& mesh);
 };
 
-/// Where shadows lie away from.
+/// Light of a shadow volume: a direction for parallel light, else a position.
 struct VolumeLight {
     bool parallel = true;
-    glm::dvec3 to_light{0, 1, 0};  ///< unit, of parallel light
-    glm::dvec3 position_ws{0};     ///< else
+    glm::dvec3 to_light{0, 1, 0};  ///< unit vector, for parallel light
+    glm::dvec3 position_ws{0};     ///< world, for other light
 };
 
-/// Lists of corners, three a triangle. 2v is corner v of the mesh, 2v + 1 the same far away from the light.
-/// Seen from outside of the shadow triangles turn counter-clockwise, but for `clockwise_caps`, which turn the other
-/// way: corners of light caps stand in the camera's order, so that both draw the same depth in every bit.
+/// Triangles of shadow volumes, three corner indices each. Index 2v is corner v of the mesh, and 2v + 1 its copy far
+/// away from the light. Seen from outside the volume triangles turn counter-clockwise, except `clockwise_caps`: light
+/// caps keep the camera's order, so that both draw bit-equal depths.
 struct VolumeTriangles {
-    std::vector<std::uint32_t> caps, clockwise_caps;
-    std::vector<std::uint32_t> rest;  ///< sides and dark caps
+    std::vector<std::uint32_t> caps;            ///< light caps
+    std::vector<std::uint32_t> clockwise_caps;  ///< light caps that turn clockwise
+    std::vector<std::uint32_t> rest;            ///< sides and dark caps
+    /// Returns the number of shadow volume triangles in all lists.
     std::size_t triangles() const { return (caps.size() + clockwise_caps.size() + rest.size()) / 3; }
 };
 
-/// Adds what one object shadows.
-/// @param ends_apart whether the far copies of corners lie apart, so that dark caps are needed; not so where they are
-/// infinitely far away along parallel light, in a single point
+/// Adds the shadow volume of one object to lists of triangles.
+/// @param world world_from_mesh of the object
+/// @param ends_apart far copies of corners lie apart, so dark caps are needed; false for parallel light extruded to
+///     infinity, where they coincide
 void add_shadow_volume(const VolumeMesh& mesh, const glm::dmat4& world, const VolumeLight& light, bool ends_apart,
                        VolumeTriangles& out);
 
-/// Pixels that the triangles cover in a picture, those behind each other counted each, by a sample of at most
-/// `samples`.
-/// @param corner clip coordinates of a number in VolumeTriangles
+/// Estimates the pixels that a list of triangles covers in a picture, with overlapping triangles counted each. Used to
+/// predict the cost of shadow volumes.
+/// @param corner function that returns clip coordinates of an index in VolumeTriangles
+/// @param samples largest number of triangles that are evaluated
 template <typename Corner>
 double covered_pixels(const std::vector<std::uint32_t>& list, Corner&& corner, int width, int height,
                       std::size_t samples);
 
-/// Pixels that a triangle covers in a picture. @param clip of its corners; z is left aside, w may be of any sign
+/// Returns the pixels that one triangle covers in a picture.
+/// @param clip clip coordinates of its corners; z is ignored, w may have any sign
 double covered_pixels(const std::array<glm::dvec4, 3>& clip, int width, int height);
 
 template <typename Corner>

@@ -10,12 +10,12 @@ namespace si {
 namespace {
 
 struct Hour {
-    double sine;  ///< of the sun's height
+    double sine;  ///< sine of the sun's height
     glm::dvec3 zenith, horizon, below;
     double glow;
 };
 
-// By eye, for pictures in which matt surfaces are seen before the sky.
+// Colours chosen by eye, for matt surfaces in front of the sky.
 constexpr Hour kHours[] = {
     {-0.20, {0.010, 0.014, 0.030}, {0.050, 0.060, 0.095}, {0.020, 0.020, 0.024}, 0.2},
     {0.00, {0.060, 0.090, 0.220}, {0.620, 0.360, 0.220}, {0.160, 0.130, 0.120}, 1.2},
@@ -55,9 +55,9 @@ glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights) {
 
 Sky sky_for_sun(const glm::dvec3& to_sun) {
     const Hour hour = hour_of(to_sun.y);
-    // A level surface sees more of the horizon than of the zenith, but that at a flat angle.
+    // A horizontal surface sees more of the horizon than of the zenith, but at a flat angle.
     const glm::dvec3 above = 0.5 * (hour.zenith + hour.horizon);
-    constexpr double kKept = 0.4;  // of its colour: eyes take ambient light for white
+    constexpr double kKept = 0.4;  // share of the sky's colour kept: eyes take ambient light for white
     constexpr double kRise = 0.35, kSunward = 0.6;
     return {.zenith = hour.zenith,
             .horizon = hour.horizon,

@@ -1,4 +1,4 @@
-// The sky behind a scene and the ambient light that it gives. Pure CPU, linear Rec. 709 colours; white is 1.
+// Sky colours behind a scene and the ambient light of the sky. CPU, linear Rec. 709 colours; white is 1.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,23 +8,27 @@ namespace si {
 
 struct FittedLight;
 
+/// Colours of the sky gradient and of its ambient light.
 struct Sky {
-    glm::dvec3 zenith{0}, horizon{0}, below{0};
-    glm::dvec3 ambient{1};       ///< before shading.ambient, of luminance 1: of a surface turned sideways
-    double rise = 0;             ///< how much more one gets that is turned to the brightest part of the sky, as a share
-    double sunward = 0;          ///< that part is straight up but for this times the level part of the way to the sun
+    glm::dvec3 zenith{0};  ///< straight up
+    glm::dvec3 horizon{0};
+    glm::dvec3 below{0};    ///< ground below the horizon
+    glm::dvec3 ambient{1};  ///< ambient light on a vertical surface, luminance 1, before shading.ambient
+    double rise = 0;        ///< extra ambient share on a surface facing the brightest part of the sky
+    double sunward = 0;     ///< tilt from straight up to the brightest part, as a share of the horizontal sun direction
     glm::dvec3 to_sun{0, 1, 0};  ///< unit
-    double glow = 0;             ///< how much brighter the sky is where the sun stands, as a share
+    double glow = 0;             ///< extra brightness around the sun, as a share
 };
 
-/// The direction to the brightest directional light; without one, to a sun half way up.
+/// Returns the unit direction to the brightest directional light; a default sun half way up without one.
 glm::dvec3 direction_to_brightest_sun(std::span<const FittedLight> lights);
 
-/// Colours by the sun's height: of day, of a low sun, and of dusk below the horizon.
+/// Returns the sky colours for a sun direction, interpolated by the sun's height: day, low sun, or dusk below the
+/// horizon.
 /// @param to_sun unit
 Sky sky_for_sun(const glm::dvec3& to_sun);
 
-/// Rec. 709.
+/// Returns the relative luminance of a linear Rec. 709 colour.
 double luminance(const glm::dvec3& colour);
 
 }  // namespace si
