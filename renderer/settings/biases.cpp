@@ -71,9 +71,9 @@ constexpr Bias kBiases[] = {
     {.key = "receiver-plane",
      .label = "Receiver plane",
      .help = "Every texel is compared with the depth that the receiver's own plane has at the texel's centre, from the "
-             "triangle's normal and without screen derivatives: no acne on planes at any angle and under any kernel "
-             "for no more bias than roundings take. bias.constant is added. Where a kernel reaches over an inner edge "
-             "the plane runs on behind what it meets, and darkens.",
+             "triangle's normal and without screen derivatives: no acne on planes at any angle and under any kernel, "
+             "with only as much bias as rounding needs. bias.constant is added. Where a kernel reaches over an inner "
+             "edge, the plane continues behind the surface there, which turns dark.",
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006 (by screen derivatives)",
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
@@ -82,9 +82,9 @@ constexpr Bias kBiases[] = {
      .amount = receiver_plane_bias},
     {.key = "receiver-plane-derivatives",
      .label = "Receiver plane by derivatives",
-     .help = "The receiver's plane as engines take it: from the steps of the surface between neighbouring pixels. What "
-             "single precision leaves of those bends it, so a texel of its slope is added, which engines call the "
-             "fractional sampling error; plane_clamp keeps it from running away where light grazes.",
+     .help = "The receiver's plane as engines take it: from the steps of the surface between neighbouring pixels. "
+             "Rounding in single precision tilts it, so a texel of its slope is added (engines call this the "
+             "fractional sampling error). bias.plane_clamp limits it in grazing light.",
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
@@ -94,9 +94,9 @@ constexpr Bias kBiases[] = {
      .amount = receiver_plane_by_derivatives_bias},
     {.key = "adaptive",
      .label = "Automatic (adaptive)",
-     .help = "Just what the pixel's plane needs under the kernel, the format and the map's resolution, in closed form: "
-             "no acne on planes and no number to turn. What it costs, the lit strip beside casters, is shown by the "
-             "overlay contact-gap and by the probe. Normal offset and polygon offset act beside it and are not needed.",
+     .help = "Exactly the bias that the pixel's plane needs under this kernel, format and resolution, in closed form: "
+             "no acne on planes and no number to set. The overlay contact-gap and the probe show the price, a lit "
+             "strip beside casters. Normal offset and polygon offset are still added and are not needed.",
      .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
      .file = "biases/adaptive.glsl",
      .brings_need = true,

@@ -104,8 +104,8 @@ constexpr Filter kFilters[] = {
      .bilinear = true},
     {.key = "pcf",
      .label = "PCF",
-     .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. Wider is softer and "
-             "calls for more bias. Of an even size it is centred between texels.",
+     .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. A wider kernel is "
+             "softer and needs more bias. Of an even size it is centred between texels.",
      .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
      .file = "filters/pcf.glsl",
      .size = 0,
@@ -114,16 +114,15 @@ constexpr Filter kFilters[] = {
      .swept = kPcfSwept},
     {.key = "tent3",
      .label = "Tent 3×3",
-     .help = "3x3 nearest comparisons that weigh 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
+     .help = "3x3 nearest comparisons with weights of 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
      .paper = "Jaehne: Digital Image Processing, on binomial filters",
      .file = "filters/tent3.glsl",
      .size = 3},
     {.key = "tent",
      .label = "Tent",
-     .help =
-         "Weights that fall evenly from the middle to nothing, filter.size texels across: (size / 2 + 1)^2 bilinear "
-         "comparisons, each placed so that it weighs its 2x2 texels exactly so. Smoother than PCF of that size at "
-         "a quarter of its comparisons.",
+     .help = "Weights that fall linearly from the middle to 0, filter.size texels across, by (size / 2 + 1)^2 bilinear "
+             "comparisons. Each is placed so that its 2x2 texels get these weights exactly. Smoother than PCF of that "
+             "size at a quarter of its comparisons.",
      .paper = "Castano: Shadow Mapping Summary, on the shadows of The Witness, 2013",
      .file = "filters/tent.glsl",
      .size = 0,
@@ -144,8 +143,8 @@ constexpr Filter kFilters[] = {
      .swept = kGaussSwept},
     {.key = "poisson",
      .label = "Poisson disk",
-     .help = "Nearest comparisons at places spread over a disk, which each pixel turns by an angle of its own: noise "
-             "in place of steps. Its table has 64 places.",
+     .help = "Nearest comparisons at places spread over a disk, which each pixel rotates by its own angle: noise in "
+             "place of steps. Its table has 64 places.",
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .square = false,
@@ -168,8 +167,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "pcss",
      .label = "PCSS",
-     .help = "Percentage-closer soft shadows: searches what stands before the surface, and makes the penumbra as wide "
-             "as its distance and light.size ask for.",
+     .help = "Percentage-closer soft shadows: searches for casters before the surface, and makes the penumbra as wide "
+             "as their distance and light.size require.",
      .paper = "Fernando: Percentage-Closer Soft Shadows, SIGGRAPH 2005",
      .file = "filters/pcss.glsl",
      .square = false,
@@ -186,9 +185,9 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "dpcf",
      .label = "DPCF",
-     .help = "Contact-hardening shadows without a search: the same taps tell how much of the widest penumbra is "
-             "shadowed and how far off, and the contrast of that share is raised until the edge is as narrow as it "
-             "should be. Right for one straight edge; wrong where two occluders lie over each other.",
+     .help = "Contact-hardening shadows without a search: the same taps give the shadowed share of the widest penumbra "
+             "and the distance of the caster. The contrast of that share is raised until the edge has its right width. "
+             "This is exact for one straight edge and wrong where two casters overlap.",
      .paper =
          "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows Made "
          "Fast, 2010",
@@ -204,9 +203,9 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "smrt",
      .label = "Shadow-map rays",
-     .help = "Rays from the surface to places of the light, each followed through the map in steps: it is stopped by "
-             "what lies before it by less than filter.thickness. Penumbrae of occluders over each other come out "
-             "right; what the map does not hold behind its nearest surfaces is guessed.",
+     .help = "Rays from the surface to places of the light, each followed through the map in steps. A surface less "
+             "than filter.thickness before the ray blocks it. Penumbrae of overlapping casters are right. Geometry "
+             "behind the map's nearest surfaces is assumed.",
      .paper = "Epic Games: Shadow Map Ray Tracing, in Virtual Shadow Maps, Unreal Engine 5, 2021",
      .file = "filters/smrt.glsl",
      .square = false,
@@ -227,8 +226,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.rays", .slope = -0.65}},
     {.key = "vsm",
      .label = "VSM",
-     .help = "Variance shadow map: one look-up of the mean and variance of the depths about each texel, blurred "
-             "beforehand, bounds how much of them lies before the surface. Light bleeds where shadows overlap.",
+     .help = "Variance shadow map: mean and variance of depth are blurred beforehand, and one look-up bounds the share "
+             "of depths before the surface. Light bleeds where shadows overlap.",
      .paper = "Donnelly, Lauritzen: Variance Shadow Maps, I3D 2006",
      .file = "filters/vsm.glsl",
      .square = false,
@@ -243,8 +242,8 @@ constexpr Filter kFilters[] = {
                    .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
     {.key = "savsm",
      .label = "SAVSM",
-     .help = "Summed-area variance shadow map: the window's width is chosen at each look-up, by sixteen fetches of a "
-             "table of sums, at any width. The table costs more than a blur, and digits.",
+     .help = "Summed-area variance shadow map: each look-up chooses its window, by sixteen fetches of a summed-area "
+             "table at any width. The table costs more time than a blur, and precision.",
      .paper = "Lauritzen: Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8, 2007",
      .file = "filters/savsm.glsl",
      .square = false,
@@ -266,8 +265,8 @@ constexpr Filter kFilters[] = {
                    .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
     {.key = "esm",
      .label = "ESM",
-     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the share of lit depths where all "
-             "that is lit lies far behind what is not. Light leaks in near contacts, the more the lower c.",
+     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the lit share if lit depths lie "
+             "far behind all casters. Light leaks near contacts, more so with a lower c.",
      .paper = "Annen, Mertens, Seidel, Flerackers, Kautz: Exponential Shadow Maps, Graphics Interface 2008",
      .file = "filters/esm.glsl",
      .square = false,

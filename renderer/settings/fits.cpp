@@ -14,14 +14,14 @@ constexpr FitRow kFits[] = {
     {.key = "scene", .label = "whole scene", .help = "The frustum holds the bounds of the scene."},
     {.key = "casters",
      .label = "where shadows fall",
-     .help = "Only where a caster can shadow anything that faces the light, wherever the camera is; all else is lit. A "
-             "ground is drawn but does not widen the map, as it shadows nothing that stands on it. Point lights, wide "
-             "cones and suns in perspective: the whole scene.",
+     .help = "The caster region: where a caster can shadow anything that faces the light, wherever the camera is. All "
+             "else is lit. A ground is drawn and does not widen the map, since it shadows nothing on it. Point lights, "
+             "wide cones and suns in perspective: the whole scene.",
      .narrows = true},
     {.key = "view",
      .label = "what is seen",
-     .help = "As where shadows fall, but only of the surfaces that the camera sees: the finest texels, which change "
-             "as the camera moves.",
+     .help =
+         "As casters, restricted to surfaces in the view frustum: the finest texels, which change as the camera moves.",
      .paper = "Brabec, Annen, Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002",
      .reads_camera = true,
      .narrows = true},

@@ -23,9 +23,8 @@ constexpr auto kContactRows = std::to_array<Param>({
      .also = "samples, ray steps", .read_by = ReadBy::Visibility},
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
-     .help =
-         "How far behind a surface that the camera sees the ray counts as being within it. The picture does not tell "
-         "how thick things are: too little lets light through, too much shadows what lies free behind an edge.",
+     .help = "Assumed thickness of visible surfaces: a ray at most this far behind one is blocked. The picture does "
+             "not hold thickness. Too little lets light through, and too much shadows free surfaces behind an edge.",
      .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
 });
 static_assert(kContactRows.size() == members<ContactSettings>(), "a member of ContactSettings has no row");

@@ -218,12 +218,12 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
          .help = "Length of the ray that is marched from each surface towards the light through what the camera sees; "
-                 "what it meets shadows the surface, whatever light.source says. Brings back the small shadows that a "
+                 "a surface on the way shadows it, whatever light.source says. Brings back the small shadows that a "
                  "bias loses at contacts. It knows only what is in the picture. 0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
         {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
-         .help = "Where the light's shadows come from. All can be compared with the ray-traced truth.",
+         .help = "The technique that makes the light's shadows. All can be compared with the ray-traced reference.",
          .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
                  "shadows, blob shadows, decal shadows"},
         {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
@@ -256,10 +256,9 @@ constexpr auto kLight = with_scope(
                  "shadowFar, shadowFarHint, clipping planes"},
         {SI_LIGHT_FIELD(stretch), .label = "Range stretched", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
-         .help =
-             "Makes the range of depths longer than near and far say: of parallel rays this many times as long, about "
-             "its middle; of a light that shines from a point near is divided by it, and far multiplied. Steps of "
-             "stored depth grow with it. 1 leaves it alone."},
+         .help = "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
+                 "around its middle. Under spot and point lights near is divided by the factor and far multiplied. "
+                 "Steps of stored depth grow with it. 1 changes nothing."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
          .help =
@@ -273,8 +272,7 @@ constexpr auto kLight = with_scope(
          .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades, directional "
                  "shadow mode, cascaded shadow maps"},
         {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", .unit = "", SI_CHOICES(kDepthBounds),
-         .idle = depth_bounds_idle,
-         .help = "Which camera depths the maps are made for: of cascades, and of a fit to what is seen."},
+         .idle = depth_bounds_idle, .help = "The camera depths that cascades and fits to the view frustum cover."},
         {SI_LIGHT_FIELD(split), .label = "Split", .unit = "", .choices = split_choices, .idle = between_cascades_idle,
          .help = "How the camera's depth is divided among cascades.",
          .also = "cascade splits, cascade distribution, partition, split distance, cascadeSplitPositions"},

@@ -42,8 +42,7 @@ constexpr Choice kRadiusUnits[] = {
 };
 constexpr Choice kDisks[] = {
     {"table", "Poisson table", "64 places at most, each as far as can be from those before it."},
-    {"spiral", "Vogel's spiral",
-     "Golden angles: as many places as are asked for, evenly spread whatever their number."},
+    {"spiral", "Vogel's spiral", "Golden angles: any number of places, evenly spread."},
 };
 constexpr Choice kCompares[] = {
     {"less", "less", "Lit when the fragment's depth is strictly nearer to the light than the stored depth."},
@@ -54,7 +53,7 @@ constexpr Choice kOrigins[] = {
     {"near", "a place nearby",
      "A place near the camera, and for the maps the middle of the scene: differences are taken in double precision, "
      "before anything is rounded."},
-    {"world", "the world's origin", "As many engines do: the farther away, the coarser."},
+    {"world", "the world's origin", "The choice of many engines: positions become coarser with distance."},
 };
 
 constexpr Choice kTransforms[] = {
@@ -97,23 +96,23 @@ constexpr std::string_view kNoOffset =
 constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
-             "and takes four times the memory. Clamped to what the driver can allocate. While casters move "
-             "below a light whose map stays, as much again for those at rest. Under map.virtual only pages that are "
-             "read take memory.",
+     .help =
+         "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground and "
+         "takes four times the memory. Clamped to what the driver can allocate. While casters move and the light's map "
+         "stays, cached static casters take as much again. Under map.virtual only pages that are read take memory.",
      .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
              "shadow.mapSize",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
-     .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
+     .help = "How the map stores depth. Fewer bits make larger steps of depth, which need more bias.",
      .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.wrap), .label = "Addressing", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
-     .help = "What a look-up outside of the map's square finds.",
+     .help = "The result of a look-up outside the map's square.",
      .also = "wrap mode, address mode, clamp, oversampling", .shader = true},
     {SI_FIELD(map.outside), .label = "Out-of-map result", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
      .idle = outside_idle,
-     .help = "Whether surfaces that the map does not hold (beside it, guarded behind its far plane, behind the light) "
-             "are lit or get ambient light only.",
+     .help = "The lighting of surfaces that the map does not hold: beside it, behind its far plane with map.far_guard, "
+             "or behind the light.",
      .also = "border colour, border color", .shader = true},
     {SI_FIELD(map.far_guard), .label = "Far-plane test", .unit = "", .cost = Cost::Program,
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
@@ -131,34 +130,33 @@ constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help =
          "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
-         "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
-         "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
-         "(filter.kernel). 0 is off.",
+         "The comparison then meets false slopes between caster and receiver. Shadows grow and lose their corners, "
+         "thin ones vanish, and every edge stays hard. Filter the comparisons instead (filter.kernel). 0 is off.",
      .read_by = ReadBy::DepthBlur},
     {SI_FIELD(map.samples), .label = "Samples", .unit = "a texel", .min = 1, .max = 32, .logarithmic = true,
      .cost = Cost::Target,
      SI_IDLE(s.map.blur_texels > 0, "without effect: moments are those of the depths that map.blur_texels blurs"),
      .help = "Draws the casters with several samples a texel (MSAA), and averages the moments of all: an edge that "
-             "crosses a texel covers a share of it. What the driver cannot do is said, and the next that it can is "
-             "used.",
+             "crosses a texel covers a share of it. A number that the driver does not support is reported, and the "
+             "next lower supported one is used.",
      .also = "MSAA, multisampling, antialiasing, msaaSamples", .read_by = ReadBy::Moments},
     {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
-     .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
+     .help = "The computation of a surface's place in the map. Both ways agree in exact numbers. The overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .also = "bias matrix, texture matrix, texture projection", .shader = true},
     {SI_FIELD(map.origin), .label = "Positions from", .unit = "", SI_CHOICES(kOrigins),
-     .help = "What the positions that the graphics card computes with count from. Both are the same in exact numbers; "
-             "single precision has some seven digits, which far from the world's origin the way there uses up."},
+     .help = "The origin of positions on the GPU. Both choices agree in exact numbers. Single precision has some seven "
+             "digits, and far from the world's origin the distance uses them up."},
     {.key = "map.virtual",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
      .label = "Virtual map",
      .unit = "",
      .cost = Cost::Target,
      .idle = paging_idle,
-     .help = "Draws of each map only the pages that visible surfaces read, and keeps them until a caster or the light "
-             "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
-             "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
-             "by pages as they are (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
+     .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "
+             "light moves. A directional light has clip levels around the camera, each twice as wide as the one "
+             "before, so that a texel is about a pixel everywhere. Other lights' maps, and those of light.fit manual, "
+             "keep their region and are drawn by pages (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
      .also = "virtual shadow maps, clipmap, sparse, paged, VSM, virtual texture",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
@@ -168,8 +166,8 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_pool), .label = "Page pool", .unit = "pages", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Pages that are kept at most. Where a picture reads more, pages of coarser levels stand for the finest: "
-             "its shadows lose sharpness, and never a place of the map.",
+     .help = "Pages that are kept at most. If a picture reads more, coarser pages replace the finest. Shadows then "
+             "lose sharpness, and no place of the map is missing.",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
      .help =
@@ -236,14 +234,13 @@ constexpr Choice kBlends[] = {
 
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
-     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).",
+     .help = "The faces that are left out of the shadow map. Objects may differ (object.PATH.cull).",
      .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
              "shadow reverse cull face, face culling",
      .of_map = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
-     .help =
-         "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
-         "half shadow.",
+     .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
+             "is no half shadow.",
      .also = "transparent shadows, translucent, alpha blend"},
 });
 static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
@@ -254,14 +251,14 @@ bool slope_acts(const Settings& s) {
 
 constexpr auto kBias = of_map(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
-     .help = "What is subtracted from the fragment's depth before the comparison. Normal offset and raster bias act "
-             "beside it.",
+     .help = "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
+             "are added to it.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
-             "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
+             "comparison. Too little: acne. Too much: shadows detach from their casters (peter-panning).",
      .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne", .shader = true,
      .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
@@ -274,12 +271,12 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
      .help = "How far the depth that a texel is compared with may differ from the one at the look-up, in widths of a "
-             "texel along the light's axis; 0 is no limit. A plane that the light grazes is steep without bound; "
-             "beyond the limit it may show acne.",
+             "texel along the light's axis; 0 is no limit. In grazing light a plane is steep without bound, and beyond "
+             "the limit it may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
-     .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
-             "acne at any angle of light; too much lets light in at inner edges.",
+     .help = "Shifts the point of the look-up along its normal by this many texels (normal-offset shadows). Cures acne "
+             "at any angle of light; too much lets light in at inner edges.",
      .also =
          "normal bias, normalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, normal offset bias",
      .shader = true},
@@ -313,13 +310,14 @@ static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings
 constexpr auto kFilter = of_map(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .swept = swept_kernels,
-     .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
+     .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
              "percentage-closer filtering",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
+     .idle = method_idle,
+     .help = "The way in which the kernel reads the map. All give the same picture at different cost.",
      .also = "sampler2DShadow, textureGather, comparison sampler, hardware PCF", .shader = true},
     {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
      .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even one is "
@@ -331,20 +329,20 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
-     .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "
-             "each pixel turns the disk. The Poisson table ends at 64.",
+     .help = "Number of places of the disk that are compared. Few of them show as steps in each edge, or as noise if "
+             "each pixel rotates the disk. The Poisson table ends at 64.",
      .also = "samples, sample count, filter samples", .shader = true},
     {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
-     .help = "Radius of the disk of taps. Wider is softer and calls for more bias.",
+     .help = "Radius of the disk of taps. A wider kernel is softer and needs more bias.",
      .also = "softness, filter radius, shadow radius, shadow blur, shadow.radius, shadow filter sharpen",
      .shader = true},
     {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
-     .help = "What filter.radius counts in. In metres the shadow is as soft whatever the map's resolution, and at any "
-             "distance from a light with a place.",
+     .help = "The unit of filter.radius. In metres the shadow is equally soft at any resolution and at any distance "
+             "from a spot or point light.",
      .shader = true},
     {SI_FIELD(filter.rotate), .label = "Turn by pixel", .unit = "", .cost = Cost::Program,
-     .help = "Turns the disk of taps by an angle of each pixel's own: noise in place of the steps that few taps leave. "
-             "Off: the same taps everywhere.",
+     .help = "Rotates the disk of taps by an angle for each pixel: noise in place of the steps of few taps. Off: the "
+             "same taps everywhere.",
      .also = "jitter, dither, random rotation, noise, interleaved gradient noise", .shader = true},
     {SI_FIELD(filter.disk), .label = "Disk", .unit = "", .cost = Cost::Program, SI_CHOICES(kDisks),
      .help = "Which places of the disk are searched and compared.", .shader = true},
@@ -395,20 +393,20 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .also = "mipmaps, mipmapping", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.anisotropy), .label = "Anisotropy", .unit = "samples", .min = 1, .max = 16, .logarithmic = true,
      SI_IDLE(!s.filter.mips, "without effect: filter.mips is off"),
-     .help = "Most samples along the footprint's long side, where light or view grazes the surface: less blur across "
-             "it. Beyond the driver's limit that is used, and said.",
+     .help = "Most samples along the footprint's long side, in grazing light or in a grazing view: less blur across "
+             "it. A value beyond the driver's limit is reported, and the limit is used.",
      .shader = true},
     {SI_FIELD(filter.moment_format), .label = "Moments", .unit = "", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
      .help = "How each moment is stored.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
-             "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6, less by the "
-             "shares of a blur; 16-bit: esm 11, evsm 5.54); beyond it the limit is used, and said.",
+             "contacts. The limit is the range of the stored format (32-bit: esm 87.3, evsm 43.6, reduced by a blur; "
+             "16-bit: esm 11, evsm 5.54). A value beyond it is reported, and the limit is used.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .unit = "", .min = 0.5, .max = 88,
      .logarithmic = true,
-     .help = "d of -e^(-d x), the second warp. It tells near occluders apart, and turns slopes dark where it is high. "
-             "Limits as filter.exponent.",
+     .help = "d of -e^(-d x), the second warp. It separates near casters, and darkens slopes if it is high. Limits as "
+             "filter.exponent.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.moment_bias), .label = "Moment bias", .unit = "", .min = 0, .max = 0.1, .logarithmic = true,
      .help = "Share of the moments that is replaced by one half. Stands in for rounding, which leaves moments that no "

@@ -137,16 +137,15 @@ constexpr Choice kPlacedAlong[] = {
 
 constexpr Choice kGrounds[] = {
     {"auto", "where there is none",
-     "A file without a large level surface is stood on a ground, which receives shadows and casts none. Maps hold "
-     "no more of it than where the model may shadow it, which is never beyond what casts there, and reach as deep as "
-     "that; its pixels are counted apart. Built-in scenes have their own."},
+     "A file without a large level surface gets a ground, which receives shadows and casts none. Maps cover only the "
+     "part that the model may shadow. Its pixels are counted apart. Built-in scenes have their own."},
     {"off", "off", "The file as it is."},
 };
 
 constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
-     .help =
-         "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
+     .help = "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read again "
+             "from the file."},
     {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
      .help =
          "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
@@ -158,23 +157,21 @@ constexpr auto kScene = std::to_array<Param>({
      .of_animation = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
-         "How far the scene is moved from where its file has it, with its cameras and lights. Far from the world's "
-         "origin single precision has few digits left for a shadow's edge: see map.origin. At 0 it is where it was."},
+         "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
+         "world's origin single precision has few digits left for a shadow's edge (map.origin). 0 moves nothing."},
     {SI_FIELD(scene.direction), .label = "Moved along", .unit = "", SI_CHOICES(kPlacedAlong),
-     SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"), .help = "Which way the scene is moved."},
+     SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"),
+     .help = "The direction in which the scene is moved."},
     {SI_FIELD(scene.scale), .label = "Scaled by", .unit = "", .min = 1e-3, .max = 1e6, .logarithmic = true,
-     .help =
-         "By how much the scene is larger than its file has it, with its cameras and lights. The camera by hand and "
-         "settings in metres grow with it; what --set says in metres is taken as it is."},
+     .help = "Factor of the scene's size over that of its file, with its cameras and lights. The camera by hand and "
+             "settings in metres grow with it. Metres given by --set stay as given."},
     {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
-     .help = "Whether a loaded model is stood on a ground that shows its shadow.",
-     .also = "floor, ground plane, shadow catcher"},
+     .help = "The ground under a loaded model, which shows its shadow.", .also = "floor, ground plane, shadow catcher"},
     {SI_FIELD(scene.fit_animation), .label = "Fit over the animation", .unit = "",
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
-     .help =
-         "Fits shadow maps to all the places that the chosen animation takes each object to: they neither swim nor "
-         "change their size while it plays, and their texels are larger. Off: they follow the pose that is shown. "
-         "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
+     .help = "Fits shadow maps to all places that objects reach during the chosen animation. Maps then neither move "
+             "nor change size while it plays, and their texels are larger. Off: maps follow the shown pose. A fit to "
+             "what the camera sees follows the camera either way. Without effect on scenes without animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
              "when offscreen, skinned bounds",
      .of_animation = true},

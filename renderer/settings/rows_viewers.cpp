@@ -121,15 +121,14 @@ constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
      .help = "How the map viewer shows depth.", .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_channel), .label = "Channel", .unit = "", SI_CHOICES(kMapChannels), .idle = channel_idle,
-     .help = "What of the light's map is shown: depth, or one of the numbers that filter.kernel has prepared. Raw: the "
-             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth that alone "
-             "would have it.",
+     .help = "The shown channel of the light's map: depth, or one of the moments that filter.kernel reads. Raw: the "
+             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth which would "
+             "give that number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .unit = "", .min = 0, .max = 15, .idle = mip_idle,
      .help = "Which mip level of the channel is shown: 0 the map's own texels, each further one has half as many "
-             "across; numbers past the coarsest mean that one. The saved floats are the level's own: of a moment its "
-             "numbers under view.map raw, else "
-             "the share of the range that alone would have it.",
+             "across; numbers past the coarsest mean that one. The saved floats are the level's own: a moment's "
+             "numbers under view.map raw, else the share of the depth range which would give that number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
@@ -145,7 +144,7 @@ constexpr auto kView = std::to_array<Param>({
              "hatched dark under each.",
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_region), .label = "Outline of what is seen", .unit = "",
-     .help = "Outline in the map viewer what of the map lies in the camera's view."},
+     .help = "Outline of the camera's view frustum in the map viewer."},
     {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
      .help = "Depths below this are red in the band view. Counted from the near plane, under reversed depth too.",
@@ -156,15 +155,14 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
      SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
-     .help = "Whose shadow map, visibility, overlays and quads are shown; 0 is the first light.",
+     .help = "The light whose shadow map, visibility, overlays and quads are shown; 0 is the first.",
      .read_by = ReadBy::OneLight},
     {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = kMaxClipLevels - 1,
      .idle = face_idle,
      .help = "Which of a light's maps is shown. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A "
              "directional light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
     {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),
-     .help =
-         "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},
+     .help = "Number of pictures beside each other, all from the same camera, each with an overlay of its own."},
     {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
      .help = "A quantity of the shadow test drawn over the scene."},
     {SI_FIELD(view.overlay_2), .label = "Overlay of pane 2", .unit = "", .cost = Cost::Program,
@@ -200,8 +198,8 @@ constexpr auto kView = std::to_array<Param>({
      .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
-             "surface is in shadow where it lies behind the quad of its texel: acne can be seen to come about. Texels "
-             "that hold nothing but the far plane are left out.",
+             "surface is in shadow where it lies behind the quad of its texel, so the quads show how acne arises. "
+             "Texels that hold nothing but the far plane are left out.",
      .also = "texel slabs, depth quads", .read_by = ReadBy::Slabs},
     {SI_FIELD(view.slabs_u), .label = "Quads around u", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
      .help = "Centre of the square of texels that are drawn as quads, as a share of the map's width.",

@@ -60,9 +60,9 @@ constexpr Source kSourceRows[] = {
      .settings = kVolumeSettings},
     {.key = "traced",
      .label = "ray traced",
-     .help = "The ray-traced truth itself, as truth.area, truth.samples, truth.noise and truth.step say. Exact and "
-             "slow: rays are traced on the CPU before the frame is drawn, and their time is not in the frame's. Until "
-             "they are traced, the light has no shadow; on blended surfaces it never has.",
+     .help = "The ray-traced reference itself, as truth.area, truth.samples, truth.noise and truth.step say. It is "
+             "exact and slow. Rays are traced on the CPU before the frame, and their time is not in the frame's. Until "
+             "they are traced, the light has no shadow. Blended surfaces never get one.",
      .paper = "Appel, Some Techniques for Shading Machine Renderings of Solids, AFIPS 1968",
      .needs = {.reference = true}},
     {.key = "light-map",
