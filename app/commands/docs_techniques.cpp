@@ -80,7 +80,7 @@ std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::strin
 /// Each kernel at its own short list of sizes.
 std::vector<Entry> kernel_entries(const Settings& base) {
     std::vector<Entry> out;
-    for (const std::string_view name : swept_kernels()) {
+    for (const std::string_view name : sweep_kernels()) {
         Settings s = base;
         set_setting(s, "filter.kernel", name);
         const Filter& row = filter_of(s);

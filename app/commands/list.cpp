@@ -99,7 +99,7 @@ Json bias_rows() {
         json["stage"] = kStages[std::size_t(b.stage)];
         json["settings"] = b.settings;
         json["per_texel"] = b.per_texel;
-        json["brings_need"] = b.brings_need;
+        json["brings_need"] = b.gives_needed_bias;
     });
 }
 

@@ -20,7 +20,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 bool shows_reference(const Settings& s) {
-    return some_pane_shows(s.view, &Overlay::reads_reference);
+    return any_pane_shows(s.view, &Overlay::reads_reference);
 }
 
 /// What is traced before the frame, for pictures that need it.

@@ -127,7 +127,7 @@ Preset parse_preset(std::string_view text, const std::string& name) {
     } catch (const Error& e) {
         refuse(name, e.what());
     }
-    preset.settings = defaults_of_version(version, lights_of(values));
+    preset.settings = defaults_of_version(version, configured_light_count(values));
     for (const auto& [ref, value] : values) set_value(preset.settings, ref, value);
     return preset;
 }

@@ -136,7 +136,8 @@ SweepSpec spec_from_json(const Json& json, int settings_version) {
             spec.axes.push_back({axis.at("key").get<std::string>(), axis.at("values").get<std::vector<std::string>>()});
             if (spec.axes.back().values.empty()) throw Error(fmt::format("{} has no values", spec.axes.back().key));
         }
-        spec.base = defaults_of_version(settings_version, lights_of(values_named(json.at("settings"), spec.axes)));
+        spec.base =
+            defaults_of_version(settings_version, configured_light_count(values_named(json.at("settings"), spec.axes)));
         for (const auto& [key, value] : json["settings"].items()) set_setting(spec.base, key, value.get<std::string>());
         spec.shard = parse_shard(json.at("shard").get<std::string>());
         return spec;

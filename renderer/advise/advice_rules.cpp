@@ -42,7 +42,7 @@ bool is_wider(const Settings& s, std::string_view kernel) {
 /// Kernels that compare depths over a square of texels, the narrowest first: `count` of them from `first` on.
 std::vector<std::string_view> plain_kernels(const Settings& s, std::size_t first, std::size_t count) {
     std::vector<std::pair<double, std::string_view>> all;
-    for (const std::string_view kernel : swept_kernels()) {
+    for (const std::string_view kernel : sweep_kernels()) {
         const Settings with = with_kernel(s, kernel);
         const Filter& row = filter_of(with);
         if (row.square && row.linear && row.samples == Samples::Depth && !row.reads_light_size)
@@ -97,7 +97,7 @@ void cascade_overlap(const Settings& s, const AdviceFacts& f, const Offer& offer
 }
 
 void measured_depths(const Settings& s, const AdviceFacts& f, const Offer& offer) {
-    if (!has_map(f) || !fit_reads_depths(s, f.light)) return;
+    if (!has_map(f) || !fit_reads_measured_depths(s, f.light)) return;
     Settings boxes = s;
     shown(boxes, f).depth_bounds = DepthBounds::Boxes;
     offer("the depths that cascades go by are measured in every frame: the boxes of what is seen say nearly the same",

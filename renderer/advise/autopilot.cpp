@@ -326,7 +326,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     if (s.lights[std::size_t(f.light)].contact > 0) offer(light + "contact", {"0"});
     const FittedLight* fitted = f.fitted();
     if (!fitted || !fitted->casts) return axes;
-    offer("filter.kernel", {swept_kernels().begin(), swept_kernels().end()});
+    offer("filter.kernel", {sweep_kernels().begin(), sweep_kernels().end()});
     std::vector<std::string> sizes;
     for (int n = 256; n <= std::min(most_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
     offer("map.resolution", sizes);

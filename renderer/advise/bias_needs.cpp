@@ -104,7 +104,7 @@ const Bias& row_of(BiasFamily family) {
         case BiasFamily::Slope:
             break;
         case BiasFamily::Normal:
-            return bias_at(BiasStage::LookUp);
+            return bias_of_stage(BiasStage::LookUp);
     }
     return biases()[std::size_t(default_bias())];
 }
@@ -179,7 +179,7 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
     least.bias = in_texels(0, 0, 0);
     if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
     // Only where it is clamped, all but edge-on, would more be asked for.
-    if (row.brings_need) return least.bias;
+    if (row.gives_needed_bias) return least.bias;
     const std::vector<SettingRef> amounts = amounts_of(row);
     // Amounts add up. Each takes the share that grows with the slope, and the last one worth anything all that is left.
     std::vector<double> worth_it(amounts.size());

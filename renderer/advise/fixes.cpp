@@ -183,7 +183,7 @@ std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& 
     const double reach = edge(settings);
     std::pair<std::string_view, std::string_view> out;
     double narrower = 0, wider = std::numeric_limits<double>::infinity();
-    for (const std::string_view kernel : swept_kernels()) {
+    for (const std::string_view kernel : sweep_kernels()) {
         Settings s = settings;
         set_setting(s, "filter.kernel", kernel);
         if (!filter_of(s).square) continue;

@@ -40,7 +40,7 @@ Settings Tuner::settings() const {
 }
 
 void Tuner::open_candidate() {
-    if (kernel_ == swept_kernels().size()) {
+    if (kernel_ == sweep_kernels().size()) {
         search_.reset();
         ask_ = Ask::Nothing;
         return;
@@ -48,10 +48,10 @@ void Tuner::open_candidate() {
     Settings s = start_;
     // What the start needed, for this kernel's reach: where the search of its own begins.
     const BiasFound& known = *first_.best();
-    set_setting(s, "filter.kernel", swept_kernels()[kernel_]);
+    set_setting(s, "filter.kernel", sweep_kernels()[kernel_]);
     s.bias = scaled(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
-    candidates_.push_back({.kernel = swept_kernels()[kernel_], .settings = s});
+    candidates_.push_back({.kernel = sweep_kernels()[kernel_], .settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});
     ask_ = goals_.most_ms ? Ask::Time : Ask::Judge;  // a look at the clock is cheaper than the truth
 }
@@ -121,7 +121,7 @@ double Tuner::progress() const {
     if (!search_) return first * first_.progress();
     const double steps = std::log2(double(goals_.most_resolution) / kLeastResolution) + 1;
     const double within = std::log2(double(resolution_) / kLeastResolution) / steps;
-    return first + (1 - first) * (double(kernel_) + within) / double(swept_kernels().size());
+    return first + (1 - first) * (double(kernel_) + within) / double(sweep_kernels().size());
 }
 
 std::string Tuner::about() const {

@@ -65,25 +65,25 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
         a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
         a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
-        b.rest = a.least.without_kernel();
+        b.least_per_texel = a.least.without_kernel();
     }
-    b.least = a.least.total();
+    b.least_common = a.least.total();
     r.bias_depth = row.amount(bias, b);
     r.bias_m = a.curve.metres_nearer(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;
     r.compared = r.tap.z - away * r.bias_depth;
     BiasSettings level = bias;
     level.slope = 0;
-    if (row.brings_need) {
+    if (row.gives_needed_bias) {
         BiasSettings nothing = bias;
         nothing.constant = nothing.slope = 0;
         a.by_itself = row.amount(nothing, b);
     }
-    const double own = a.plane.edge_on() && row.brings_need ? 0 : r.bias_depth - a.by_itself;
+    const double own = a.plane.edge_on() && row.gives_needed_bias ? 0 : r.bias_depth - a.by_itself;
     (r.bias_depth > row.amount(level, b) ? a.slope : a.constant) = own;
     if (bias.normal != 0)
         a.normal = a.plane.edge_on() ? kNoLimit : away * (a.plane.depth_at(glm::dvec2(r.tap)) - r.tap.z);
-    a.raster = offsets_polygons(settings) ? bias_at(BiasStage::Raster).amount(bias, b) : 0;
+    a.raster = offsets_polygons(settings) ? bias_of_stage(BiasStage::Raster).amount(bias, b) : 0;
     a.depth_shift = away * (r.uvd.z - r.compared) + a.raster;
     return a;
 }

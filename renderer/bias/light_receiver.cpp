@@ -48,7 +48,7 @@ LightReceiver light_receiver(const FittedLight& light, const BiasSettings& bias,
     r.curve = view.curve_through(position_ws);
     r.own_m = r.curve.distance(r.uvd.z);
     r.axis_per_ray = std::max(glm::dot(r.to_light, view.axes[2]), 1e-6);
-    r.normal_offset_m = bias_at(BiasStage::LookUp).amount(bias, {.curve = r.curve, .texel_m = r.texel_m});
+    r.normal_offset_m = bias_of_stage(BiasStage::LookUp).amount(bias, {.curve = r.curve, .texel_m = r.texel_m});
     const glm::dvec4 moved =
         view.clip_from_relative(position_ws + bias_normal * r.normal_offset_m) * glm::dvec4(0, 0, 0, 1);
     r.tap = to_unit(glm::dvec3(moved) / moved.w);

@@ -39,7 +39,7 @@ inline constexpr std::size_t kArtefacts = 15;
 /// in depth-buffer units; visibilities are 1 (lit) to 0. "Bare": without the normal offset.
 struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
-                           kLedOutside = shared::PLACE_LED_OUTSIDE;
+                           kLedOutside = shared::PLACE_OFFSET_OUTSIDE;
     float place = kInside;  ///< position relative to the map; kLedOutside: only the normal offset leaves the map
     float visibility = 1;   ///< as drawn
     float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark

@@ -42,7 +42,7 @@ void for_block_params(F&& f) {
 }
 
 int as_int(const Value& v) {
-    return int(number_of(v));
+    return int(numeric_value(v));
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ std::vector<std::byte> settings_block_bytes(const Settings& s) {
 
 void add_shader_settings(Key& key, const Settings& s) {
     for_shader_params([&](const Param& p) {
-        if (not_owned(s, {&p, 0, {}}).empty())
+        if (unused_setting_reason(s, {&p, 0, {}}).empty())
             std::visit([&](const auto& v) { key.add(v); }, get_value(s, {&p, 0, {}}));
     });
 }

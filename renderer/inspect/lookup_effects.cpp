@@ -24,7 +24,7 @@ enum class Search {
 
 Search search_of(const Filter& row) {
     if (!row.searches_blockers) return row.reads_light_size ? Search::Rays : Search::None;
-    return owns(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
+    return owns_setting(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
 }
 
 /// Whether Saving::Blockers spares look-ups of a light anything.
@@ -116,7 +116,7 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
                            texels);
     if (search_of(f.filter()) == Search::Places && spares_search(f, light) &&
         !f.forced.contains(Optimisation::Blockers))
-        texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
+        texels -= disk_point_count(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
     return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
 }
 

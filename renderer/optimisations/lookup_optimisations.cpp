@@ -102,8 +102,8 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
 void choose_taps(FrameState& f, bool asks_bounds) {
     const Filter& row = filter_of(f.settings);
     const std::pair<const char*, std::vector<glm::vec2>> lists[] = {
-        {"TAP", disk_of(row, f.settings, f.settings.filter.taps)},
-        {"BLOCKER", disk_of(row, f.settings, f.settings.filter.blocker_taps)},
+        {"TAP", disk_points(row, f.settings, f.settings.filter.taps)},
+        {"BLOCKER", disk_points(row, f.settings, f.settings.filter.blocker_taps)},
         {"RAY", spiral_places(f.settings.filter.rays)}};
     // Compilers for CPUs run both sides of a branch, but leave loops that nobody needs.
     const bool keeps_loops = asks_bounds && f.driver.software;

@@ -180,7 +180,7 @@ std::string why_none_rests(const FrameState& f) {
     if (is_colour(f.settings.map.format))
         return "map.format keeps colours: the depths that what moves would be tested against are not kept";
     const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
-    if ((kept_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
+    if ((stored_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
         return "a second map of what rests would take more than the 2 GiB that maps may";
     return {};
 }

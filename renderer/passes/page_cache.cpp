@@ -131,7 +131,7 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
         }
         page.at = {int(page.slot) % side_, int(page.slot) / side_};
         PageEntry& entry = out.table[index(page.layer, page.page)];
-        entry = {glm::u16vec2(page.at), {}, std::uint8_t(shared::PAGE_KEPT), 0};
+        entry = {glm::u16vec2(page.at), {}, std::uint8_t(shared::PAGE_CACHED), 0};
         if (drawn_slots.contains(page.slot)) entry.state = std::uint8_t(shared::PAGE_DRAWN);
     }
     // What gave way is found in the coarser page that holds it.

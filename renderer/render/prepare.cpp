@@ -67,7 +67,7 @@ bool any_fit_reads_camera(const Settings& settings) {
 
 bool any_fit_reads_depths(const Settings& settings) {
     for (int i = 0; i < settings.light_count; ++i)
-        if (fit_reads_depths(settings, i)) return true;
+        if (fit_reads_measured_depths(settings, i)) return true;
     return false;
 }
 
@@ -137,7 +137,7 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     }
     fit(f);
     const int before = n;
-    const double bytes = kept_texel_bytes(f.settings);
+    const double bytes = stored_texel_bytes(f.settings);
     while (!draws_pages(f.settings) && n > 1 && bytes * n * n * std::max(f.view_count, 1) > kMapBudgetBytes) n /= 2;
     if (n != before) {
         f.notes.push_back(
@@ -157,12 +157,12 @@ void limit_moments(FrameState& f) {
     const double most = safe_exponent(f.settings);
     for (const auto& [key, value] :
          {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
-        if (!owns(filter, key) || *value <= most) continue;
+        if (!owns_setting(filter, key) || *value <= most) continue;
         f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
                                       s.moment_format == MomentFormat::Bits32 ? "32-bit" : "16-bit", most));
         *value = most;
     }
-    if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
+    if (owns_setting(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
         f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
                                       f.driver.max_anisotropy));
         s.anisotropy = int(f.driver.max_anisotropy);
@@ -247,7 +247,7 @@ void choose_kernel(FrameState& f) {
     for (const char* key : {"filter.taps", "filter.blocker_taps"}) {
         const SettingRef ref = *find_setting(key);
         const int taps = std::get<int>(get_value(f.settings, ref));
-        if (idle_reason(f.settings, ref).empty() && disk_places(filter, f.settings, taps) < taps)
+        if (idle_reason(f.settings, ref).empty() && disk_point_count(filter, f.settings, taps) < taps)
             f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
                                           key, taps, kDiskTable));
     }
@@ -274,7 +274,7 @@ void choose_kernel(FrameState& f) {
     if (f.gl.scene->coloured()) f.defines.push_back({"VERTEX_COLOURS", "1"});
     const Bias& bias = bias_of(f.settings);
     f.defines.push_back({"BIAS_PER_TEXEL", compares_per_texel(f.settings) ? "1" : "0"});
-    f.defines.push_back({"BIAS_READS_PLANE", bias.brings_need ? "1" : "0"});
+    f.defines.push_back({"BIAS_READS_PLANE", bias.gives_needed_bias ? "1" : "0"});
     f.defines.push_back({"BIAS_BY_DERIVATIVES", bias.by_derivatives ? "1" : "0"});
     f.defines.push_back({"BIAS_NORMAL_OFFSET", f.settings.bias.normal != 0 ? "1" : "0"});
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
@@ -293,7 +293,7 @@ void choose_kernel(FrameState& f) {
 void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.classified || o.evidence;
-    if (o.colour || o.overlay) asked |= some_pane_shows(f.settings.view, &Overlay::reads_reference);
+    if (o.colour || o.overlay) asked |= any_pane_shows(f.settings.view, &Overlay::reads_reference);
     if (!asked) return;
     const int light = f.settings.view.light;
     f.reference.key =

@@ -23,7 +23,7 @@ double slope_bias(const BiasSettings& bias, const BiasInput& b) {
 }
 
 double receiver_plane_bias(const BiasSettings& bias, const BiasInput& b) {
-    return unit_depth(bias, b, bias.constant) + b.rest;
+    return unit_depth(bias, b, bias.constant) + b.least_per_texel;
 }
 
 double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasInput& b) {
@@ -31,7 +31,7 @@ double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasIn
 }
 
 double adaptive_bias(const BiasSettings&, const BiasInput& b) {
-    return b.least;
+    return b.least_common;
 }
 
 double normal_offset(const BiasSettings& bias, const BiasInput& b) {
@@ -78,7 +78,7 @@ constexpr Bias kBiases[] = {
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
      .per_texel = true,
-     .brings_need = true,
+     .gives_needed_bias = true,
      .amount = receiver_plane_bias},
     {.key = "receiver-plane-derivatives",
      .label = "Receiver plane by derivatives",
@@ -89,7 +89,7 @@ constexpr Bias kBiases[] = {
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
      .per_texel = true,
-     .brings_need = true,
+     .gives_needed_bias = true,
      .by_derivatives = true,
      .amount = receiver_plane_by_derivatives_bias},
     {.key = "adaptive",
@@ -99,7 +99,7 @@ constexpr Bias kBiases[] = {
              "strip beside casters. Normal offset and polygon offset are still added and are not needed.",
      .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
      .file = "biases/adaptive.glsl",
-     .brings_need = true,
+     .gives_needed_bias = true,
      .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
@@ -153,7 +153,7 @@ const Bias& bias_of(const Settings& settings) {
     return kinds()[std::size_t(std::clamp(settings.bias.kind, 0, int(kinds().size()) - 1))];
 }
 
-const Bias& bias_at(BiasStage stage) {
+const Bias& bias_of_stage(BiasStage stage) {
     return *std::ranges::find(kBiases, stage, &Bias::stage);
 }
 

@@ -39,7 +39,7 @@ std::string readable_versions() {
                                       : fmt::format("versions {} to {}", oldest, kSettingsVersion);
 }
 
-int lights_of(std::span<const SettingValue> values) {
+int configured_light_count(std::span<const SettingValue> values) {
     int lights = Settings().light_count;
     for (const auto& [ref, value] : values) {
         if (ref.param->scope == Scope::Light) lights = std::max(lights, ref.light + 1);

@@ -45,22 +45,22 @@ constexpr std::string_view kRisenMoments[] = {"e^(c x)", "e^(2 c x)"};
 constexpr std::string_view kTwiceWarpedMoments[] = {"e^(c x)", "e^(2 c x)", "-e^(-d x)", "e^(-2 d x)"};
 
 /// Texels by which the plane is compared are those that are read, and move edges as far.
-constexpr Reach everywhere(double texels) {
+constexpr Reach uniform_reach(double texels) {
     return {texels, texels, texels};
 }
 
 Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
     const bool metres = s.filter.radius_unit == RadiusUnit::Metres;
-    return everywhere((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
+    return uniform_reach((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
 }
 
 Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
-    return everywhere(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
+    return uniform_reach(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
 }
 
 /// Of kernels whose every tap is a place of the disk.
 FilterCost disk_cost(const Filter& row, const Settings& s) {
-    const int taps = disk_places(row, s, s.filter.taps);
+    const int taps = disk_point_count(row, s, s.filter.taps);
     return {0, taps, taps};
 }
 
@@ -79,7 +79,7 @@ Reach bounded_reach(const Filter&, const Settings& s, double) {
 
 /// Of bounds that tell a plane's nearer depths from its farther ones.
 Reach moment_reach(const Filter&, const Settings& s, double) {
-    return everywhere(s.filter.blur + 1);
+    return uniform_reach(s.filter.blur + 1);
 }
 
 FilterCost one_blend(const Filter&, const Settings&) {
@@ -148,7 +148,7 @@ constexpr Filter kFilters[] = {
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .square = false,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kDiskSettings,
      .reach = disk_reach,
      .cost = disk_cost,
@@ -174,12 +174,12 @@ constexpr Filter kFilters[] = {
      .square = false,
      .searches_blockers = true,
      .reads_light_size = true,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kPcssSettings,
      .reach = penumbra_reach,
      .cost =
          [](const Filter& row, const Settings& s) {
-             const int taps = disk_places(row, s, s.filter.blocker_taps) + disk_places(row, s, s.filter.taps);
+             const int taps = disk_point_count(row, s, s.filter.blocker_taps) + disk_point_count(row, s, s.filter.taps);
              return FilterCost{0, taps, taps};
          },
      .noise = {.taps = "filter.taps", .slope = -0.75}},
@@ -196,7 +196,7 @@ constexpr Filter kFilters[] = {
      .linear = false,
      .searches_blockers = true,
      .reads_light_size = true,
-     .takes_table = true,
+     .uses_disk_table = true,
      .settings = kDpcfSettings,
      .reach = penumbra_reach,
      .cost = disk_cost,
@@ -350,9 +350,9 @@ std::vector<Filter>& filter_table() {
     return table;
 }
 
-bool takes_table(const Filter& row, const Settings& settings) {
-    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
-    return row.takes_table && !spiral;
+bool uses_disk_table(const Filter& row, const Settings& settings) {
+    const bool spiral = owns_setting(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
+    return row.uses_disk_table && !spiral;
 }
 
 }  // namespace
@@ -372,16 +372,16 @@ FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
     return {gathers, taps, (bilinear ? 4 : 1) * taps};
 }
 
-bool owns(const Filter& row, std::string_view key) {
+bool owns_setting(const Filter& row, std::string_view key) {
     return std::ranges::find(row.settings, key) != row.settings.end();
 }
 
-int disk_places(const Filter& row, const Settings& settings, int places) {
-    return takes_table(row, settings) ? std::min(places, kDiskTable) : places;
+int disk_point_count(const Filter& row, const Settings& settings, int places) {
+    return uses_disk_table(row, settings) ? std::min(places, kDiskTable) : places;
 }
 
-std::vector<glm::vec2> disk_of(const Filter& row, const Settings& settings, int places) {
-    return takes_table(row, settings) ? poisson_places(places) : spiral_places(places);
+std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places) {
+    return uses_disk_table(row, settings) ? poisson_places(places) : spiral_places(places);
 }
 
 int taps_across(const Filter& row, const Settings& settings) {
@@ -389,7 +389,7 @@ int taps_across(const Filter& row, const Settings& settings) {
 }
 
 bool is_bilinear(const Filter& row, const Settings& settings) {
-    return row.bilinear && !(owns(row, "filter.point") && settings.filter.point);
+    return row.bilinear && !(owns_setting(row, "filter.point") && settings.filter.point);
 }
 
 std::string kernel_label(const Settings& settings) {
@@ -439,7 +439,7 @@ PrefilterBytes prefilter_bytes(const Settings& settings) {
     return bytes;
 }
 
-double kept_texel_bytes(const Settings& settings) {
+double stored_texel_bytes(const Settings& settings) {
     return (settings.map.blur_texels > 0 ? 8.0 : 4.0) + prefilter_bytes(settings).kept;
 }
 
@@ -454,7 +454,7 @@ bool keeps_mips(const Settings& settings) {
     return row.samples == Samples::Moments && settings.filter.mips && !row.moments.summed;
 }
 
-int asked_mip(const Settings& settings) {
+int requested_mip(const Settings& settings) {
     return shown_channel(settings) > 0 && keeps_mips(settings) ? settings.view.map_mip : 0;
 }
 
@@ -478,7 +478,7 @@ std::span<const Choice> filter_choices() {
     return choices;
 }
 
-std::span<const std::string_view> swept_kernels() {
+std::span<const std::string_view> sweep_kernels() {
     static const std::vector<std::string_view> swept = [] {
         std::vector<std::string_view> all;
         for (const Filter& row : filters()) {

@@ -61,7 +61,7 @@ std::span<const Choice> fit_choices() {
     return choices;
 }
 
-bool is_sliced(const LightSettings& s) {
+bool uses_camera_slices(const LightSettings& s) {
     return (s.cascades > 1 || s.fit == LightFit::Stabilised || fit_row(s.fit).warps) &&
            s.type == LightType::Directional && s.fit != LightFit::Manual &&
            s.projection != LightProjection::Perspective;
@@ -69,10 +69,10 @@ bool is_sliced(const LightSettings& s) {
 
 bool fit_reads_camera(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
-    return has_clip_levels(settings, light) || is_sliced(s) || fit_row(s.fit).reads_camera;
+    return has_clip_levels(settings, light) || uses_camera_slices(s) || fit_row(s.fit).reads_camera;
 }
 
-bool fit_reads_depths(const Settings& settings, int light) {
+bool fit_reads_measured_depths(const Settings& settings, int light) {
     const LightSettings& s = settings.lights[std::size_t(light)];
     return s.depth_bounds == DepthBounds::Sdsm && !has_clip_levels(settings, light) &&
            fit_reads_camera(settings, light) && s.type != LightType::Point && s.fit != LightFit::Stabilised && s.cast &&

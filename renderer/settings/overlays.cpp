@@ -257,7 +257,7 @@ constexpr Overlay kOverlays[] = {
      .file = "overlays/taps.glsl",
      .min = 0,
      .max = 64,
-     .as_drawn = true},
+     .keeps_optimisations = true},
     {.key = "blocker-gap",
      .label = "Occluder's distance",
      .unit = "m",
@@ -332,7 +332,7 @@ std::vector<int> pane_overlays(const ViewSettings& view) {
     return shown;
 }
 
-bool some_pane_shows(const ViewSettings& view, bool Overlay::*what) {
+bool any_pane_shows(const ViewSettings& view, bool Overlay::*what) {
     return std::ranges::any_of(pane_overlays(view),
                                [&](int n) { return n > 0 && overlays()[std::size_t(n - 1)].*what; });
 }

@@ -68,7 +68,7 @@ std::map<std::string_view, Ownership> find_ownerships() {
 
 }  // namespace
 
-std::string_view not_owned(const Settings& s, const SettingRef& ref) {
+std::string_view unused_setting_reason(const Settings& s, const SettingRef& ref) {
     static const std::map<std::string_view, Ownership> all = find_ownerships();
     const auto found = all.find(ref.param->key);
     if (found == all.end()) return {};
@@ -78,7 +78,7 @@ std::string_view not_owned(const Settings& s, const SettingRef& ref) {
     const int first = shared ? 0 : ref.light, last = shared ? std::clamp(s.light_count, 0, kMaxLights) - 1 : ref.light;
     for (int light = first; light <= last; ++light) {
         const Value chosen = get_value(s, {o.chooser, light, ref.object});
-        if (std::ranges::find(o.rows, int(number_of(chosen))) != o.rows.end()) return {};
+        if (std::ranges::find(o.rows, int(numeric_value(chosen))) != o.rows.end()) return {};
     }
     return o.reason;
 }

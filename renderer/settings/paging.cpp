@@ -7,14 +7,14 @@
 
 namespace si {
 
-std::string_view paging_idle(const Settings& s, int) {
+std::string_view paging_idle_reason(const Settings& s, int) {
     if (filter_of(s).samples != Samples::Depth)
         return "without effect: this kernel reads what is made of whole maps, not their depths";
     return s.map.blur_texels > 0 ? "without effect: map.blur_texels blurs whole maps" : "";
 }
 
 bool draws_pages(const Settings& s) {
-    return s.map.paged && paging_idle(s, 0).empty();
+    return s.map.paged && paging_idle_reason(s, 0).empty();
 }
 
 bool has_clip_levels(const Settings& s, int light) {

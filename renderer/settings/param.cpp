@@ -75,7 +75,7 @@ std::size_t common_prefix(std::string_view a, std::string_view b) {
 /// The distance to `known`, or to as many of its leading parts as `name` has: none from "filter" to "filter.kernel",
 /// nor from what is the beginning of a longer name. One more than to its last part, which comes after what begins
 /// alike: "kernel" is near to "filter.kernel". What is certainly beyond `most` is not looked at closer.
-std::size_t unlikeness(std::string_view name, std::string_view known, std::size_t most) {
+std::size_t key_distance(std::string_view name, std::string_view known, std::size_t most) {
     if (name.size() > 2 && known.starts_with(name)) return 0;
     const auto distance = [&](std::string_view other) {
         const std::size_t longer = std::max(name.size(), other.size()), shorter = std::min(name.size(), other.size());
@@ -141,7 +141,7 @@ std::string nearest_name(std::string_view text, std::span<const std::string> nam
     const std::string* nearest = nullptr;
     for (const std::string& known : names) {
         const std::string like = lower_ascii(known);
-        const std::pair far{unlikeness(name, like, most), name.size() - common_prefix(name, like)};
+        const std::pair far{key_distance(name, like, most), name.size() - common_prefix(name, like)};
         if (far < best) {
             best = far;
             nearest = &known;
@@ -183,7 +183,7 @@ bool is_text(const Param& p) {
     return std::holds_alternative<std::string*>(p.field(any, 0, &object));
 }
 
-double number_of(const Value& v) {
+double numeric_value(const Value& v) {
     return std::visit(
         [](const auto& x) {
             if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(x)>>)

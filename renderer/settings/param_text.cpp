@@ -181,7 +181,7 @@ std::vector<std::string> sanitise(Settings& s) {
     }
     for (int i = 0; i < kMaxLights; ++i) {
         const auto& light = s.lights[std::size_t(i)];
-        if (!takes_near_far(light)) continue;
+        if (!uses_manual_near_far(light)) continue;
         const std::string prefix = i == 0 ? "light." : fmt::format("light.{}.", i);
         repair_pair(s, prefix + "near", prefix + "far", true, repairs);
     }

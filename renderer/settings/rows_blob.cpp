@@ -19,7 +19,7 @@ constexpr auto kBlobRows = std::to_array<Param>({
              "fade: it then falls through everything below.",
      .read_by = ReadBy::Blobs},
 });
-static_assert(kBlobRows.size() == members<BlobSettings>(), "a member of BlobSettings has no row");
+static_assert(kBlobRows.size() == member_count<BlobSettings>(), "a member of BlobSettings has no row");
 
 }  // namespace
 

@@ -27,7 +27,7 @@ constexpr auto kContactRows = std::to_array<Param>({
              "not hold thickness. Too little lets light through, and too much shadows free surfaces behind an edge.",
      .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
 });
-static_assert(kContactRows.size() == members<ContactSettings>(), "a member of ContactSettings has no row");
+static_assert(kContactRows.size() == member_count<ContactSettings>(), "a member of ContactSettings has no row");
 
 }  // namespace
 

@@ -73,7 +73,7 @@ std::string_view planes_idle(const Settings& s, int i) {
     if (fit_row(of(s, i).fit).warps && has_type(s, i, LightType::Directional) && is_orthographic(s, i) &&
         s.camera.source != CameraSource::Light)
         return "without effect: a warped map's depths are fitted";
-    return takes_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
+    return uses_manual_near_far(of(s, i)) ? "" : "without effect: set light.near_far to manual to choose it by hand";
 }
 
 std::string_view extent_idle(const Settings& s, int i) {
@@ -321,7 +321,7 @@ constexpr auto kLight = with_scope(
          .idle = between_cascades_idle, .help = "Which cascade a point is looked up in."},
     }),
     Scope::Light);
-static_assert(kLight.size() == members<LightSettings>(), "a member of LightSettings has no row");
+static_assert(kLight.size() == member_count<LightSettings>(), "a member of LightSettings has no row");
 
 }  // namespace
 

@@ -17,7 +17,7 @@ constexpr auto kLightMapRows = std::to_array<Param>({
      .help = "Most rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
              "again, where the noise demands it. 1 goes to the light's middle: the shadow is hard."},
 });
-static_assert(kLightMapRows.size() == members<LightMapSettings>(), "a member of LightMapSettings has no row");
+static_assert(kLightMapRows.size() == member_count<LightMapSettings>(), "a member of LightMapSettings has no row");
 
 }  // namespace
 

@@ -93,7 +93,7 @@ std::string_view method_idle(const Settings& s, int light) {
 constexpr std::string_view kNoOffset =
     "without effect: polygon offset does not move the distances that map.format stores";
 
-constexpr auto kMap = of_map(std::to_array<Param>({
+constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
      .help =
@@ -152,7 +152,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .label = "Virtual map",
      .unit = "",
      .cost = Cost::Target,
-     .idle = paging_idle,
+     .idle = paging_idle_reason,
      .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "
              "light moves. A directional light has clip levels around the camera, each twice as wide as the one "
              "before, so that a texel is about a pixel everywhere. Other lights' maps, and those of light.fit manual, "
@@ -178,7 +178,7 @@ constexpr auto kMap = of_map(std::to_array<Param>({
      .help = "How many levels coarser than half a pixel to a pixel a texel is. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},
 }));
-static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
+static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
 
 constexpr Choice kCulls[] = {
     {"none", "none", "Every triangle casts."},
@@ -237,19 +237,19 @@ constexpr auto kCaster = std::to_array<Param>({
      .help = "The faces that are left out of the shadow map. Objects may differ (object.PATH.cull).",
      .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
              "shadow reverse cull face, face culling",
-     .of_map = true, .read_by = ReadBy::Maps},
+     .map_only = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
      .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
              "is no half shadow.",
      .also = "transparent shadows, translucent, alpha blend"},
 });
-static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
+static_assert(kCaster.size() == member_count<CasterSettings>(), "a member of CasterSettings has no row");
 
 bool slope_acts(const Settings& s) {
     return reads_setting(bias_of(s), "bias.slope") && s.bias.slope > s.bias.constant;
 }
 
-constexpr auto kBias = of_map(std::to_array<Param>({
+constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
      .help = "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
              "are added to it.",
@@ -305,11 +305,11 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      .also = "DepthBiasClamp, glPolygonOffsetClamp", .needs = DriverFeature::PolygonOffsetClamp, .shader = true,
      .read_by = ReadBy::Maps},
 }));
-static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
+static_assert(kBias.size() == member_count<BiasSettings>(), "a member of BiasSettings has no row");
 
-constexpr auto kFilter = of_map(std::to_array<Param>({
+constexpr auto kFilter = only_of_maps(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
-     .swept = swept_kernels,
+     .swept = sweep_kernels,
      .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
@@ -420,7 +420,7 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .help = "Where a pixel spans more texels than the window, the window is as wide as the pixel, up to 32 texels.",
      .shader = true},
 }));
-static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
+static_assert(kFilter.size() == member_count<FilterSettings>(), "a member of FilterSettings has no row");
 
 }  // namespace
 

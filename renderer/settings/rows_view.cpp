@@ -67,7 +67,7 @@ constexpr auto kShading = std::to_array<Param>({
              "the cost of the filter shows by itself.",
      .also = "shadow mask, screen-space shadow texture"},
 });
-static_assert(kShading.size() == members<ShadingSettings>(), "a member of ShadingSettings has no row");
+static_assert(kShading.size() == member_count<ShadingSettings>(), "a member of ShadingSettings has no row");
 
 constexpr Choice kSources[] = {
     {"auto", "automatic", "The scene's own camera (camera.index), or one that shows the whole scene."},
@@ -126,7 +126,7 @@ constexpr auto kCamera = std::to_array<Param>({
      .idle = height_idle, .help = "Height of what an orthographic camera shows.",
      .also = "orthographic size, orthographicSize, ortho size, ortho scale"},
 });
-static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
+static_assert(kCamera.size() == member_count<CameraSettings>(), "a member of CameraSettings has no row");
 
 constexpr Choice kPlacedAlong[] = {
     {"aslant", "aslant", "Along (2, 1, 5): no step of the way lies on any grid."},
@@ -150,11 +150,11 @@ constexpr auto kScene = std::to_array<Param>({
      .help =
          "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
          "without animations.",
-     .of_animation = true},
+     .animation_only = true},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
      .help = "The time of the animation that is shown. After its last key the scene stands still.",
-     .of_animation = true},
+     .animation_only = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
          "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
@@ -174,9 +174,9 @@ constexpr auto kScene = std::to_array<Param>({
              "what the camera sees follows the camera either way. Without effect on scenes without animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
              "when offscreen, skinned bounds",
-     .of_animation = true},
+     .animation_only = true},
 });
-static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
+static_assert(kScene.size() == member_count<SceneSettings>(), "a member of SceneSettings has no row");
 
 std::string_view area_idle(const Settings& s, int) {
     return s.truth.area ? "" : "without effect: truth.area is off";
@@ -198,7 +198,7 @@ constexpr auto kReference = std::to_array<Param>({
      .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
              "resolution)."},
 });
-static_assert(kReference.size() == members<ReferenceSettings>(), "a member of TruthSettings has no row");
+static_assert(kReference.size() == member_count<ReferenceSettings>(), "a member of TruthSettings has no row");
 
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},
@@ -216,14 +216,14 @@ constexpr auto kObject = with_scope(
         {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
          .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
                  "under front-face culling.",
-         .also = "shadow side, double sided, two-sided", .of_map = true},
+         .also = "shadow side, double sided, two-sided", .map_only = true},
         {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows.",
          .also = "cast shadow, castShadow, castShadows, shadow casting mode, cast shadow setting"},
         {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows.",
          .also = "receive shadow, receiveShadow, receive shadows"},
     }),
     Scope::Object);
-static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSettings has no row");
+static_assert(kObject.size() == member_count<ObjectSettings>(), "a member of ObjectSettings has no row");
 
 }  // namespace
 

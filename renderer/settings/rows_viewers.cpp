@@ -211,7 +211,7 @@ constexpr auto kView = std::to_array<Param>({
      .idle = slabs_region_idle, .help = "Side of the square of texels that are drawn as quads.",
      .read_by = ReadBy::Slabs},
 });
-static_assert(kView.size() == members<ViewSettings>(), "a member of ViewSettings has no row");
+static_assert(kView.size() == member_count<ViewSettings>(), "a member of ViewSettings has no row");
 
 }  // namespace
 

@@ -12,7 +12,7 @@ constexpr auto kVolumeRows = std::to_array<Param>({
              "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
              "note says how many triangles it would take and how often they would cover the picture."},
 });
-static_assert(kVolumeRows.size() == members<VolumeSettings>(), "a member of VolumeSettings has no row");
+static_assert(kVolumeRows.size() == member_count<VolumeSettings>(), "a member of VolumeSettings has no row");
 
 }  // namespace
 

@@ -33,7 +33,7 @@ constexpr Source kSourceRows[] = {
      .needs = {.blobs = true},
      .file = "sources/blob.glsl",
      .settings = kBlobSettings,
-     .stands_for = "a disc stands for the caster"},
+     .approximation = "a disc stands for the caster"},
     {.key = "volumes-zfail",
      .label = "shadow volumes (z-fail)",
      .help =
@@ -55,7 +55,7 @@ constexpr Source kSourceRows[] = {
          "and shadow change places there. Else as volumes-zfail.",
      .paper = "Crow, Shadow Algorithms for Computer Graphics, SIGGRAPH 1977; Heidmann, Real Shadows Real Time, IRIS "
               "Universe 18, 1991",
-     .needs = {.stencil = true, .before = true, .camera_depth = true},
+     .needs = {.stencil = true, .counts_front_faces = true, .camera_depth = true},
      .file = "sources/volumes.glsl",
      .settings = kVolumeSettings},
     {.key = "traced",

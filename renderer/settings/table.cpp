@@ -5,7 +5,7 @@ namespace si {
 
 // A group added to Settings needs its rows in the list below: scene, map, caster, bias, filter, light_count, lights,
 // volumes, contact, blob, light_map, shading, camera, view, truth, objects.
-static_assert(rows::members<Settings>() == 16, "Settings has a member without rows: add them to params()");
+static_assert(rows::member_count<Settings>() == 16, "Settings has a member without rows: add them to params()");
 
 std::span<const Param> params() {
     static const std::vector<Param> table = [] {

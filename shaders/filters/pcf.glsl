@@ -25,6 +25,6 @@ float filter_visibility(Receiver r) {
             sum += dot(lit, vec4(x0 * y1, x1 * y1, x1 * y0, x0 * y0));
         }
     }
-    return weighed(sum / float(KERNEL_SIZE * KERNEL_SIZE));
+    return normalised_share(sum / float(KERNEL_SIZE * KERNEL_SIZE));
 #endif
 }

@@ -7,7 +7,7 @@ float filter_visibility(Receiver r) {
     vec2 turn = disk_turn(r);
 
     float search = min(widest_penumbra_texels(r, own_m), filter_max_radius);
-    int searched = searched_of(BLOCKER_COUNT, search);
+    int searched = searched_count(BLOCKER_COUNT, search);
     Blockers blockers = blockers_within(r, own_m, turn, searched, search, false);
     found.taps = float(searched);
     if (blockers.share == 0.0) return 1.0;

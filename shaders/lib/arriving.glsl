@@ -28,7 +28,7 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
 }
 
 /// Whether the picture can show the light's visibility at a surface: else its share is nothing, lit or not.
-bool calls_for_visibility(int index, Surface s, vec3 to_light, float distance_m) {
+bool needs_visibility(int index, Surface s, vec3 to_light, float distance_m) {
 #if SKIPS_UNLIT && shading_composition != shading_composition_dim_lit
     return dot(s.shading, to_light) > 0.0 && any(greaterThan(arriving(index, to_light, distance_m), vec3(0.0)));
 #else

@@ -71,7 +71,7 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
 }
 
 /// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
-float rest_bias(Receiver r, vec2 gradient) {
+float least_bias_per_texel(Receiver r, vec2 gradient) {
     float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.warp_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
@@ -85,8 +85,8 @@ struct BiasInput {
     float own_z;        // of the receiver
     float depth_per_m;  // at own_z
     vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_READS_PLANE)
-    float rest;         // rest_bias(); likewise
-    float least;        // least_bias() of the chosen kernel; likewise
+    float least_per_texel;         // least_bias_per_texel(); likewise
+    float least_common;        // least_bias() of the chosen kernel; likewise
 };
 
 /// An amount in bias.unit as depth.
@@ -116,9 +116,9 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
         b.gradient = plane_gradient(r);
 #endif
 #if BIAS_PER_TEXEL
-        b.rest = rest_bias(r, b.gradient);
+        b.least_per_texel = least_bias_per_texel(r, b.gradient);
 #else
-        b.least = least_bias(r, b.gradient, light_of(r.light).kernel.y);
+        b.least_common = least_bias(r, b.gradient, light_of(r.light).kernel.y);
 #endif
     }
 #endif

@@ -9,7 +9,7 @@ struct Blockers {
 };
 
 /// Of so many places those that have to be searched: where they all are one, that.
-int searched_of(int places, float radius_texels) {
+int searched_count(int places, float radius_texels) {
 #if SKIPS_SEARCH
     if (radius_texels == 0.0) return 1;
 #endif

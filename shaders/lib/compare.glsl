@@ -38,7 +38,7 @@ float compared_depth(Receiver r, vec2 at) {
 }
 
 /// A weighted mean of comparisons. Weights round to a little more or less than one: what all taps find lit is lit.
-float weighed(float share) { return share > 1.0 - 1e-6 ? 1.0 : share; }
+float normalised_share(float share) { return share > 1.0 - 1e-6 ? 1.0 : share; }
 
 /// By how much the receiver's plane is deeper at the centre of the texel that holds a place than at the place.
 float plane_within_texel(Receiver r, vec2 at) {

@@ -52,7 +52,7 @@ float look_nearest(Receiver r, bool offset, float depth_bias) {
 #define OFFSET 1.0
 #define UNFILTERED 2.0
 vec3 looks[MOST_LOOKS];  // depth bias; OFFSET and UNFILTERED added up; what beyond_answer is
-float looked[MOST_LOOKS];
+float trial_results[MOST_LOOKS];
 int look_count = 0;
 
 float taken(Receiver r, vec3 how) {
@@ -68,7 +68,7 @@ float taken(Receiver r, vec3 how) {
 int note_look(Receiver r, float depth_bias, float how, float beyond) {
     looks[look_count] = vec3(depth_bias, how, beyond);
 #if !MAP_PAGED
-    looked[look_count] = taken(r, looks[look_count]);
+    trial_results[look_count] = taken(r, looks[look_count]);
 #endif
     return look_count++;
 }
@@ -77,7 +77,7 @@ int note_look(Receiver r, float depth_bias, float how, float beyond) {
 /// Of a loop that looks: 0 is added, which compilers do not know, else they would write the loop out.
 int kept_loop(int times) { return times + int(frame_pixel().w); }
 void take_looks(Receiver r) {
-    for (int i = 0; i < kept_loop(look_count); ++i) looked[i] = taken(r, looks[i]);
+    for (int i = 0; i < kept_loop(look_count); ++i) trial_results[i] = taken(r, looks[i]);
 }
 #else
 #define kept_loop(times) (times)
@@ -103,7 +103,7 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     e.slack = reach * per_texel;
     e.own = r.bias_depth;
     e.offset = away(r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy) - r.uvd_offset.z);
-    e.worth = bias_worth(r, gradient);
+    e.worth = equivalent_depth_bias(r, gradient);
     float raster = e.worth - e.offset - e.own;
     e.applied = away(r.uvd.z - r.reference) + raster;
     float reach_depth = depth_nearer(r, r.z, reach * r.texel_m);
@@ -148,24 +148,24 @@ Evidence gather_evidence(Receiver r, float v, vec4 reference, vec4 more) {
     e.raised = e.bent_raised = e.most_raised = v;
     e.nearest_kept = look_nearest(r, true, max(e.least_nearest - e.offset, 0.0));
 #if SEAM_TRIALS
-    e.beyond_lit = looked[beyond_lit], e.beyond_dark = looked[beyond_dark];
+    e.beyond_lit = trial_results[beyond_lit], e.beyond_dark = trial_results[beyond_dark];
 #endif
 #if BIAS_NORMAL_OFFSET
-    e.least_bare = looked[least_bare];
+    e.least_bare = trial_results[least_bare];
     e.nearest_bare = look_nearest(r, false, e.least_nearest);
 #endif
 #if FOR_FALSE_LIGHT
-    e.least_kept = looked[least_kept];
+    e.least_kept = trial_results[least_kept];
 #if BIAS_NORMAL_OFFSET
-    e.own_bare = looked[own_bare], e.far_bare = looked[far_bare];
+    e.own_bare = trial_results[own_bare], e.far_bare = trial_results[far_bare];
     e.nearest_own_bare = look_nearest(r, false, max(e.own, e.least_nearest));
 #endif
 #endif
 #if FOR_FALSE_SHADOW
-    e.raised = looked[raised], e.bent_raised = looked[bent_raised], e.most_raised = looked[most_raised];
+    e.raised = trial_results[raised], e.bent_raised = trial_results[bent_raised], e.most_raised = trial_results[most_raised];
 #endif
 #if UNFILTERED_DIFFERS
-    e.unfiltered = looked[unfiltered];
+    e.unfiltered = trial_results[unfiltered];
 #endif
     return e;
 }

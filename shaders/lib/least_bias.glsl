@@ -6,14 +6,14 @@
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
     float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
-    return max(kernel - max_texel_shift(r), 0.0) + rest_bias(r, gradient);
+    return max(kernel - max_texel_shift(r), 0.0) + least_bias_per_texel(r, gradient);
 #else
     return least_bias(r, gradient, light_of(r.light).kernel.y);
 #endif
 }
 
 /// How far all bias brings the compared depth before the receiver's own plane.
-float bias_worth(Receiver r, vec2 gradient) {
+float equivalent_depth_bias(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
     return away(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), depth_quantum(r));
 }

@@ -27,5 +27,5 @@ float paired_visibility(Receiver r) {
             sum += dot(lit, vec4(low.x * high.y, high.x * high.y, high.x * low.y, low.x * low.y));
 #endif
         }
-    return weighed(sum / (all.x * all.y));
+    return normalised_share(sum / (all.x * all.y));
 }

@@ -6,7 +6,7 @@
 #include "shared/facing.h"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
-const int BEYOND_SHADOWS = 5;  // where nothing can cast a shadow, as the light's fit has found
+const int OUTSIDE_CASTER_REGION = 5;  // where nothing can cast a shadow, as the light's fit has found
 
 /// The surface under the pixel, whichever light.
 struct Surface {
@@ -212,7 +212,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
         r.where = BEHIND;
     else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(texel))) ||
                                           any(greaterThan(r.uvd.xy, vec2(1.0 - texel)))))
-        r.where = BEYOND_SHADOWS;
+        r.where = OUTSIDE_CASTER_REGION;
     else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;
     else if (any(lessThan(r.uvd.xy, vec2(0.0))) || any(greaterThan(r.uvd.xy, vec2(1.0))))

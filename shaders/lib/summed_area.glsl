@@ -69,5 +69,5 @@ vec2 summed_window(Receiver r) {
     mat2 print = pixel_footprint(r);
     size = max(size, (abs(print[0]) + abs(print[1])) * float(map_resolution));
 #endif
-    return clamp(size, vec2(1.0), vec2(float(SUMS_MOST_WINDOW)));
+    return clamp(size, vec2(1.0), vec2(float(SUMS_MAX_WINDOW)));
 }

@@ -2,7 +2,7 @@
 #include "lib/receiver.glsl"
 #include "lib/compare.glsl"
 #include "lib/map_bounds.glsl"
-#include "shared/judged.h"
+#include "shared/classified.h"
 
 #define UNKNOWN uintBitsToFloat(0x7fc00000u)
 
@@ -33,7 +33,7 @@ float outside_visibility() {
 
 /// Whether the look-up is answered without the map, by guarded_visibility().
 bool is_guarded(Receiver r) {
-    bool guarded = r.where == BEHIND || r.where == BEYOND_SHADOWS;
+    bool guarded = r.where == BEHIND || r.where == OUTSIDE_CASTER_REGION;
 #if map_far_guard
     guarded = guarded || r.where == OUTSIDE_FAR;
 #endif
@@ -45,7 +45,7 @@ bool is_guarded(Receiver r) {
 
 float guarded_visibility(Receiver r) {
     // Lit by construction, whatever map.wrap and map.outside say of the map's sides.
-    return r.where == BEYOND_SHADOWS ? 1.0 : outside_visibility();
+    return r.where == OUTSIDE_CASTER_REGION ? 1.0 : outside_visibility();
 }
 
 /// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
@@ -83,8 +83,8 @@ float light_visibility(Surface s, int light) {
 
 /// Whether the map holds the surface, or need not, and if so, whether the normal offset leads the look-up out of it.
 int place_in_map(Receiver r) {
-    if (r.where == NO_MAP || r.where == BEYOND_SHADOWS) return PLACE_INSIDE;
+    if (r.where == NO_MAP || r.where == OUTSIDE_CASTER_REGION) return PLACE_INSIDE;
     if (r.where != INSIDE) return PLACE_OUTSIDE;
     bool led = any(lessThan(r.uvd_offset.xy, vec2(0.0))) || any(greaterThan(r.uvd_offset.xy, vec2(1.0)));
-    return led ? PLACE_LED_OUTSIDE : PLACE_INSIDE;
+    return led ? PLACE_OFFSET_OUTSIDE : PLACE_INSIDE;
 }

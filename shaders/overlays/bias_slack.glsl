@@ -4,5 +4,5 @@
 vec4 overlay(Receiver r) {
     if (r.where != INSIDE || !faces_light(r)) return vec4(NOTHING);
     vec2 gradient = plane_gradient(r);
-    return vec4(texels_nearer(r, bias_worth(r, gradient)) - texels_nearer(r, least_bias(r, gradient)));
+    return vec4(texels_nearer(r, equivalent_depth_bias(r, gradient)) - texels_nearer(r, least_bias(r, gradient)));
 }

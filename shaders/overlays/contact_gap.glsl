@@ -5,7 +5,7 @@
 
 vec4 overlay(Receiver r) {
     if (r.where != INSIDE || !faces_light(r)) return vec4(NOTHING);
-    float along_ray_m = metres_nearer(r, bias_worth(r, plane_gradient(r))) / axis_per_ray(r);
+    float along_ray_m = metres_nearer(r, equivalent_depth_bias(r, plane_gradient(r))) / axis_per_ray(r);
     float cosine = min(r.geometric_n_dot_l, 1.0);
     return vec4(along_ray_m * sqrt(1.0 - cosine * cosine));
 }

@@ -10,7 +10,7 @@ vec4 overlay(Receiver r) {
     uvec4 entry = page_entry_at(r.uvd.xy, r.layer);
     if (entry_state(entry) == PAGE_ABSENT) return vec4(0.0);
     if (r.layer != chosen || entry_coarser(entry) > 0) return vec4(PAGE_IS_COARSER, 1.0);
-    return vec4(entry_state(entry) == PAGE_DRAWN ? PAGE_IS_DRAWN : PAGE_IS_KEPT, 1.0);
+    return vec4(entry_state(entry) == PAGE_DRAWN ? PAGE_IS_DRAWN : PAGE_IS_CACHED, 1.0);
 #else
     return vec4(0.0);
 #endif

@@ -7,7 +7,7 @@ vec4 overlay(Receiver r) {
 #if SKIPS_UNLIT
     if (!faces_light(r)) return vec4(0.0);
 #ifndef SEPARATE_VISIBILITY
-    if (!calls_for_visibility(r.light, r.surface, r.to_light, r.distance_m)) return vec4(0.0);
+    if (!needs_visibility(r.light, r.surface, r.to_light, r.distance_m)) return vec4(0.0);
 #endif
 #endif
     map_visibility(r);

@@ -52,7 +52,7 @@ vec3 light_share(int i, Surface s) {
 #elif defined(SEPARATE_VISIBILITY)
     float visibility = texelFetch(visibility_map, ivec3(gl_FragCoord.xy, i), 0).r;
 #else
-    float visibility = calls_for_visibility(i, s, l, distance_m) ? visibility_of(i, s, l) : 1.0;
+    float visibility = needs_visibility(i, s, l, distance_m) ? visibility_of(i, s, l) : 1.0;
 #endif
 #if shading_composition == shading_composition_dim_lit
 #ifdef LIT_PASS

@@ -18,7 +18,7 @@ const int ARTEFACT_BITS = 4;
 const float MARK_FALSE_LIGHT = 0.25, MARK_FALSE_SHADOW = 0.5, MARK_FAINT = 0.75, MARK_NONE = 1.0;
 
 // Whether the map holds a surface, and if so, whether the normal offset leads the look-up out of it.
-const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_LED_OUTSIDE = 2;
+const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_OFFSET_OUTSIDE = 2;
 
 // Layers of the sums over tiles, four numbers each; of wrong pixels one number for each artefact.
 const int TILE_DARK = 0, TILE_BRIGHT = 3, TILE_NOTED = 6, TILE_SUMS = 7, TILE_LAYERS = 8;

@@ -25,7 +25,7 @@ const vec3 BAND_MIDDLE = vec3(0.20, 0.65, 0.25);
 const vec3 BAND_FAR = vec3(0.25, 0.43, 0.89);
 
 // Pages of virtual maps: not asked for; kept from earlier frames; drawn for this one; a coarser one in its place.
-const vec3 PAGE_NOT_THERE = vec3(0.10, 0.13, 0.22), PAGE_IS_KEPT = vec3(0.20, 0.65, 0.25);
+const vec3 PAGE_NOT_THERE = vec3(0.10, 0.13, 0.22), PAGE_IS_CACHED = vec3(0.20, 0.65, 0.25);
 const vec3 PAGE_IS_DRAWN = vec3(0.93, 0.55, 0.10), PAGE_IS_COARSER = vec3(0.80, 0.20, 0.55);
 
 // Texels of a depth image that hold nothing: stripes, quieter than any depth beside them.

@@ -16,7 +16,7 @@
 
 // Most texels across the window of a summed-area look-up, and what a moment of 1 counts in a table of integers: sums
 // wrap around, but that over the window and the texels that it cuts does not.
-#define SUMS_MOST_WINDOW 32
+#define SUMS_MAX_WINDOW 32
 #define SUMS_ONE 3715370.0
 
 #endif

@@ -8,7 +8,7 @@ namespace si::shared {
 #endif
 
 const int PAGE_ABSENT = 0;  // nobody asked for it
-const int PAGE_KEPT = 1;    // drawn before the pages last changed
+const int PAGE_CACHED = 1;    // drawn before the pages last changed
 const int PAGE_DRAWN = 2;   // drawn then
 
 #ifdef __cplusplus

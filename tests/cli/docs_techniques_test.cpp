@@ -101,7 +101,7 @@ TEST(DocsTechniques, HasTheTextsOfTheTables) {
         EXPECT_NE(page.find(text), std::string::npos)
             << text << "\nwrite it with: shadow-inspector docs techniques -o docs/techniques.md";
     };
-    for (const std::string_view name : swept_kernels()) {
+    for (const std::string_view name : sweep_kernels()) {
         Settings s;
         set_setting(s, "filter.kernel", name);
         expect_text(name, filter_of(s).help, filter_of(s).paper);

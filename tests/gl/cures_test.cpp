@@ -231,7 +231,7 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
                 const ErrorMetrics after = measure(scene, with).metrics;
                 EXPECT_EQ(after.artefacts[std::size_t(Artefact::Acne)], 0u);
                 EXPECT_LT(after.any_acne, 1e-3) << "but where the kernel reaches over the box's edges";
-                if (bias->brings_need) {
+                if (bias->gives_needed_bias) {
                     EXPECT_EQ(least.constant + least.slope + least.normal, 0) << "it needs no numbers";
                 }
                 Settings less = with;

@@ -168,7 +168,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
     const Scene scene = floor_under_a_sheet(c.place);
     Settings s = settings(0);
     Settings bare = s;
-    if (row.brings_need) set_setting(bare, "bias.kind", "constant");
+    if (row.gives_needed_bias) set_setting(bare, "bias.kind", "constant");
     const Shot none = shoot(scene, bare);
     const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
     const auto reference_within = [&](double texels) {

@@ -178,7 +178,7 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
             return shoot(scene, s, 64, 36).visibility.data;
         };
         // A table that ends early tends to what the endless spiral over the same disk does.
-        const bool ends = row.takes_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
+        const bool ends = row.uses_disk_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();
         const std::vector<float> limit = picture(ends ? "vogel" : row.key, 4096);
         const std::vector<float> unturned = picture(ends ? "vogel" : row.key, 4096, false);
         double turn = 0;

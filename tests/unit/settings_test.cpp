@@ -90,13 +90,14 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
                                      field);
         EXPECT_TRUE(members.insert(address).second) << p.key;
     }
-    EXPECT_EQ(members.size(),
-              rows::members<CameraSettings>() + rows::members<MapSettings>() + rows::members<CasterSettings>() +
-                  rows::members<BiasSettings>() + rows::members<FilterSettings>() + rows::members<LightSettings>() +
-                  rows::members<ShadingSettings>() + rows::members<ViewSettings>() + rows::members<ObjectSettings>() +
-                  rows::members<ReferenceSettings>() + rows::members<SceneSettings>() +
-                  rows::members<VolumeSettings>() + rows::members<ContactSettings>() + rows::members<BlobSettings>() +
-                  rows::members<LightMapSettings>() + 1 /* light.count */);
+    EXPECT_EQ(members.size(), rows::member_count<CameraSettings>() + rows::member_count<MapSettings>() +
+                                  rows::member_count<CasterSettings>() + rows::member_count<BiasSettings>() +
+                                  rows::member_count<FilterSettings>() + rows::member_count<LightSettings>() +
+                                  rows::member_count<ShadingSettings>() + rows::member_count<ViewSettings>() +
+                                  rows::member_count<ObjectSettings>() + rows::member_count<ReferenceSettings>() +
+                                  rows::member_count<SceneSettings>() + rows::member_count<VolumeSettings>() +
+                                  rows::member_count<ContactSettings>() + rows::member_count<BlobSettings>() +
+                                  rows::member_count<LightMapSettings>() + 1 /* light.count */);
 }
 
 TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
@@ -104,7 +105,7 @@ TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
     s.objects["A"] = {};
     for (const SettingRef& ref : all_settings(s)) {
         const Value v = default_value(ref);
-        const double x = number_of(v);
+        const double x = numeric_value(v);
         EXPECT_TRUE(x >= ref.param->min && x <= ref.param->max) << setting_key(ref);
     }
     EXPECT_TRUE(sanitise(s).empty());
@@ -425,9 +426,9 @@ TEST(SettingsOwned, OfASourceActWhereAnyLightHasIt) {
         for (const std::string_view key : source.settings) {
             const SettingRef ref = *find_setting(key);
             Settings s;
-            EXPECT_NE(not_owned(s, ref), "") << key << " under a map";
+            EXPECT_NE(unused_setting_reason(s, ref), "") << key << " under a map";
             set_setting(s, "light.1.source", source.key);
-            EXPECT_NE(not_owned(s, ref), "") << key << ": the second light is not there";
+            EXPECT_NE(unused_setting_reason(s, ref), "") << key << ": the second light is not there";
             s.light_count = 2;
             EXPECT_EQ(idle_reason(s, ref), "") << key;
             ++owned;
@@ -447,18 +448,18 @@ TEST(SettingsOwned, ActUnderTheKernelsThatListThemAlone) {
             const bool lists = std::ranges::find(own, ref.param->key) != own.end();
             readers += lists;
             if (lists) {
-                EXPECT_EQ(not_owned(s, ref), "") << ref.param->key << " under " << filters()[row].key;
+                EXPECT_EQ(unused_setting_reason(s, ref), "") << ref.param->key << " under " << filters()[row].key;
             }
         }
         if (readers == 0) {
-            EXPECT_EQ(not_owned(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";
+            EXPECT_EQ(unused_setting_reason(Settings{}, ref), "") << ref.param->key << " belongs to no kernel";
             continue;
         }
         ++owned;
         Settings hard;
         set_setting(hard, "filter.kernel", "hard");
-        EXPECT_NE(not_owned(hard, ref), "") << "the hard kernel has no settings of its own";
-        EXPECT_EQ(idle_reason(hard, ref), not_owned(hard, ref));
+        EXPECT_NE(unused_setting_reason(hard, ref), "") << "the hard kernel has no settings of its own";
+        EXPECT_EQ(idle_reason(hard, ref), unused_setting_reason(hard, ref));
         EXPECT_TRUE(mentions(std::string(idle_reason(hard, ref)), "filter.kernel"));
     }
     EXPECT_GE(owned, 8);

@@ -28,7 +28,7 @@ TEST(TechniquesPage, HasARowAndAPictureOfEachTechnique) {
     read << in.rdbuf();
     const std::string page = read.str();
     std::set<std::string> keys;
-    for (const std::string_view name : swept_kernels()) keys.emplace(name);
+    for (const std::string_view name : sweep_kernels()) keys.emplace(name);
     for (const Choice& c : bias_choices()) keys.emplace(c.key);
     for (const Source& s : sources()) keys.emplace(s.key);
     for (const auto& f : fits()) keys.emplace(f.key);

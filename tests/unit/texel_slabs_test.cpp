@@ -53,7 +53,7 @@ TEST(TexelSlabs, StandAtTheirStoredDepthOnTheirTexel) {
 }
 
 /// The bias that receiver.glsl subtracts at distance z, in depth.
-double bias_at(const LightView& view, const BiasSettings& bias, double z) {
+double bias_of_stage(const LightView& view, const BiasSettings& bias, double z) {
     const double per_m = view.curve.slope(z);
     if (bias.unit == BiasUnit::Texels) return bias.constant * view.texel_size(z, kTexels) * per_m;
     return bias.unit == BiasUnit::Metres ? bias.constant * per_m : bias.constant;
@@ -70,7 +70,7 @@ TEST(TexelSlabs, WithBiasStandWhereAFragmentComparesEqual) {
                 const auto z = compared_distance(view, bias, kTexels, stored, {0.5, 0.5});
                 ASSERT_TRUE(z);
                 EXPECT_GT(*z, view.curve.distance(stored)) << "away from the light";
-                const double b = bias_at(view, bias, *z), sign = view.curve.convention.reversed ? -1 : 1;
+                const double b = bias_of_stage(view, bias, *z), sign = view.curve.convention.reversed ? -1 : 1;
                 EXPECT_NEAR(view.curve.depth(*z) - sign * b, stored, 1e-9) << int(unit);
             }
             const auto both = texel_slabs(view, bias, kTexels, {{3, 4}, {1, 1}}, {0.5f}, Slabs::Both);

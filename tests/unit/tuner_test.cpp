@@ -147,7 +147,7 @@ struct MadeUpWorld {
     /// By trying all.
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
-        for (const std::string_view kernel : swept_kernels())
+        for (const std::string_view kernel : sweep_kernels())
             for (int n = 256; n <= goals.most_resolution; n *= 2) {
                 Settings s;
                 set_setting(s, "filter.kernel", kernel);

@@ -91,7 +91,7 @@ std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& 
     for (std::size_t i = out.size(); i-- > 0;) {
         if (tree.rows[i].placed) {
             const Value v = get_value(settings, {&p, 0, *tree.rows[i].path});
-            out[i] = std::max(out[i], number_of(v));
+            out[i] = std::max(out[i], numeric_value(v));
         }
         if (const int parent = scene.nodes[i].parent; parent >= 0)
             out[std::size_t(parent)] = std::max(out[std::size_t(parent)], out[i]);

@@ -83,7 +83,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
         if (p.scope == Scope::Object || prefix_of(p.key) != prefix) continue;
         if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
-        if (state.settings_panel.search.empty() && !not_owned(state.settings, ref).empty())
+        if (state.settings_panel.search.empty() && !unused_setting_reason(state.settings, ref).empty())
             continue;  // found by its name alone
         if (!setting_matches(ref, state.settings_panel.search)) continue;
         if (state.settings_panel.only_changed && !setting_changed(state.settings, ref)) continue;

@@ -94,7 +94,7 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
 
 /// The legend of that overlay has numbers.
 bool shows_artefacts(const Settings& settings) {
-    return some_pane_shows(settings.view, &Overlay::names_causes);
+    return any_pane_shows(settings.view, &Overlay::names_causes);
 }
 
 /// On a tab, or in the row beside them; the arrows that scroll them are pressed fast, too, and lie without.

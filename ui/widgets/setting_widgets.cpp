@@ -286,7 +286,7 @@ void use_result(const FrameResult* result) {
 std::string_view without_effect(const Settings& settings, const SettingRef& ref) {
     if (driver_in_use && ref.param->needs == DriverFeature::PolygonOffsetClamp && !driver_in_use->polygon_offset_clamp)
         return "without effect: this driver lacks GL_EXT_polygon_offset_clamp";
-    if (ref.param->of_animation && !scene_has_animations) return "without effect: the scene has no animation";
+    if (ref.param->animation_only && !scene_has_animations) return "without effect: the scene has no animation";
     return idle_reason(settings, ref);
 }
 

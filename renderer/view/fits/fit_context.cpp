@@ -30,7 +30,7 @@ void widen_range(DepthCurve& curve, double texel, double scale) {
 
 /// light.near and light.far in place of the fitted range, where they make sense.
 void manual_range(FittedLight& light, const LightSettings& s, DepthCurve& curve) {
-    if (!takes_near_far(s)) return;
+    if (!uses_manual_near_far(s)) return;
     const double near = finite_or(s.near, 0), far = finite_or(s.far, 0);
     if (near != 0 && (near > 0 || !curve.perspective)) curve.near = near;
     if (far != 0) curve.far = far;

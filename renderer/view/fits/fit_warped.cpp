@@ -224,7 +224,7 @@ void fit_warped(FittedLight& light, LightView view, const FitContext& c, const C
     }
     if (camera.orthographic)
         note(light, "light.fit lispsm: an orthographic camera sees all depths at one size, so its map is not warped");
-    if (takes_near_far(c.settings))
+    if (uses_manual_near_far(c.settings))
         note(light, "light.fit lispsm: near and far by hand have no effect on a warped map");
     light.views.push_back(warped);
 }

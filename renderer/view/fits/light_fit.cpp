@@ -160,12 +160,12 @@ std::vector<FittedLight> fit_maps(const PlacedLights& placed, const Scene& scene
                                  light.range_m > 0 ? light.range_m : std::numeric_limits<double>::infinity(),
                                  camera,
                                  fit_margin_texels(settings, resolution),
-                                 fit_reads_depths(settings, int(i)) ? seen_m : std::nullopt};
+                                 fit_reads_measured_depths(settings, int(i)) ? seen_m : std::nullopt};
         if (light.six_faces)
             fit_faces(light, context);
         else if (camera && has_clip_levels(settings, int(i)))
             fit_clip_levels(light, context, *camera, picture_lines);
-        else if (camera && is_sliced(s))
+        else if (camera && uses_camera_slices(s))
             fit_cascades(light, context, *camera);
         else
             fit_one_view(light, context);

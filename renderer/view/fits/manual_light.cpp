@@ -10,7 +10,7 @@ constexpr double kStandBack = 0.01;
 constexpr double kSamePlace = 1e-12;  // of the light's distance
 
 bool leaves_nothing(const LightSettings& s, bool orthographic) {
-    return s.fit == LightFit::Manual && takes_near_far(s) && s.distance > 0 && s.near > 0 && s.far > 0 &&
+    return s.fit == LightFit::Manual && uses_manual_near_far(s) && s.distance > 0 && s.near > 0 && s.far > 0 &&
            (s.extent > 0 || !orthographic);
 }
 
