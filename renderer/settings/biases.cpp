@@ -63,7 +63,7 @@ constexpr Bias kBiases[] = {
      .amount = slope_bias},
     {.key = "constant",
      .label = "Constant",
-     .help = "bias.constant alone, whatever the angle of the light.",
+     .help = "bias.constant alone, at any angle of the light.",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .file = "biases/constant.glsl",
      .settings = kConstantSettings,
@@ -82,9 +82,9 @@ constexpr Bias kBiases[] = {
      .amount = receiver_plane_bias},
     {.key = "receiver-plane-derivatives",
      .label = "Receiver plane by derivatives",
-     .help = "The receiver's plane as engines take it: from the steps of the surface between neighbouring pixels. "
-             "Rounding in single precision tilts it, so a texel of its slope is added (engines call this the "
-             "fractional sampling error). bias.plane_clamp limits it in grazing light.",
+     .help = "The receiver's plane as in engines: from the surface's steps between neighbouring pixels. Rounding in "
+             "single precision tilts it, so a texel of its slope is added (engines call this the fractional sampling "
+             "error). bias.plane_clamp limits it in grazing light.",
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
@@ -103,7 +103,7 @@ constexpr Bias kBiases[] = {
      .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
-     .help = "bias.normal: moves the point that is looked up along its normal. Acts beside bias.kind.",
+     .help = "bias.normal: shifts the point of the look-up along its normal. It is added to bias.kind.",
      .paper = "Holbert: Saying Goodbye to Shadow Acne, GDC 2011",
      .file = "biases/normal_offset.glsl",
      .stage = BiasStage::LookUp,
@@ -112,7 +112,7 @@ constexpr Bias kBiases[] = {
     {.key = "raster",
      .label = "Polygon offset",
      .help = "bias.raster_*: stored depths recede while the map is drawn, by the slope of the triangle and by steps of "
-             "the format. Acts beside bias.kind.",
+             "the format. It is added to bias.kind.",
      .paper = "OpenGL 4.5 core, 14.6.5 Depth Offset",
      .file = "biases/raster.glsl",
      .stage = BiasStage::Raster,

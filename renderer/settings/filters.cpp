@@ -86,7 +86,7 @@ FilterCost one_blend(const Filter&, const Settings&) {
     return {0, 1, 4};
 }
 
-constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias lets some in"};
+constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias leaks some light"};
 
 constexpr Filter kFilters[] = {
     {.key = "hard",
@@ -105,7 +105,7 @@ constexpr Filter kFilters[] = {
     {.key = "pcf",
      .label = "PCF",
      .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. A wider kernel is "
-             "softer and needs more bias. Of an even size it is centred between texels.",
+             "softer and needs more bias. An even size is centred between texels.",
      .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
      .file = "filters/pcf.glsl",
      .size = 0,
@@ -132,7 +132,7 @@ constexpr Filter kFilters[] = {
      .swept = kTentSwept},
     {.key = "gauss",
      .label = "Gauss",
-     .help = "Gaussian weights that end at nothing beyond filter.size texels across, by (size / 2 + 1)^2 bilinear "
+     .help = "Gaussian weights that reach 0 at the ends of filter.size texels, by (size / 2 + 1)^2 bilinear "
              "comparisons: rounder than the tent, with no corners in its edges.",
      .paper = "Pettineo: A Sampling of Shadow Techniques, 2013",
      .file = "filters/gauss.glsl",
@@ -155,8 +155,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.6}},
     {.key = "vogel",
      .label = "Vogel disk",
-     .help = "Nearest comparisons along a spiral of golden angles, as even for any number of taps, up to 4096; each "
-             "pixel turns it by interleaved gradient noise.",
+     .help = "Nearest comparisons along a spiral of golden angles, evenly spread for any number of taps up to 4096. "
+             "Each pixel rotates the spiral by interleaved gradient noise.",
      .paper = "Vogel: A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979; noise: Jimenez: "
               "Next Generation Post Processing in Call of Duty, SIGGRAPH 2014",
      .file = "filters/vogel.glsl",
@@ -239,7 +239,8 @@ constexpr Filter kFilters[] = {
      .cost = one_blend,
      .tolerance = {.lit = 1e-5,
                    .dark = 0.02,
-                   .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+                   .why =
+                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
     {.key = "savsm",
      .label = "SAVSM",
      .help = "Summed-area variance shadow map: each look-up chooses its window, by sixteen fetches of a summed-area "
@@ -262,7 +263,8 @@ constexpr Filter kFilters[] = {
          },
      .tolerance = {.lit = 1e-5,
                    .dark = 0.02,
-                   .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+                   .why =
+                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
     {.key = "esm",
      .label = "ESM",
      .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the lit share if lit depths lie "
@@ -279,12 +281,11 @@ constexpr Filter kFilters[] = {
      .settings = kEsmSettings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "an occluder so near lets e^(c (z - own)) in"}},
+     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "a caster this near leaks e^(c (z - own))"}},
     {.key = "evsm2",
      .label = "EVSM2",
-     .help =
-         "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), under which far occluders hardly "
-         "count. Little light bleeds.",
+     .help = "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), in which far casters hardly "
+             "count. Little light bleeds.",
      .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
      .file = "filters/evsm2.glsl",
      .square = false,
@@ -294,7 +295,7 @@ constexpr Filter kFilters[] = {
      .settings = kEvsm2Settings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5, .dark = 0.02, .why = "the least variance lets this much in"}},
+     .tolerance = {.lit = 1e-5, .dark = 0.02, .why = "the minimum variance leaks this much light"}},
     {.key = "evsm4",
      .label = "EVSM4",
      .help = "Exponential variance shadow map, two warps: the lower of the bounds by e^(c x) and by -e^(-d x), each "
@@ -313,8 +314,8 @@ constexpr Filter kFilters[] = {
      .tolerance = {.lit = 0.05, .dark = 0.02, .why = "a slope's mean of -e^(-d x) lies before its middle"}},
     {.key = "msm_hamburger",
      .label = "MSM (Hamburger)",
-     .help = "Moment shadow map: of all depths with the four moments that are stored, those with least before the "
-             "surface. Sharper than variance; a slope needs bias as wide as the blur.",
+     .help = "Moment shadow map: among all depth distributions with the four stored moments, the one with the least "
+             "share before the surface. Sharper than variance. A slope needs bias as wide as the blur.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hamburger.glsl",
      .square = false,
@@ -322,15 +323,15 @@ constexpr Filter kFilters[] = {
      .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
-                 .bound = "1 - what lies before z of the three depths that have these moments"},
+                 .bound = "1 - share before z of the three depths with these moments"},
      .settings = kMsmSettings,
      .reach = moment_reach,
      .cost = one_blend,
      .tolerance = kMsmTolerance},
     {.key = "msm_hausdorff",
      .label = "MSM (Hausdorff)",
-     .help = "As msm_hamburger, but depths are known to lie between near and far, which darkens what bleeds at both "
-             "ends of the range.",
+     .help = "As msm_hamburger, with depths known to lie between near and far, which reduces bleeding at both ends of "
+             "the range.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hausdorff.glsl",
      .square = false,
@@ -338,7 +339,7 @@ constexpr Filter kFilters[] = {
      .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
-                 .bound = "1 - what lies before z of three depths, or four from near to far, that have these moments"},
+                 .bound = "1 - share before z of three depths, or four from near to far, with these moments"},
      .settings = kMsmSettings,
      .reach = moment_reach,
      .cost = one_blend,

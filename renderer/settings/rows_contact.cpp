@@ -18,8 +18,8 @@ constexpr std::string_view kNone = "without effect: no light has contact shadows
 constexpr auto kContactRows = std::to_array<Param>({
     {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
-     .help = "How many places of the ray are looked at. Between them thin casters are missed, which each pixel's own "
-             "beginning turns into noise.",
+     .help = "Number of samples along the ray. Thin casters between samples are missed. Each pixel starts at its own "
+             "offset, which turns this into noise.",
      .also = "samples, ray steps", .read_by = ReadBy::Visibility},
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),

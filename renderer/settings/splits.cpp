@@ -15,18 +15,20 @@ constexpr std::string_view kByHand[] = {"light.split_1", "light.split_2", "light
 static_assert(std::size(kByHand) == kMaxCascades - 1);
 
 constexpr SplitRow kSplits[] = {
-    {.key = "uniform", .label = "even", .help = "Into intervals of one length: far ones get texels that nobody sees."},
+    {.key = "uniform",
+     .label = "even",
+     .help = "Intervals of equal length: far ones get finer texels than pixels need."},
     {.key = "logarithmic",
      .label = "by equal ratios",
-     .help = "Each interval ends at the same multiple of where it begins: a texel then covers about as many pixels in "
-             "each, but the near ones are very short. Where the camera is orthographic: even.",
+     .help = "Each interval ends at the same multiple of its beginning: a texel then covers about as many pixels in "
+             "each, and near intervals are very short. Even under an orthographic camera.",
      .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004"},
     {.key = "practical",
      .label = "between both",
      .help = "The mean of the even and of the logarithmic division, weighted by light.split_lambda.",
      .paper = "Zhang, Sun, Xu, Lun, Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006",
      .settings = kLambda},
-    {.key = "manual", .label = "by hand", .help = "Where light.split_1 and those after it say.", .settings = kByHand},
+    {.key = "manual", .label = "by hand", .help = "At light.split_1, light.split_2, and so on.", .settings = kByHand},
 };
 
 /// Of a light.
