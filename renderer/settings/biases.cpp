@@ -1,3 +1,4 @@
+// Rows of the table of biases, and their closed forms.
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace si {
 namespace {
 
-/// An amount in bias.unit as depth.
+/// Converts an amount in bias.unit to depth-buffer units.
 double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
     if (bias.unit == BiasUnit::Depth) return amount;
     return b.curve.depth_nearer(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
@@ -39,8 +40,8 @@ double normal_offset(const BiasSettings& bias, const BiasInput& b) {
 }
 
 double raster_offset(const BiasSettings& bias, const BiasInput& b) {
-    const double by_slope =
-        bias.raster_slope != 0 ? bias.raster_slope * b.polygon.slope(b.per_texel) : 0;  // edge-on it is infinite
+    const double by_slope = bias.raster_slope != 0 ? bias.raster_slope * b.polygon.slope(b.per_texel)
+                                                   : 0;  // infinite for a plane edge-on to the light
     const double offset = by_slope + bias.raster_units * b.polygon.unit(b.quantum);
     return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
 }
@@ -120,6 +121,7 @@ constexpr Bias kBiases[] = {
      .amount = raster_offset},
 };
 
+/// Returns the rows of stage Compare, which bias.kind chooses from.
 std::span<const Bias> kinds() {
     const auto end = std::ranges::find_if(kBiases, [](const Bias& b) { return b.stage != BiasStage::Compare; });
     return {std::begin(kBiases), end};

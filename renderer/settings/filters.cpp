@@ -1,3 +1,4 @@
+// Rows of the table of filter kernels: help, cost, reach.
 #include "renderer/settings/filters.h"
 
 #include <fmt/format.h>
@@ -44,44 +45,47 @@ constexpr std::string_view kWarpedMean[] = {"e^(c x)"};
 constexpr std::string_view kRisenMoments[] = {"e^(c x)", "e^(2 c x)"};
 constexpr std::string_view kTwiceWarpedMoments[] = {"e^(c x)", "e^(2 c x)", "-e^(-d x)", "e^(-2 d x)"};
 
-/// Texels by which the plane is compared are those that are read, and move edges as far.
+/// Returns a reach that is equal for bias, edges and reads.
 constexpr Reach uniform_reach(double texels) {
     return {texels, texels, texels};
 }
 
+/// Returns the reach of a kernel that samples a disk of filter.radius.
 Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
     const bool metres = s.filter.radius_unit == RadiusUnit::Metres;
     return uniform_reach((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
 }
 
+/// Returns the reach of a kernel whose radius follows the penumbra.
 Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
     return uniform_reach(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
 }
 
-/// Of kernels whose every tap is a place of the disk.
+/// Returns the cost of a kernel with one tap for each point of the disk.
 FilterCost disk_cost(const Filter& row, const Settings& s) {
     const int taps = disk_point_count(row, s, s.filter.taps);
     return {0, taps, taps};
 }
 
-/// Of kernels whose every comparison takes two texels of a row and two of a column.
+/// Returns the cost of a kernel whose comparisons each cover two texels along both axes.
 FilterCost paired_cost(const Filter& row, const Settings& s) {
     const int per_axis = taps_across(row, s) / 2 + 1, taps = per_axis * per_axis;
     return {taps, taps, 4 * taps};
 }
 
-/// Of bounds by mean and spread. A plane's own depths vary about their mean, which bounds it as lit, whatever its
-/// slope: half a texel for the blend's centre is left.
+/// Returns the reach of kernels that bound visibility by mean and variance. The variance of a sloped plane's own depths
+/// keeps the plane lit, so the bias covers only half a texel for the centre of the blend.
 Reach bounded_reach(const Filter&, const Settings& s, double) {
     const double reach = s.filter.blur + 1;
     return {0.5, reach, reach};
 }
 
-/// Of bounds that tell a plane's nearer depths from its farther ones.
+/// Returns the reach of kernels that separate a plane's nearer depths from its farther ones (four moments).
 Reach moment_reach(const Filter&, const Settings& s, double) {
     return uniform_reach(s.filter.blur + 1);
 }
 
+/// Returns the cost of one bilinear fetch.
 FilterCost one_blend(const Filter&, const Settings&) {
     return {0, 1, 4};
 }
@@ -212,7 +216,7 @@ constexpr Filter kFilters[] = {
      .linear = false,
      .reads_light_size = true,
      .settings = kSmrtSettings,
-     // A ray rises faster than the plane that it starts from: half a texel for the nearest one's centre is left.
+     // A ray rises faster than its plane, so the bias covers only half a texel for the nearest texel's centre.
      .reach =
          [](const Filter& row, const Settings& s, double widest_texels) {
              const double reach = penumbra_reach(row, s, widest_texels).edge;
@@ -362,7 +366,7 @@ Reach Filter::square_reach(const Filter& row, const Settings& s, double) {
     const int across = taps_across(row, s);
     const bool bilinear = is_bilinear(row, s);
     const double reach = 0.5 * (across + (bilinear ? 1 : 0));
-    // Gathers take texels by twos: of an odd number the last brings one that weighs nothing.
+    // Gathers fetch pairs of texels. With an odd number of texels the last pair has one of weight 0.
     return {reach, reach, bilinear && across % 2 == 0 ? reach + 1 : reach};
 }
 
@@ -462,11 +466,10 @@ int requested_mip(const Settings& settings) {
 double safe_exponent(const Settings& settings) {
     const int power = filter_of(settings).moments.power;
     if (power == 0) return std::numeric_limits<double>::infinity();
-    // Of 16-bit floats the largest, and the least, which is kept however small; of 32-bit ones that which is not
-    // flushed.
+    // The smallest 16-bit float is a denormal, which survives. Denormal 32-bit floats are flushed to zero.
     const bool wide = settings.filter.moment_format == MomentFormat::Bits32;
     const double largest = wide ? double(std::numeric_limits<float>::max()) : 65504.0;
-    // Averages are made of shares of each texel, in 32 bits: of the outermost of a Gaussian e^-2 of the middle's.
+    // An average sums weighted texels in 32 bits. The outermost weight of a Gaussian is e^-2 of the middle one.
     const FilterSettings& s = settings.filter;
     const double shares = (2 * s.blur + 1) * (s.blur_shape == BlurShape::Gaussian ? std::exp(2.0) : 1) *
                           std::max(settings.map.samples, 1);

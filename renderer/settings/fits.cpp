@@ -1,3 +1,4 @@
+// Rows of the table of fits, which choose the region of a shadow map.
 #include "renderer/settings/fits.h"
 
 #include "renderer/settings/choices_of.h"

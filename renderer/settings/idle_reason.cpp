@@ -1,3 +1,4 @@
+// Reasons why a setting has no effect.
 #include "renderer/settings/idle_reason.h"
 
 #include "renderer/settings/owners.h"

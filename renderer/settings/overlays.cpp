@@ -1,3 +1,4 @@
+// Rows of the table of overlays.
 #include "renderer/settings/overlays.h"
 
 #include <algorithm>

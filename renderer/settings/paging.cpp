@@ -1,3 +1,4 @@
+// Conditions of map.virtual, and the page size.
 #include "renderer/settings/paging.h"
 
 #include <algorithm>

@@ -62,7 +62,8 @@ bool is_orthographic(const Settings& s, int i) {
            (projection == LightProjection::Automatic && has_type(s, i, LightType::Directional));
 }
 
-/// Why nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
+/// Returns the reason why the region of the light's map has no effect: no map is drawn, and the camera does not look
+/// through the light. Empty if it has an effect.
 std::string_view map_idle(const Settings& s, int i) {
     if (s.camera.source == CameraSource::Light && s.view.light == i) return "";
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
@@ -117,14 +118,14 @@ std::string_view lambda_idle(const Settings& s, int i) {
     return reason.empty() && orthographic ? "without effect: an orthographic camera's cascades are even" : reason;
 }
 
-/// @param number of the split by hand, from 1
+/// Returns the reason why manual split `number`, counted from 1, has no effect.
 template <int number>
 std::string_view split_idle(const Settings& s, int i) {
     const auto reason = between_cascades_idle(s, i);
     return reason.empty() && of(s, i).cascades <= number ? "without effect: light.cascades has no such border" : reason;
 }
 
-/// Of what clip levels leave to no choice.
+/// Returns the reason why settings of the depth range have no effect: clip levels fix the range.
 std::string_view near_far_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     if (s.camera.source == CameraSource::Light) return "";
@@ -138,7 +139,7 @@ std::string_view depth_bounds_idle(const Settings& s, int i) {
     return fit_reads_camera(s, i) ? "" : "without effect: the map does not follow the camera";
 }
 
-// A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
+// Only the angles of a directional light matter, not its place, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != LightFit::Manual
                ? "without effect: the fit places the map of a directional light"

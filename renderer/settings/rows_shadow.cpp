@@ -65,7 +65,7 @@ constexpr Choice kTransforms[] = {
      "as texture matrices of fixed-function OpenGL were."},
 };
 
-/// map.outside also answers for what lies behind the far plane or behind a light with a place.
+/// Returns the reason why map.outside has no effect. It also applies behind the far plane and behind spot lights.
 std::string_view outside_idle(const Settings& s, int) {
     if (s.map.far_guard || s.map.wrap == MapWrap::Border || s.map.wrap == MapWrap::Range) return "";
     for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {

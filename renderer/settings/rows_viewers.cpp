@@ -1,4 +1,4 @@
-// Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+// Rows of display settings: map viewer, panes with overlays, texel quads.
 #include <algorithm>
 
 #include "renderer/settings/filters.h"
@@ -99,7 +99,7 @@ const LightSettings& shown_light(const Settings& s) {
 
 std::string_view face_idle(const Settings& s, int) {
     const LightSettings& shown = shown_light(s);
-    // 1.5 rad is half the widest cone that light_place.cpp leaves to one map.
+    // 1.5 rad is half the widest cone that light_place.cpp draws into one map.
     const bool faces =
         shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&

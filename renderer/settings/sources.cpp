@@ -1,3 +1,4 @@
+// Rows of the table of visibility sources.
 #include "renderer/settings/sources.h"
 
 #include <algorithm>

@@ -1,3 +1,4 @@
+// Rows of the table of cascade splits, and the order of manual splits.
 #include "renderer/settings/splits.h"
 
 #include <fmt/format.h>
@@ -31,7 +32,7 @@ constexpr SplitRow kSplits[] = {
     {.key = "manual", .label = "by hand", .help = "At light.split_1, light.split_2, and so on.", .settings = kByHand},
 };
 
-/// Of a light.
+/// Members of LightSettings with the manual splits.
 using Members = std::array<double LightSettings::*, kMaxCascades - 1>;
 constexpr Members kMembers = {&LightSettings::split_1, &LightSettings::split_2, &LightSettings::split_3,
                               &LightSettings::split_4, &LightSettings::split_5, &LightSettings::split_6,
