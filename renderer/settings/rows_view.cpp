@@ -194,7 +194,7 @@ constexpr auto kReference = std::to_array<Param>({
      .help = "Step between traced and compared pixels, across and down: 1 is every pixel, 2 one of four (half "
              "resolution)."},
 });
-static_assert(kReference.size() == member_count<ReferenceSettings>(), "a member of TruthSettings has no row");
+static_assert(kReference.size() == member_count<ReferenceSettings>(), "a member of ReferenceSettings has no row");
 
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},

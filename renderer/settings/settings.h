@@ -1,4 +1,4 @@
-// All settings that a person can choose and a preset can hold, with their defaults. One row of the settings table
+// Settings that a person can choose and a preset can hold, with their defaults. One row of the settings table
 // (param.h, rows_*.cpp) describes each member: key, unit, range, help.
 #pragma once
 
@@ -156,7 +156,7 @@ struct BiasSettings {
     int kind = default_bias();  ///< row of the bias table
     BiasUnit unit = BiasUnit::Texels;
     // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
-    // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias_theory.h). The constant covers quantisation.
+    // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
     double constant = 0.1;
     double slope = 0.0;
     double plane_clamp = 100;
@@ -340,7 +340,8 @@ constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
     return of_all;
 }
 
-/// All settings of a session: scene, camera, techniques, lights, display and objects. Comparable, copyable value.
+/// Complete settings of a session: scene, camera, techniques, lights, display and objects. A comparable, copyable
+/// value.
 struct Settings {
     SceneSettings scene;
     CameraSettings camera;
