@@ -154,23 +154,22 @@ std::vector<Entry> lighting_entries(const Settings& base) {
 }
 
 std::vector<PageSection> all_sections(Renderer& renderer, const Scene& scene, const Settings& base) {
-    return {
-        {"Filter kernels", "filter.kernel", "How the shadow test is filtered.", [&] { return kernel_entries(base); }},
-        {"Biases", "bias.kind",
-         "Each alone, at the least numbers that leave no acne by its own theory. A constant has to serve the steepest "
-         "lit faces, and takes the shadows of the rest with it.",
-         [&] { return bias_entries(renderer, scene, base); }},
-        {"Sources", "light.source", "Where a light's shadows come from.",
-         [&] { return entries_of(sources(), base, "light.source"); }},
-        {"Fits", "light.fit", "What a map covers.", [&] { return entries_of(fits(), base, "light.fit"); }},
-        {"Between which depths", "light.near_far", "What a map stores along the light.",
-         [&] { return choices_of(base, "light.near_far"); }},
-        {"Cascades", "light.split", "Four maps of what the camera sees, by where they part; then as the rows say.",
-         [&] { return cascade_entries(base); }, true},
-        {"Storage", "map.format", "How depths are stored; then one setting changed, as the rows say.",
-         [&] { return storage_entries(base); }, true},
-        {"Composition", "shading.composition", "How light and shadow meet in the picture.",
-         [&] { return lighting_entries(base); }, true}};
+    return {{"Filter kernels", "filter.kernel", "The filter of the shadow test.", [&] { return kernel_entries(base); }},
+            {"Biases", "bias.kind",
+             "Each alone, at the least numbers without acne by its own theory. A constant bias has to suffice for the "
+             "steepest lit faces, and detaches the shadows of all others.",
+             [&] { return bias_entries(renderer, scene, base); }},
+            {"Sources", "light.source", "The technique that makes a light's shadows.",
+             [&] { return entries_of(sources(), base, "light.source"); }},
+            {"Fits", "light.fit", "The region of a map.", [&] { return entries_of(fits(), base, "light.fit"); }},
+            {"Between which depths", "light.near_far", "The depth range of a map.",
+             [&] { return choices_of(base, "light.near_far"); }},
+            {"Cascades", "light.split", "Four maps of the view frustum, by the split; then as the rows say.",
+             [&] { return cascade_entries(base); }, true},
+            {"Storage", "map.format", "The storage of depth; then one setting changed, as the rows say.",
+             [&] { return storage_entries(base); }, true},
+            {"Composition", "shading.composition", "The combination of light and shadow in the picture.",
+             [&] { return lighting_entries(base); }, true}};
 }
 
 std::string picture_name(const PageSection& s, const Entry& e) {

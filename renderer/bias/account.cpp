@@ -65,9 +65,9 @@ BiasBreakdown bias_breakdown(const FittedLight& light, const Settings& settings,
         a.max_texel_shift = bias.plane_clamp > 0 ? bias.plane_clamp * r.texel_m * a.curve.slope(r.own_m) : kNoLimit;
         a.least.kernel = a.least.kernel > a.max_texel_shift ? a.least.kernel - a.max_texel_shift : 0;
         a.least.rounding += uv_rounding_bias(view, p.position_ws, a.plane.gradient, extent, resolution);
-        b.rest = a.least.without_kernel();
+        b.least_per_texel = a.least.without_kernel();
     }
-    b.least = a.least.total();
+    b.least_common = a.least.total();
     r.bias_depth = row.amount(bias, b);
     r.bias_m = a.curve.metres_towards_light(r.tap_m, r.bias_depth);
     const double away = view.curve.convention.reversed ? -1 : 1;

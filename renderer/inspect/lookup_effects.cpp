@@ -24,7 +24,7 @@ enum class Search {
 
 Search search_of(const Filter& row) {
     if (!row.searches_blockers) return row.reads_light_size ? Search::Rays : Search::None;
-    return owns(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
+    return owns_setting(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
 }
 
 /// Whether Optimisation::BlockerSearch spares look-ups of a light anything.

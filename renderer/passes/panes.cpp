@@ -25,7 +25,8 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
     const int last = std::max(int(f.gl.fitted.size()) - 1, 0);
     std::vector<gl::Define> out{{"OVERLAY_FILE", std::string(row.file)},
                                 {"LIGHT_INDEX", std::to_string(std::clamp(f.settings.view.light, 0, last))}};
-    if (!row.as_drawn) out.insert(out.end(), {{"MAP_BOUNDS", "0"}, {"SKIPS_SEARCH", "0"}, {"SKIPS_UNLIT", "0"}});
+    if (!row.keeps_optimisations)
+        out.insert(out.end(), {{"MAP_BOUNDS", "0"}, {"SKIPS_SEARCH", "0"}, {"SKIPS_UNLIT", "0"}});
     if (row.scalar) out.push_back({"OVERLAY_SCALAR", "1"});
     if (f.separate_visibility) out.push_back({"SEPARATE_VISIBILITY", "1"});
     if (row.reads_reference)

@@ -114,7 +114,7 @@ void ShadowVolumes::arrange(const FrameState& f) {
         light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
         light.refusal.clear();
         if (!light.used) continue;
-        light.before = source_of(f.settings, int(i)).needs.before;
+        light.before = source_of(f.settings, int(i)).needs.counts_front_faces;
         const VolumeLight source = volume_light(fitted[i]);
         Key shape = f.geometry_key;
         shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);

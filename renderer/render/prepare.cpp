@@ -157,12 +157,12 @@ void limit_moments(FrameState& f) {
     const double most = safe_exponent(f.settings);
     for (const auto& [key, value] :
          {std::pair{"filter.exponent", &s.exponent}, {"filter.negative_exponent", &s.negative_exponent}}) {
-        if (!owns(filter, key) || *value <= most) continue;
+        if (!owns_setting(filter, key) || *value <= most) continue;
         f.notes.push_back(fmt::format("{} {:g}: {} moments overflow beyond {:g}, which is used", key, *value,
                                       s.moment_format == MomentFormat::Bits32 ? "32-bit" : "16-bit", most));
         *value = most;
     }
-    if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
+    if (owns_setting(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
         f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
                                       f.driver.max_anisotropy));
         s.anisotropy = int(f.driver.max_anisotropy);

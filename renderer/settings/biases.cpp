@@ -1,3 +1,4 @@
+// Rows of the table of biases, and their closed forms.
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
@@ -8,7 +9,7 @@
 namespace si {
 namespace {
 
-/// An amount in bias.unit as depth.
+/// Converts an amount in bias.unit to depth-buffer units.
 double unit_depth(const BiasSettings& bias, const BiasInput& b, double amount) {
     if (bias.unit == BiasUnit::Depth) return amount;
     return b.curve.depth_change_towards_light(b.z, bias.unit == BiasUnit::Texels ? amount * b.texel_m : amount);
@@ -23,7 +24,7 @@ double slope_bias(const BiasSettings& bias, const BiasInput& b) {
 }
 
 double receiver_plane_bias(const BiasSettings& bias, const BiasInput& b) {
-    return unit_depth(bias, b, bias.constant) + b.rest;
+    return unit_depth(bias, b, bias.constant) + b.least_per_texel;
 }
 
 double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasInput& b) {
@@ -31,7 +32,7 @@ double receiver_plane_by_derivatives_bias(const BiasSettings& bias, const BiasIn
 }
 
 double adaptive_bias(const BiasSettings&, const BiasInput& b) {
-    return b.least;
+    return b.least_common;
 }
 
 double normal_offset(const BiasSettings& bias, const BiasInput& b) {
@@ -39,8 +40,8 @@ double normal_offset(const BiasSettings& bias, const BiasInput& b) {
 }
 
 double raster_offset(const BiasSettings& bias, const BiasInput& b) {
-    const double by_slope =
-        bias.raster_slope != 0 ? bias.raster_slope * b.polygon.slope(b.per_texel) : 0;  // edge-on it is infinite
+    const double by_slope = bias.raster_slope != 0 ? bias.raster_slope * b.polygon.slope(b.per_texel)
+                                                   : 0;  // infinite for a plane edge-on to the light
     const double offset = by_slope + bias.raster_units * b.polygon.unit(b.quantum);
     return bias.raster_clamp > 0 ? std::min(offset, bias.raster_clamp) : offset;
 }
@@ -63,7 +64,7 @@ constexpr Bias kBiases[] = {
      .amount = slope_bias},
     {.key = "constant",
      .label = "Constant",
-     .help = "bias.constant alone, whatever the angle of the light.",
+     .help = "bias.constant alone, at any angle of the light.",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
      .file = "biases/constant.glsl",
      .settings = kConstantSettings,
@@ -71,9 +72,9 @@ constexpr Bias kBiases[] = {
     {.key = "receiver-plane",
      .label = "Receiver plane",
      .help = "Every texel is compared with the depth that the receiver's own plane has at the texel's centre, from the "
-             "triangle's normal and without screen derivatives: no acne on planes at any angle and under any kernel "
-             "for no more bias than roundings take. bias.constant is added. Where a kernel reaches over an inner edge "
-             "the plane runs on behind what it meets, and darkens.",
+             "triangle's normal and without screen derivatives: no acne on planes at any angle and under any kernel, "
+             "with only as much bias as rounding needs. bias.constant is added. Where a kernel reaches over an inner "
+             "edge, the plane continues behind the surface there, which turns dark.",
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006 (by screen derivatives)",
      .file = "biases/receiver_plane.glsl",
      .settings = kPlaneSettings,
@@ -82,9 +83,9 @@ constexpr Bias kBiases[] = {
      .amount = receiver_plane_bias},
     {.key = "receiver-plane-derivatives",
      .label = "Receiver plane by derivatives",
-     .help = "The receiver's plane as engines take it: from the steps of the surface between neighbouring pixels. What "
-             "single precision leaves of those bends it, so a texel of its slope is added, which engines call the "
-             "fractional sampling error; plane_clamp keeps it from running away where light grazes.",
+     .help = "The receiver's plane as in engines: from the surface's steps between neighbouring pixels. Rounding in "
+             "single precision tilts it, so a texel of its slope is added (engines call this the fractional sampling "
+             "error). bias.plane_clamp limits it in grazing light.",
      .paper = "Isidoro: Shadow Mapping: GPU-based Tips and Techniques, GDC 2006",
      .file = "biases/receiver_plane_derivatives.glsl",
      .settings = kPlaneSettings,
@@ -94,16 +95,16 @@ constexpr Bias kBiases[] = {
      .amount = receiver_plane_by_derivatives_bias},
     {.key = "adaptive",
      .label = "Automatic (adaptive)",
-     .help = "Just what the pixel's plane needs under the kernel, the format and the map's resolution, in closed form: "
-             "no acne on planes and no number to turn. What it costs, the lit strip beside casters, is shown by the "
-             "overlay contact-gap and by the probe. Normal offset and polygon offset act beside it and are not needed.",
+     .help = "Exactly the bias that the pixel's plane needs under this kernel, format and resolution, in closed form: "
+             "no acne on planes and no number to set. The overlay contact-gap and the probe show the price, a lit "
+             "strip beside casters. Normal offset and polygon offset are still added and are not needed.",
      .paper = "Dou, Yan, Kerzner, Dai, Wyman: Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014",
      .file = "biases/adaptive.glsl",
      .gives_needed_bias = true,
      .amount = adaptive_bias},
     {.key = "normal-offset",
      .label = "Normal offset",
-     .help = "bias.normal: moves the point that is looked up along its normal. Acts beside bias.kind.",
+     .help = "bias.normal: shifts the point of the look-up along its normal. It is added to bias.kind.",
      .paper = "Holbert: Saying Goodbye to Shadow Acne, GDC 2011",
      .file = "biases/normal_offset.glsl",
      .stage = BiasStage::LookUp,
@@ -112,7 +113,7 @@ constexpr Bias kBiases[] = {
     {.key = "raster",
      .label = "Polygon offset",
      .help = "bias.raster_*: stored depths recede while the map is drawn, by the slope of the triangle and by steps of "
-             "the format. Acts beside bias.kind.",
+             "the format. It is added to bias.kind.",
      .paper = "OpenGL 4.5 core, 14.6.5 Depth Offset",
      .file = "biases/raster.glsl",
      .stage = BiasStage::Raster,
@@ -120,6 +121,7 @@ constexpr Bias kBiases[] = {
      .amount = raster_offset},
 };
 
+/// Returns the rows of stage Compare, which bias.kind chooses from.
 std::span<const Bias> kinds() {
     const auto end = std::ranges::find_if(kBiases, [](const Bias& b) { return b.stage != BiasStage::Compare; });
     return {std::begin(kBiases), end};

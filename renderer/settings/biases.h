@@ -1,4 +1,4 @@
-// The table of biases: a new one is one row here and one GLSL file.
+// Table of biases. A new bias is one row of this table and one GLSL file.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -11,56 +11,59 @@
 
 namespace si {
 
-/// Where a bias acts.
+/// Step of the shadow test that a bias changes.
 enum class BiasStage {
-    Compare,  ///< on the depth that is compared: bias.kind chooses one of these
-    LookUp,   ///< moves the point that is looked up; acts beside the others
-    Raster,   ///< on the depth that is stored, while the map is drawn; acts beside the others
+    Compare,  ///< the compared depth; bias.kind chooses one row of this stage
+    LookUp,   ///< the point of the look-up; acts in addition to bias.kind
+    Raster,   ///< the stored depth, while the map is drawn; acts in addition to bias.kind
 };
 
-/// What a bias may know of a receiver: shaders/lib/bias.glsl in double.
+/// Inputs of a bias for one receiver, in double precision: BiasInput of shaders/lib/bias.glsl.
 struct BiasInput {
-    DepthCurve curve;         ///< of the receiver's view
-    double texel_m = 1;       ///< world size of a texel at the receiver
-    double n_dot_l = 1;       ///< of the normal that bias.normal_source chooses
-    double z = 1;             ///< metres along the view's axis, above 0, of the point that is looked up
-    PolygonOffset polygon;    ///< what the driver makes of glPolygonOffset in maps of this format
-    glm::dvec2 per_texel{0};  ///< depth of the receiver's plane per texel, along u and v
-    double quantum = 0;       ///< step of the stored depth
-    double rest = 0;          ///< depth: the plane's least bias where every texel is compared with the plane there
-    double least = 0;         ///< depth: the plane's least bias where one depth is compared with all texels
+    DepthCurve curve;            ///< depth curve, of the light's view
+    double texel_m = 1;          ///< texel size at the receiver, metres
+    double n_dot_l = 1;          ///< cosine between the light and the normal chosen by bias.normal_source
+    double z = 1;                ///< distance along the view's axis, metres above 0, of the looked-up point
+    PolygonOffset polygon;       ///< measured glPolygonOffset of the driver, for maps of this format
+    glm::dvec2 per_texel{0};     ///< depth change of the receiver's plane per texel, along u and v
+    double quantum = 0;          ///< step of the stored depth
+    double least_per_texel = 0;  ///< least depth bias of the plane if every texel has its own compared depth
+    double least_common = 0;     ///< least depth bias of the plane if all texels share one compared depth
 };
 
-/// A bias. The functions of its file, below shaders/, are by its stage
-///   Compare  float depth_bias(BiasInput b), depth-buffer units, at least 0: how far the compared depth comes nearer
-///            to the light; where `per_texel`, also vec2 reference_slope(BiasInput b): by how much that depth grows per
-///            map width, with which every texel is compared at its own place
-///   LookUp   vec3 normal_offset(vec3 normal, float texel_m), metres: where the point that is looked up moves
-///   Raster   float raster_offset(vec2 per_texel, float quantum), depth-buffer units: what the map's depths recede by
+/// Row of the bias table. The GLSL functions of its file depend on its stage:
+///   Compare  float depth_bias(BiasInput b): shift of the compared depth towards the light, depth-buffer units, >= 0.
+///            With `per_texel` also vec2 reference_slope(BiasInput b): change of the compared depth per map width.
+///   LookUp   vec3 normal_offset(vec3 normal, float texel_m): shift of the look-up's point, metres.
+///   Raster   float raster_offset(vec2 per_texel, float quantum): offset of stored depths away from the light,
+///            depth-buffer units.
 struct Bias {
     std::string_view key, label, help;
-    std::string_view paper;  ///< where it comes from
-    std::string_view file;
+    std::string_view paper;  ///< source
+    std::string_view file;   ///< GLSL file below shaders/
     BiasStage stage = BiasStage::Compare;
-    std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
-    bool per_texel = false;  ///< each texel is compared with a depth of its own; bilinear samplers have one for 4
-    bool gives_needed_bias = false;  ///< it gives what a plane needs by itself, whatever the numbers are
-    bool by_derivatives = false;     ///< it has the plane from the steps of the surface between neighbouring pixels
-    /// The same in closed form, in what the file's function counts in; of a look-up's move its length.
+    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
+    bool per_texel = false;          ///< each texel has its own compared depth; bilinear samplers have one for 4
+    bool gives_needed_bias = false;  ///< the row computes the plane's needed bias by itself, whatever the numbers are
+    bool by_derivatives = false;     ///< the plane comes from screen derivatives of the position
+    /// Returns the bias in closed form and in the unit of the GLSL function; for normal_offset() its length.
     double (*amount)(const BiasSettings&, const BiasInput&) = nullptr;
 };
 
+/// Returns all rows of the bias table.
 std::span<const Bias> biases();
-std::span<const Choice> bias_choices();  ///< of bias.kind: the rows of stage Compare, which come first
+/// Returns the choices of the setting bias.kind: the table's rows of stage Compare, which come first.
+std::span<const Choice> bias_choices();
 
-/// The row that bias.kind chooses.
+/// Returns the bias row that the setting bias.kind chooses.
 const Bias& bias_of(const Settings& settings);
-/// The row of a stage that has but one.
+/// Returns the only bias row of stage LookUp or Raster.
 const Bias& bias_of_stage(BiasStage stage);
-/// Whether the row reads a setting, or all rows do.
+/// Returns true when the bias row reads the setting `key`: the row lists the key, or no row does.
 bool reads_setting(const Bias& row, std::string_view key);
 
-/// The lectures' bias, max(slope (1 - n.l), constant), in bias.unit.
+/// Returns the slope-scaled bias max(bias.slope (1 - n.l), bias.constant), in bias.unit.
+/// @param n_dot_l cosine between normal and light
 double slope_amount(const BiasSettings& bias, double n_dot_l);
 
 }  // namespace si

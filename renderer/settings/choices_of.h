@@ -1,4 +1,4 @@
-// The choices of a setting that names a row of a table of techniques.
+// Conversion of a table of techniques to the choices of a setting.
 #pragma once
 
 #include <span>
@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// One choice a row, by its key, label and help, in the table's order.
+/// Converts the rows of a table of techniques (key, label, help) to choices of a setting, in the table's order.
 template <typename Row>
 std::vector<Choice> choices_of(std::span<const Row> rows) {
     std::vector<Choice> out;

@@ -1,3 +1,4 @@
+// Decision between shadow sampler and comparison in the shader.
 #include "renderer/settings/depth_compare.h"
 
 #include "renderer/settings/biases.h"

@@ -1,4 +1,4 @@
-// The comparison of a look-up's depth with the map's texels, as kernel, bias and map settings make it together.
+// Depth comparison of a look-up with the map's texels, which kernel, bias and map settings decide together.
 #pragma once
 
 #include "renderer/settings/filters.h"
@@ -6,13 +6,14 @@
 
 namespace si {
 
-/// Whether every texel is compared with a depth of its own: bias.kind would, and the kernel compares depths.
+/// Returns true when each texel of a look-up is compared with its own depth: the bias row is per texel, and the kernel
+/// compares depths.
 bool compares_per_texel(const Settings& settings);
-/// Whether a kernel compares in a shadow sampler: where filter.method asks for it, the map's format can, and one depth
-/// serves all texels of a bilinear comparison.
+/// Returns true when the kernel compares through a shadow sampler (sampler2DShadow). Conditions: filter.method requests
+/// it, the map's format supports it, and one depth serves all texels of a bilinear comparison.
 bool uses_sampler(const Settings& settings);
 
-/// Cost of the kernel that the settings choose, by the method of comparison in use.
+/// Returns the cost per pixel of the chosen kernel, by the comparison method in use (gathers or shadow sampler).
 FilterCost cost_of(const Settings& settings);
 
 }  // namespace si

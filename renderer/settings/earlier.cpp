@@ -1,3 +1,4 @@
+// Defaults of earlier versions.
 #include "renderer/settings/earlier.h"
 
 #include <fmt/format.h>
@@ -7,7 +8,7 @@
 namespace si {
 namespace {
 
-// Rows are only added, never edited. {.version = 2, .key = "light.fit", .value = "scene"} would say that light.fit was
+// Rows are only added, never edited. Example: {.version = 2, .key = "light.fit", .value = "scene"} if light.fit was
 // "scene" up to version 2.
 constexpr std::span<const EarlierDefault> kEarlierDefaults;
 
@@ -50,7 +51,7 @@ int configured_light_count(std::span<const SettingValue> values) {
 
 Settings defaults_of_version(int version, int lights) {
     Settings settings;
-    // Newest change first: of several rows of one setting the oldest that covers the version is written last and stays.
+    // Rows go from new to old. Of several rows of one setting the oldest one that covers the version is written last.
     const auto rows = earlier_defaults();
     for (auto row = rows.rbegin(); row != rows.rend(); ++row) {
         if (version > row->version) continue;

@@ -1,5 +1,5 @@
 // Defaults of earlier versions. A file holds the settings that differ from the defaults of the version that wrote it,
-// so a reader needs the defaults of that version.
+// so reading needs the defaults of that version.
 #pragma once
 
 #include <span>
@@ -11,22 +11,24 @@
 
 namespace si {
 
-/// Version of all files that hold settings. It rises with each release that changes a default.
+/// Version number written to all files that hold settings. Each release that changes a default increases it.
 inline constexpr int kSettingsVersion = 2;
 
-/// Default of a setting before a release changed it.
+/// Default value of one setting before a release changed it.
 struct EarlierDefault {
-    int version = kSettingsVersion;  ///< last version that had it
-    std::string_view key;            ///< of the row; "light.X" for all lights
-    std::string_view value;          ///< as set_setting() takes it
+    int version = kSettingsVersion;  ///< last version with this default
+    std::string_view key;            ///< key of the setting; "light.X" for all lights
+    std::string_view value;          ///< text for set_setting()
 };
 
-/// Returns the defaults that releases have changed, oldest first. Empty before the first release.
+/// Returns the former defaults that releases have changed, oldest first. Empty before the first release.
 std::span<const EarlierDefault> earlier_defaults();
 
-/// Replaces earlier_defaults() while it lives, so that a test reads files of versions that no release has written.
+/// Scope guard for tests: replaces the result of earlier_defaults() during its lifetime. A test can then read files of
+/// versions that no release has written.
 class TrialEarlierDefaults {
 public:
+    /// @param rows outlive the guard
     explicit TrialEarlierDefaults(std::span<const EarlierDefault> rows);
     ~TrialEarlierDefaults();
     TrialEarlierDefaults(const TrialEarlierDefaults&) = delete;
@@ -36,18 +38,21 @@ private:
     std::span<const EarlierDefault> before_;
 };
 
-/// Returns the oldest version of files that can be read: that of the oldest row of earlier_defaults().
+/// Returns the oldest readable version of settings files: the lowest version in earlier_defaults().
 int oldest_settings_version();
-/// Returns the readable versions for a message: "version 2", "versions 2 to 3".
+/// Returns the readable versions of settings files as text for a message: "version 2", "versions 2 to 3".
 std::string readable_versions();
 
+/// Setting and the value that a file gives it.
 using SettingValue = std::pair<SettingRef, Value>;
 
-/// Returns the number of lights that a file's values concern: light.count, and lights that have a value of their own.
+/// Returns the number of lights that a file's values configure: the larger of light.count and the last light with a
+/// value, plus one.
 int configured_light_count(std::span<const SettingValue> values);
 
-/// Returns the settings that a file's values are written over: the defaults of its version.
-/// @param lights lights that the file concerns (configured_light_count()); later ones begin with the present defaults
+/// Returns the default settings of a version of the program, the base on which a file of this version is applied.
+/// @param lights number of lights with defaults of this version (configured_light_count()); further lights get the
+/// present defaults
 Settings defaults_of_version(int version, int lights = kMaxLights);
 
 }  // namespace si

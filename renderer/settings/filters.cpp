@@ -1,3 +1,4 @@
+// Rows of the table of filter kernels: help, cost, reach.
 #include "renderer/settings/filters.h"
 
 #include <fmt/format.h>
@@ -44,49 +45,52 @@ constexpr std::string_view kWarpedMean[] = {"e^(c x)"};
 constexpr std::string_view kRisenMoments[] = {"e^(c x)", "e^(2 c x)"};
 constexpr std::string_view kTwiceWarpedMoments[] = {"e^(c x)", "e^(2 c x)", "-e^(-d x)", "e^(-2 d x)"};
 
-/// Texels by which the plane is compared are those that are read, and move edges as far.
-constexpr Reach everywhere(double texels) {
+/// Returns a reach that is equal for bias, edges and reads.
+constexpr Reach uniform_reach(double texels) {
     return {texels, texels, texels};
 }
 
+/// Returns the reach of a kernel that samples a disk of filter.radius.
 Reach disk_reach(const Filter&, const Settings& s, double widest_texels) {
     const bool metres = s.filter.radius_unit == RadiusUnit::Metres;
-    return everywhere((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
+    return uniform_reach((metres ? std::min(widest_texels, s.filter.max_radius) : s.filter.radius) + 0.5);
 }
 
+/// Returns the reach of a kernel whose radius follows the penumbra.
 Reach penumbra_reach(const Filter&, const Settings& s, double widest_texels) {
-    return everywhere(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
+    return uniform_reach(std::clamp(widest_texels, 0.5, std::max(s.filter.max_radius, 0.5)) + 0.5);
 }
 
-/// Of kernels whose every tap is a place of the disk.
+/// Returns the cost of a kernel with one tap for each point of the disk.
 FilterCost disk_cost(const Filter& row, const Settings& s) {
     const int taps = disk_point_count(row, s, s.filter.taps);
     return {0, taps, taps};
 }
 
-/// Of kernels whose every comparison takes two texels of a row and two of a column.
+/// Returns the cost of a kernel whose comparisons each cover two texels along both axes.
 FilterCost paired_cost(const Filter& row, const Settings& s) {
     const int per_axis = taps_across(row, s) / 2 + 1, taps = per_axis * per_axis;
     return {taps, taps, 4 * taps};
 }
 
-/// Of bounds by mean and spread. A plane's own depths vary about their mean, which bounds it as lit, whatever its
-/// slope: half a texel for the blend's centre is left.
+/// Returns the reach of kernels that bound visibility by mean and variance. The variance of a sloped plane's own depths
+/// keeps the plane lit, so the bias covers only half a texel for the centre of the blend.
 Reach bounded_reach(const Filter&, const Settings& s, double) {
     const double reach = s.filter.blur + 1;
     return {0.5, reach, reach};
 }
 
-/// Of bounds that tell a plane's nearer depths from its farther ones.
+/// Returns the reach of kernels that separate a plane's nearer depths from its farther ones (four moments).
 Reach moment_reach(const Filter&, const Settings& s, double) {
-    return everywhere(s.filter.blur + 1);
+    return uniform_reach(s.filter.blur + 1);
 }
 
+/// Returns the cost of one bilinear fetch.
 FilterCost one_blend(const Filter&, const Settings&) {
     return {0, 1, 4};
 }
 
-constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias lets some in"};
+constexpr Tolerance kMsmTolerance = {.lit = 0.01, .dark = 0.03, .why = "the moment bias leaks some light"};
 
 constexpr Filter kFilters[] = {
     {.key = "hard",
@@ -104,8 +108,8 @@ constexpr Filter kFilters[] = {
      .bilinear = true},
     {.key = "pcf",
      .label = "PCF",
-     .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. Wider is softer and "
-             "calls for more bias. Of an even size it is centred between texels.",
+     .help = "The mean of filter.size^2 comparisons one texel apart, bilinear or of single texels. A wider kernel is "
+             "softer and needs more bias. An even size is centred between texels.",
      .paper = "Reeves, Salesin, Cook: Rendering Antialiased Shadows with Depth Maps, SIGGRAPH 1987",
      .file = "filters/pcf.glsl",
      .size = 0,
@@ -114,16 +118,15 @@ constexpr Filter kFilters[] = {
      .swept = kPcfSwept},
     {.key = "tent3",
      .label = "Tent 3×3",
-     .help = "3x3 nearest comparisons that weigh 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
+     .help = "3x3 nearest comparisons with weights of 1, 2 and 4 sixteenths: softer at its ends than the plain mean.",
      .paper = "Jaehne: Digital Image Processing, on binomial filters",
      .file = "filters/tent3.glsl",
      .size = 3},
     {.key = "tent",
      .label = "Tent",
-     .help =
-         "Weights that fall evenly from the middle to nothing, filter.size texels across: (size / 2 + 1)^2 bilinear "
-         "comparisons, each placed so that it weighs its 2x2 texels exactly so. Smoother than PCF of that size at "
-         "a quarter of its comparisons.",
+     .help = "Weights that fall linearly from the middle to 0, filter.size texels across, by (size / 2 + 1)^2 bilinear "
+             "comparisons. Each is placed so that its 2x2 texels get these weights exactly. Smoother than PCF of that "
+             "size at a quarter of its comparisons.",
      .paper = "Castano: Shadow Mapping Summary, on the shadows of The Witness, 2013",
      .file = "filters/tent.glsl",
      .size = 0,
@@ -133,7 +136,7 @@ constexpr Filter kFilters[] = {
      .swept = kTentSwept},
     {.key = "gauss",
      .label = "Gauss",
-     .help = "Gaussian weights that end at nothing beyond filter.size texels across, by (size / 2 + 1)^2 bilinear "
+     .help = "Gaussian weights that reach 0 at the ends of filter.size texels, by (size / 2 + 1)^2 bilinear "
              "comparisons: rounder than the tent, with no corners in its edges.",
      .paper = "Pettineo: A Sampling of Shadow Techniques, 2013",
      .file = "filters/gauss.glsl",
@@ -144,8 +147,8 @@ constexpr Filter kFilters[] = {
      .swept = kGaussSwept},
     {.key = "poisson",
      .label = "Poisson disk",
-     .help = "Nearest comparisons at places spread over a disk, which each pixel turns by an angle of its own: noise "
-             "in place of steps. Its table has 64 places.",
+     .help = "Nearest comparisons at places spread over a disk, which each pixel rotates by its own angle: noise in "
+             "place of steps. Its table has 64 places.",
      .paper = "Uralsky: Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, 2005",
      .file = "filters/poisson.glsl",
      .square = false,
@@ -156,8 +159,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.6}},
     {.key = "vogel",
      .label = "Vogel disk",
-     .help = "Nearest comparisons along a spiral of golden angles, as even for any number of taps, up to 4096; each "
-             "pixel turns it by interleaved gradient noise.",
+     .help = "Nearest comparisons along a spiral of golden angles, evenly spread for any number of taps up to 4096. "
+             "Each pixel rotates the spiral by interleaved gradient noise.",
      .paper = "Vogel: A Better Way to Construct the Sunflower Head, Mathematical Biosciences 44, 1979; noise: Jimenez: "
               "Next Generation Post Processing in Call of Duty, SIGGRAPH 2014",
      .file = "filters/vogel.glsl",
@@ -168,8 +171,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "pcss",
      .label = "PCSS",
-     .help = "Percentage-closer soft shadows: searches what stands before the surface, and makes the penumbra as wide "
-             "as its distance and light.size ask for.",
+     .help = "Percentage-closer soft shadows: searches for casters before the surface, and makes the penumbra as wide "
+             "as their distance and light.size require.",
      .paper = "Fernando: Percentage-Closer Soft Shadows, SIGGRAPH 2005",
      .file = "filters/pcss.glsl",
      .square = false,
@@ -186,9 +189,9 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "dpcf",
      .label = "DPCF",
-     .help = "Contact-hardening shadows without a search: the same taps tell how much of the widest penumbra is "
-             "shadowed and how far off, and the contrast of that share is raised until the edge is as narrow as it "
-             "should be. Right for one straight edge; wrong where two occluders lie over each other.",
+     .help = "Contact-hardening shadows without a search: the same taps give the shadowed share of the widest penumbra "
+             "and the distance of the caster. The contrast of that share is raised until the edge has its right width. "
+             "This is exact for one straight edge and wrong where two casters overlap.",
      .paper =
          "Guy, Agopian: Physically Based Rendering in Filament (DPCF); after Gruen: Contact Hardening Shadows Made "
          "Fast, 2010",
@@ -204,16 +207,16 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.taps", .slope = -0.75}},
     {.key = "smrt",
      .label = "Shadow-map rays",
-     .help = "Rays from the surface to places of the light, each followed through the map in steps: it is stopped by "
-             "what lies before it by less than filter.thickness. Penumbrae of occluders over each other come out "
-             "right; what the map does not hold behind its nearest surfaces is guessed.",
+     .help = "Rays from the surface to places of the light, each followed through the map in steps. A surface less "
+             "than filter.thickness before the ray blocks it. Penumbrae of overlapping casters are right. Geometry "
+             "behind the map's nearest surfaces is assumed.",
      .paper = "Epic Games: Shadow Map Ray Tracing, in Virtual Shadow Maps, Unreal Engine 5, 2021",
      .file = "filters/smrt.glsl",
      .square = false,
      .linear = false,
      .reads_light_size = true,
      .settings = kSmrtSettings,
-     // A ray rises faster than the plane that it starts from: half a texel for the nearest one's centre is left.
+     // A ray rises faster than its plane, so the bias covers only half a texel for the nearest texel's centre.
      .reach =
          [](const Filter& row, const Settings& s, double widest_texels) {
              const double reach = penumbra_reach(row, s, widest_texels).edge;
@@ -227,8 +230,8 @@ constexpr Filter kFilters[] = {
      .noise = {.taps = "filter.rays", .slope = -0.65}},
     {.key = "vsm",
      .label = "VSM",
-     .help = "Variance shadow map: one look-up of the mean and variance of the depths about each texel, blurred "
-             "beforehand, bounds how much of them lies before the surface. Light bleeds where shadows overlap.",
+     .help = "Variance shadow map: mean and variance of depth are blurred beforehand, and one look-up bounds the share "
+             "of depths before the surface. Light bleeds where shadows overlap.",
      .paper = "Donnelly, Lauritzen: Variance Shadow Maps, I3D 2006",
      .file = "filters/vsm.glsl",
      .square = false,
@@ -240,11 +243,12 @@ constexpr Filter kFilters[] = {
      .cost = one_blend,
      .tolerance = {.lit = 1e-5,
                    .dark = 0.02,
-                   .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+                   .why =
+                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
     {.key = "savsm",
      .label = "SAVSM",
-     .help = "Summed-area variance shadow map: the window's width is chosen at each look-up, by sixteen fetches of a "
-             "table of sums, at any width. The table costs more than a blur, and digits.",
+     .help = "Summed-area variance shadow map: each look-up chooses its window, by sixteen fetches of a summed-area "
+             "table at any width. The table costs more time than a blur, and precision.",
      .paper = "Lauritzen: Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8, 2007",
      .file = "filters/savsm.glsl",
      .square = false,
@@ -263,11 +267,12 @@ constexpr Filter kFilters[] = {
          },
      .tolerance = {.lit = 1e-5,
                    .dark = 0.02,
-                   .why = "the least variance lets this much in behind an occluder 7 thousandths of the range away"}},
+                   .why =
+                       "the minimum variance leaks this much light behind a caster 7 thousandths of the range away"}},
     {.key = "esm",
      .label = "ESM",
-     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the share of lit depths where all "
-             "that is lit lies far behind what is not. Light leaks in near contacts, the more the lower c.",
+     .help = "Exponential shadow map: one number a texel, the mean of e^(c z), gives the lit share if lit depths lie "
+             "far behind all casters. Light leaks near contacts, more so with a lower c.",
      .paper = "Annen, Mertens, Seidel, Flerackers, Kautz: Exponential Shadow Maps, Graphics Interface 2008",
      .file = "filters/esm.glsl",
      .square = false,
@@ -280,12 +285,11 @@ constexpr Filter kFilters[] = {
      .settings = kEsmSettings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "an occluder so near lets e^(c (z - own)) in"}},
+     .tolerance = {.lit = 1e-5, .dark = 0.05, .why = "a caster this near leaks e^(c (z - own))"}},
     {.key = "evsm2",
      .label = "EVSM2",
-     .help =
-         "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), under which far occluders hardly "
-         "count. Little light bleeds.",
+     .help = "Exponential variance shadow map, one warp: Chebyshev's bound of e^(c x), in which far casters hardly "
+             "count. Little light bleeds.",
      .paper = "Lauritzen, McCool: Layered Variance Shadow Maps, Graphics Interface 2008",
      .file = "filters/evsm2.glsl",
      .square = false,
@@ -295,7 +299,7 @@ constexpr Filter kFilters[] = {
      .settings = kEvsm2Settings,
      .reach = bounded_reach,
      .cost = one_blend,
-     .tolerance = {.lit = 1e-5, .dark = 0.02, .why = "the least variance lets this much in"}},
+     .tolerance = {.lit = 1e-5, .dark = 0.02, .why = "the minimum variance leaks this much light"}},
     {.key = "evsm4",
      .label = "EVSM4",
      .help = "Exponential variance shadow map, two warps: the lower of the bounds by e^(c x) and by -e^(-d x), each "
@@ -314,8 +318,8 @@ constexpr Filter kFilters[] = {
      .tolerance = {.lit = 0.05, .dark = 0.02, .why = "a slope's mean of -e^(-d x) lies before its middle"}},
     {.key = "msm_hamburger",
      .label = "MSM (Hamburger)",
-     .help = "Moment shadow map: of all depths with the four moments that are stored, those with least before the "
-             "surface. Sharper than variance; a slope needs bias as wide as the blur.",
+     .help = "Moment shadow map: among all depth distributions with the four stored moments, the one with the least "
+             "share before the surface. Sharper than variance. A slope needs bias as wide as the blur.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hamburger.glsl",
      .square = false,
@@ -323,15 +327,15 @@ constexpr Filter kFilters[] = {
      .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
-                 .bound = "1 - what lies before z of the three depths that have these moments"},
+                 .bound = "1 - share before z of the three depths with these moments"},
      .settings = kMsmSettings,
      .reach = moment_reach,
      .cost = one_blend,
      .tolerance = kMsmTolerance},
     {.key = "msm_hausdorff",
      .label = "MSM (Hausdorff)",
-     .help = "As msm_hamburger, but depths are known to lie between near and far, which darkens what bleeds at both "
-             "ends of the range.",
+     .help = "As msm_hamburger, with depths known to lie between near and far, which reduces bleeding at both ends of "
+             "the range.",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
      .file = "filters/msm_hausdorff.glsl",
      .square = false,
@@ -339,7 +343,7 @@ constexpr Filter kFilters[] = {
      .samples = Samples::Moments,
      .moments = {.names = kFourMoments,
                  .quantised = true,
-                 .bound = "1 - what lies before z of three depths, or four from near to far, that have these moments"},
+                 .bound = "1 - share before z of three depths, or four from near to far, with these moments"},
      .settings = kMsmSettings,
      .reach = moment_reach,
      .cost = one_blend,
@@ -352,7 +356,7 @@ std::vector<Filter>& filter_table() {
 }
 
 bool uses_disk_table(const Filter& row, const Settings& settings) {
-    const bool spiral = owns(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
+    const bool spiral = owns_setting(row, "filter.disk") && settings.filter.disk == Disk::Spiral;
     return row.uses_disk_table && !spiral;
 }
 
@@ -362,7 +366,7 @@ Reach Filter::square_reach(const Filter& row, const Settings& s, double) {
     const int across = taps_across(row, s);
     const bool bilinear = is_bilinear(row, s);
     const double reach = 0.5 * (across + (bilinear ? 1 : 0));
-    // Gathers take texels by twos: of an odd number the last brings one that weighs nothing.
+    // Gathers fetch pairs of texels. With an odd number of texels the last pair has one of weight 0.
     return {reach, reach, bilinear && across % 2 == 0 ? reach + 1 : reach};
 }
 
@@ -373,7 +377,7 @@ FilterCost Filter::square_cost(const Filter& row, const Settings& settings) {
     return {gathers, taps, (bilinear ? 4 : 1) * taps};
 }
 
-bool owns(const Filter& row, std::string_view key) {
+bool owns_setting(const Filter& row, std::string_view key) {
     return std::ranges::find(row.settings, key) != row.settings.end();
 }
 
@@ -390,7 +394,7 @@ int taps_across(const Filter& row, const Settings& settings) {
 }
 
 bool is_bilinear(const Filter& row, const Settings& settings) {
-    return row.bilinear && !(owns(row, "filter.point") && settings.filter.point);
+    return row.bilinear && !(owns_setting(row, "filter.point") && settings.filter.point);
 }
 
 std::string kernel_label(const Settings& settings) {
@@ -462,11 +466,10 @@ int requested_mip(const Settings& settings) {
 double safe_exponent(const Settings& settings) {
     const int power = filter_of(settings).moments.power;
     if (power == 0) return std::numeric_limits<double>::infinity();
-    // Of 16-bit floats the largest, and the least, which is kept however small; of 32-bit ones that which is not
-    // flushed.
+    // The smallest 16-bit float is a denormal, which survives. Denormal 32-bit floats are flushed to zero.
     const bool wide = settings.filter.moment_format == MomentFormat::Bits32;
     const double largest = wide ? double(std::numeric_limits<float>::max()) : 65504.0;
-    // Averages are made of shares of each texel, in 32 bits: of the outermost of a Gaussian e^-2 of the middle's.
+    // An average sums weighted texels in 32 bits. The outermost weight of a Gaussian is e^-2 of the middle one.
     const FilterSettings& s = settings.filter;
     const double shares = (2 * s.blur + 1) * (s.blur_shape == BlurShape::Gaussian ? std::exp(2.0) : 1) *
                           std::max(settings.map.samples, 1);

@@ -1,4 +1,4 @@
-// The table of filter kernels: a new one is one row here and one GLSL file.
+// Table of filter kernels. A new kernel is one row of this table and one GLSL file.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,126 +13,137 @@
 
 namespace si {
 
-/// How far from the receiver a kernel's parts lie at most, per axis, in texels.
+/// Largest distances from the receiver to the texels of a kernel, per axis, in texels, for three purposes.
 struct Reach {
-    double bias = 0.5;  ///< kappa of the bias formula: centres of texels by which the receiver's own plane is compared
-    double edge = 0.5;  ///< by how much an edge of the shadow is displaced or widened
+    double bias = 0.5;  ///< centres of texels compared with the receiver's own plane (kappa of the bias formula)
+    double edge = 0.5;  ///< displacement or widening of a shadow edge
     double read = 0.5;  ///< centres of texels that are read
 };
 
-/// What of the map a kernel reads.
+/// Data of the map that a kernel reads.
 enum class Samples {
-    Depth,    ///< stored depths, which it compares
-    Moments,  ///< functions of depths, averaged (lib/moments.glsl): Filter::moments
+    Depth,    ///< stored depths, for comparisons
+    Moments,  ///< averaged functions of depths (lib/moments.glsl, Filter::moments)
 };
 
-/// What the moments pass keeps for a kernel in place of depths: `vec4 moments_of(float share)` of its file, averaged
-/// about each texel.
+/// Moments that the moments pass stores for a kernel in place of depths. `vec4 moments_of(float share)` of the kernel's
+/// file gives them for one depth; the pass averages them around each texel.
 struct StoredMoments {
-    std::span<const std::string_view> names = {};  ///< of its 1, 2 or 4 channels
-    int power = 0;                                 ///< highest power of e to the exponents that is stored; 0: none is
-    bool quantised = false;        ///< 16 bits are integers of a transform of the moments (shared/moments.h)
-    bool summed = false;           ///< as a table of sums (lib/summed_area.glsl)
-    bool reduces_bleeding = true;  ///< by filter.bleed
-    std::string_view bound = {};   ///< in words: what share can be lit at most, by mean m, variance v and own depth z
+    std::span<const std::string_view> names = {};  ///< names of the 1, 2 or 4 channels
+    int power = 0;                                 ///< highest stored power of the exponential; 0: none
+    bool quantised = false;        ///< with 16 bits: integers of a transform of the moments (shared/moments.h)
+    bool summed = false;           ///< stored as a summed-area table (lib/summed_area.glsl)
+    bool reduces_bleeding = true;  ///< filter.bleed applies
+    std::string_view bound = {};   ///< text: upper bound of the lit share, by mean m, variance v and own depth z
 };
 
-/// What a kernel does for each light and lit pixel.
+/// Work of a kernel for each light and lit pixel.
 struct FilterCost {
     int gathers = 0;       ///< textureGather calls with method gather; 0: one call fetches one texel
-    int sampler_taps = 1;  ///< texture calls otherwise
-    int texels = 1;        ///< fetched by the sampler; in cost_of() by the method in use
+    int sampler_taps = 1;  ///< texture calls with the other methods
+    int texels = 1;        ///< texels fetched by the sampler; from cost_of(): by the method in use
 };
 
-/// How far a kernel may be from the truth where no edge is in its reach, and why.
+/// Largest allowed error of a kernel against the reference at pixels without an edge in reach, and the reason.
 struct Tolerance {
-    double lit = 1e-5;   ///< visibility lacking on lit surfaces: weights round to a little less or more than one
-    double dark = 1e-5;  ///< visibility left in full shadow
+    double lit = 1e-5;   ///< missing visibility on lit surfaces: rounded weights sum to a little less or more than 1
+    double dark = 1e-5;  ///< remaining visibility in full shadow
     std::string_view why = "rounding of the weights";
 };
 
-/// How the noise of a kernel that samples falls towards its own limit, 4096 places: with the square root of their
-/// number where they lie at random, faster the more evenly they are spread.
+/// Convergence of a sampling kernel to its own result with 4096 samples. Random samples converge with the square root
+/// of their number, evenly spread samples faster.
 struct Noise {
-    std::string_view taps;  ///< key of the setting that says how many places are sampled; empty: nothing is
-    double slope = 0;       ///< of the logarithm of the RMSE over that of their number
+    std::string_view taps;  ///< key of the setting with the number of samples; empty: the kernel does not sample
+    double slope = 0;       ///< slope of log RMSE over log number
     double tolerance = 0.15;
 };
 
-/// A shadow filter kernel. Its file defines `float filter_visibility(Receiver r)`.
+/// Row of the table of shadow filter kernels. The row's file defines `float filter_visibility(Receiver r)`.
 struct Filter {
     std::string_view key, label, help;
-    std::string_view paper;  ///< where it comes from
-    std::string_view file;   ///< below shaders/
-    int size = 1;            ///< texels or bilinear taps per axis of square kernels; 0: filter.size says it
-    bool bilinear = false;   ///< each tap weighs 2x2 texels, but under filter.point where that is its own
-    bool square = true;      ///< size x size taps about the look-up, whatever lies there
-    bool linear = true;      ///< a weighted sum of comparisons, so that each tap's weight can be told
+    std::string_view paper;  ///< source
+    std::string_view file;   ///< GLSL file below shaders/
+    int size = 1;            ///< texels or bilinear taps per axis of a square kernel; 0: filter.size
+    bool bilinear = false;   ///< each tap blends 2x2 texels, except with filter.point
+    bool square = true;      ///< size x size taps at fixed places around the look-up
+    bool linear = true;      ///< result is a weighted sum of comparisons, so that each tap has a weight
     Samples samples = Samples::Depth;
     StoredMoments moments = {};
-    bool searches_blockers = false;  ///< and where it finds none, says lit and compares nothing
+    bool searches_blockers = false;  ///< first searches casters; without one it returns lit and compares nothing
     bool reads_light_size = false;
-    bool uses_disk_table = false;  ///< of kDiskTable places, unless filter.disk is its own and says otherwise
-    std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
-    /// @param widest_texels radius of the widest area that it spreads over under the light: of the penumbra for rows
-    /// that read its size, else of a filter.radius in metres; infinite where no light is known
+    bool uses_disk_table = false;  ///< samples the kDiskTable points of the Poisson disk, unless filter.disk is spiral
+    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
+    /// Returns the kernel's reach.
+    /// @param widest_texels radius of its widest area under the light: the penumbra for rows that read the light's
+    /// size, else a filter.radius in metres; infinite if no light is known
     Reach (*reach)(const Filter&, const Settings&, double widest_texels) = square_reach;
+    /// Returns the kernel's cost.
     FilterCost (*cost)(const Filter&, const Settings&) = square_cost;
 
     Tolerance tolerance = {};
     Noise noise = {};
-    /// What sweeps over all kernels and searches take of it, as --set filter.kernel takes it; empty: the row as it is.
+    /// Names of this row's variants for sweeps over all kernels and for searches, as in --set filter.kernel; empty: the
+    /// row's key.
     std::span<const std::string_view> swept = {};
 
+    /// Returns the reach of a square kernel, in texels.
     static Reach square_reach(const Filter& row, const Settings&, double widest_texels);
+    /// Returns the cost of a square kernel.
     static FilterCost square_cost(const Filter& row, const Settings& settings);
 };
 
-/// Whether a setting is one of the row's own.
-bool owns(const Filter& row, std::string_view key);
+/// Returns true when the kernel row lists the setting `key` among its own settings.
+bool owns_setting(const Filter& row, std::string_view key);
 
-/// Taps per axis of a square kernel, the define KERNEL_SIZE.
+/// Returns the taps per axis of a square kernel, the GLSL define KERNEL_SIZE.
 int taps_across(const Filter& row, const Settings& settings);
-/// Whether each tap weighs 2x2 texels.
+/// Returns true when each tap of the kernel blends 2x2 texels.
 bool is_bilinear(const Filter& row, const Settings& settings);
-/// The kernel's label, with its size where that is a setting: "PCF 5×5".
+/// Returns the chosen kernel's label for display, with its size if the size is a setting: "PCF 5×5".
 std::string kernel_label(const Settings& settings);
-/// How many of so many places a kernel samples: its table may end before.
+/// Returns the number of disk points that a kernel samples if `places` are requested: its table may have fewer.
 int disk_point_count(const Filter& row, const Settings& settings, int places);
-/// Those places, in the unit disk.
+/// Returns the `places` points in the unit disk that a kernel samples, from the Poisson table or the spiral.
 std::vector<glm::vec2> disk_points(const Filter& row, const Settings& settings, int places);
 
-/// What a kernel wants prepared besides the depths, in bytes.
+/// Memory for data that a kernel needs prepared besides the depths, in bytes.
 struct PrefilterBytes {
-    double kept = 0;     ///< for each texel of the maps, mip levels included
-    double scratch = 0;  ///< for each texel of one map, while it is made
+    double kept = 0;     ///< bytes per texel of the maps, mip levels included
+    double scratch = 0;  ///< bytes per texel of one map, during the preparation
 };
+/// Returns the memory for prepared data (moments, mip levels, tables) of the chosen kernel, in bytes per texel.
 PrefilterBytes prefilter_bytes(const Settings& settings);
-/// Of a map's texel, with its blurred depth and what kernels read in its place; taken for 4 bytes in any format.
+/// Returns the bytes per texel of a map together with its blurred depth and moments. Depth counts 4 bytes in any
+/// format.
 double stored_texel_bytes(const Settings& settings);
 
-/// Which of its moments the map viewer shows, counted from 1; 0: depth, as view.map_channel asks for none that there
-/// is.
+/// Returns the moment that the map viewer shows, counted from 1. Returns 0 for depth, or if view.map_channel names no
+/// moment of the kernel.
 int shown_channel(const Settings& settings);
-/// Whether mip levels of the moments are made.
+/// Returns true when mip levels of the moments are made.
 bool keeps_mips(const Settings& settings);
-/// Which mip level of the shown moment is asked for, past the coarsest too; 0 where there are none.
+/// Returns the requested mip level of the shown moment, which may exceed the coarsest; 0 without mip levels.
 int requested_mip(const Settings& settings);
 
-/// The highest of the kernel's exponents whose warped depths, and their powers that are stored, are numbers of the
-/// format: neither too large nor so small that a 32-bit float is flushed to zero. Infinite where none is stored.
+/// Returns the highest exponent (filter.exponent) for which the stored exponentials and their powers neither overflow
+/// nor flush to zero in the moment format. Infinite if the kernel stores no exponential.
 double safe_exponent(const Settings& settings);
 
+/// Returns all rows of the kernel table.
 std::span<const Filter> filters();
-/// Adds a row after the others, for kernels that are not built in; before anything else looks at the settings' table.
-/// Its GLSL comes by gl::add_shader_text().
+/// Appends a kernel row that is not built in. Call it before the first use of the settings table. The row's GLSL text
+/// comes from gl::add_shader_text().
 void add_filter(const Filter& row);
+/// Returns the choices of the setting filter.kernel, one for each row of the kernel table.
 std::span<const Choice> filter_choices();
-/// Every row at its own short list of sizes, as --set filter.kernel takes them: pcf3, pcf5, ...
+/// Returns the kernels of a sweep over all kernels, each at its short list of sizes: "hard", "pcf3", "pcf5", ...
 std::span<const std::string_view> sweep_kernels();
 
-/// The row that the settings choose, and its reach under them. Under a given light: kernel_reach_in_light().
+/// Returns the kernel row that the setting filter.kernel chooses.
 const Filter& filter_of(const Settings& settings);
+/// Returns the reach of the chosen kernel, in texels. For a given light use kernel_reach_in_light().
+/// @param widest_texels radius of the kernel's widest area; infinite if no light is known
 Reach reach_of(const Settings& settings, double widest_texels = std::numeric_limits<double>::infinity());
 
 }  // namespace si

@@ -1,3 +1,4 @@
+// Rows of the table of fits, which choose the region of a shadow map.
 #include "renderer/settings/fits.h"
 
 #include "renderer/settings/choices_of.h"
@@ -13,33 +14,32 @@ constexpr FitRow kFits[] = {
      .help = "near, far, extent and distance as given (0: as the scene fit finds them)."},
     {.key = "scene", .label = "whole scene", .help = "The frustum holds the bounds of the scene."},
     {.key = "casters",
-     .label = "where shadows fall",
-     .help = "Only where a caster can shadow anything that faces the light, wherever the camera is; all else is lit. A "
-             "ground is drawn but does not widen the map, as it shadows nothing that stands on it. Point lights, wide "
-             "cones and suns in perspective: the whole scene.",
+     .label = "caster region",
+     .help = "The caster region: where a caster can shadow anything that faces the light, wherever the camera is. All "
+             "else is lit. A ground is drawn and does not widen the map, since it shadows nothing on it. Point lights, "
+             "wide cones and directional lights in perspective: the whole scene.",
      .narrows = true},
     {.key = "view",
-     .label = "what is seen",
-     .help = "As where shadows fall, but only of the surfaces that the camera sees: the finest texels, which change "
-             "as the camera moves.",
+     .label = "view frustum",
+     .help =
+         "As casters, restricted to surfaces in the view frustum: the finest texels, which change as the camera moves.",
      .paper = "Brabec, Annen, Seidel, Practical Shadow Mapping, Journal of Graphics Tools 7(4), 2002",
      .reads_camera = true,
      .narrows = true},
     {.key = "stabilised",
      .label = "stabilised",
-     .help = "For suns: the sphere around what the camera sees, whose size stays as it turns and moves, in steps of "
-             "whole texels. Shadow edges do not crawl; the map is wider. Of cascades each is such a map. Camera depths "
-             "are taken from the sphere around the scene, in octaves of the camera's distance. Other lights: the whole "
-             "scene.",
+     .help = "For directional lights: a sphere around the view frustum, of constant size while the camera turns and "
+             "moves, in steps of whole texels. Shadow edges do not shimmer, and the map is wider. Each cascade is such "
+             "a map. Camera depths are taken from the sphere around the scene, in octaves of the camera's distance. "
+             "Other lights: the whole scene.",
      .paper = "Valient, Stable Rendering of Cascaded Shadow Maps, ShaderX 6, 2008",
      .reads_camera = true},
     {.key = "lispsm",
      .label = "light space perspective",
-     .help =
-         "For suns: what the camera sees, with texels that are small near the camera and large far away. The more "
-         "the light shines along the view, the less there is to warp; where it shines straight along it or against "
-         "it, and under an orthographic camera, nothing is. Of cascades each is warped by itself. Depths are fitted: "
-         "near and far by hand have no effect. Other lights, and suns in perspective: the whole scene.",
+     .help = "For directional lights: the view frustum, with small texels near the camera and large ones far away. The "
+             "warp is weaker the closer light and view are to parallel, and none if they are parallel or the camera is "
+             "orthographic. Each cascade is warped by itself. Depths are fitted: light.near and light.far have no "
+             "effect. Other lights, and directional lights in perspective: the whole scene.",
      .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004",
      .reads_camera = true,
      .warps = true},

@@ -1,4 +1,4 @@
-// The table of fits: what a shadow map covers. A new one is one row here and one function.
+// Table of fits, which choose the region of a shadow map. A new fit is one row of this table and one function.
 #pragma once
 
 #include <span>
@@ -9,31 +9,35 @@
 
 namespace si {
 
+/// Row of the table of fits: one way to choose the region of a shadow map (light.fit).
 struct FitRow {
     std::string_view key, label, help;
-    std::string_view paper;     ///< where it is from; empty: it is common
+    std::string_view paper;     ///< source; empty: common knowledge
     bool reads_camera = false;  ///< maps change with the camera
-    bool warps = false;         ///< maps of suns get a perspective across their rays
-    bool narrows = false;       ///< it may leave out of a map what is never in shadow
+    bool warps = false;         ///< maps of directional lights get a perspective across their rays
+    bool narrows = false;       ///< a map may leave out regions without shadow
 };
 
-/// In the order of LightFit, whose names the program itself knows.
+/// Returns the table of fits, in the order of the enumeration LightFit.
 std::span<const FitRow> fits();
-/// The row that light.fit names; for numbers that name none the whole scene.
+/// Returns the table row of a fit; for an invalid number the row of LightFit::Scene.
 const FitRow& fit_row(LightFit fit);
+/// Returns the choices of the setting light.fit.
 std::span<const Choice> fit_choices();
 
-/// Whether light.near and light.far say where a light's maps begin and end.
+/// Returns true when light.near and light.far give the depth range of the light's maps, instead of the fit.
 constexpr bool uses_manual_near_far(const LightSettings& light) {
     return light.near_far == NearFar::Manual || (light.near_far == NearFar::Fitted && light.fit == LightFit::Manual);
 }
 
-/// Whether the light's maps are made for slices of what the camera sees: several, or one that is stabilised or warped.
+/// Returns true when the light's maps are made for depth slices of the view frustum: several cascades, or one map that
+/// is stabilised or warped.
 bool uses_camera_slices(const LightSettings& settings);
 
-/// Whether the fit that these settings choose for a light depends on the camera.
+/// Returns true when the maps of light number `light` change with the camera.
 bool fit_reads_camera(const Settings& settings, int light);
-/// Whether it goes by the measured depths of what the camera sees.
+/// Returns true when the fit of light number `light` uses depths measured in the camera's depth buffer (sample
+/// distribution shadow maps).
 bool fit_reads_measured_depths(const Settings& settings, int light);
 
 }  // namespace si

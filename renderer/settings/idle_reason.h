@@ -1,4 +1,4 @@
-// Settings without effect under the values of others.
+// Settings without effect under the values of other settings.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,8 @@
 
 namespace si {
 
-/// Returns why the setting is without effect under `s`, or an empty text.
+/// Returns the reason for display why the setting `ref` has no effect under the settings `s`; empty if it has an
+/// effect.
 std::string_view idle_reason(const Settings& s, const SettingRef& ref);
 
 }  // namespace si

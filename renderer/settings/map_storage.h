@@ -1,34 +1,36 @@
-// What shadow maps are kept in.
+// Storage formats of shadow maps.
 #pragma once
 
 #include "renderer/settings/settings.h"
 
 namespace si {
 
-/// Most bytes that maps take with all that is kept of them.
+/// Upper limit of the memory for shadow maps with all cached and prepared data, bytes.
 inline constexpr double kMapBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 
-/// Whether a map is a colour image that the fragment shader writes, with a depth buffer beside it while it is drawn.
+/// Returns true when a map of this format is a colour image that the fragment shader writes. A depth buffer of the same
+/// size is then needed while it is drawn.
 constexpr bool is_colour(MapFormat map_format) {
     return map_format >= MapFormat::Colour;
 }
 
-/// Whether a map holds distances along the light's axis as shares of its range, not depths.
+/// Returns true when a map of this format stores distances along the light's axis, as shares of the depth range,
+/// instead of depths.
 constexpr bool holds_distances(MapFormat map_format) {
     return map_format == MapFormat::Linear || map_format == MapFormat::Linear16;
 }
 
-/// Bytes of a texel.
+/// Returns the bytes of one texel of a map of this format.
 constexpr int texel_bytes(MapFormat map_format) {
     return map_format == MapFormat::D16 || map_format == MapFormat::Linear16 ? 2 : 4;
 }
 
-/// Bytes of a texel with the depth buffer beside it.
+/// Returns the bytes of one texel while the map is drawn: the map's own, plus the depth buffer of colour formats.
 constexpr int drawn_texel_bytes(MapFormat map_format) {
     return texel_bytes(map_format) + (is_colour(map_format) ? 4 : 0);
 }
 
-/// Whether polygon offset moves what is stored.
+/// Returns true when polygon offset (bias.raster_*) changes the stored depths.
 inline bool offsets_polygons(const Settings& s) {
     return (s.bias.raster_slope != 0 || s.bias.raster_units != 0) && !holds_distances(s.map.format);
 }

@@ -1,3 +1,4 @@
+// Rows of the table of overlays.
 #include "renderer/settings/overlays.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ constexpr Overlay kOverlays[] = {
     {.key = "visibility",
      .label = "Visibility",
      .unit = "",
-     .help = "What the kernel found: 1 lit, 0 in shadow.",
+     .help = "Result of the kernel: 1 lit, 0 in shadow.",
      .group = OverlayGroup::Wrong,
      .file = "overlays/visibility.glsl",
      .paper = "Williams: Casting Curved Shadows on Curved Surfaces, SIGGRAPH 1978",
@@ -36,8 +37,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "depth-difference",
      .label = "Depth difference",
      .unit = "m",
-     .help = "Own minus stored distance along the light's ray: above zero an occluder lies before the fragment, around "
-             "zero acne lives.",
+     .help = "Own minus stored distance along the light's ray: above zero a caster lies before the fragment, and "
+             "around zero there may be acne.",
      .group = OverlayGroup::Depth,
      .file = "overlays/depth_difference.glsl",
      .min = -0.5,
@@ -71,8 +72,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "outside-map",
      .label = "Outside the map",
      .unit = "",
-     .help = "Fragments that the map does not hold: beyond its sides (orange), beyond its far plane (blue), behind the "
-             "light (magenta).",
+     .help = "Fragments outside the map: beyond its sides (orange), beyond its far plane (blue), behind the light "
+             "(magenta).",
      .group = OverlayGroup::Wrong,
      .file = "overlays/outside_map.glsl",
      .scalar = false},
@@ -89,9 +90,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "page-state",
      .label = "Pages drawn and cached",
      .unit = "",
-     .help = "With map.virtual, what became of the page that each fragment is looked up in: drawn when pages last were "
-             "(orange), cached from before (green), given up for a coarser one as the pool is full (purple). Nothing "
-             "where no page is asked for.",
+     .help = "With map.virtual, the state of the page of each fragment: drawn in the last update (orange), cached "
+             "(green), replaced by a coarser one since the pool is full (purple). Nothing where no page is requested.",
      .group = OverlayGroup::Resolution,
      .file = "overlays/page_state.glsl",
      .paper = "Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3, 2024",
@@ -108,23 +108,22 @@ constexpr Overlay kOverlays[] = {
     {.key = "artefacts",
      .label = "Artefacts",
      .unit = "",
-     .help = "Which pixels are wrong by the ray-traced truth, coloured by what puts them right: more bias (acne), less "
-             "(peter-panning), no normal offset, what the map lacks (lost caster, outside the map), no filter (leak, "
-             "filter), smaller texels (edge aliasing, undersampled), a light with size (penumbra).",
+     .help = "Pixels that are wrong by the ray-traced reference, coloured by cause. More bias cures acne, less bias "
+             "cures peter-panning, a finer map cures edge aliasing and undersampling. The legend names all causes.",
      .group = OverlayGroup::Wrong,
      .file = "overlays/artefacts.glsl",
      .scalar = false,
      .names_causes = true,
      .reads_reference = true},
     {.key = "truth",
-     .label = "Truth",
+     .label = "Reference",
      .unit = "",
      .help = "The ray-traced visibility of view.light: 1 lit, 0 in shadow.",
      .group = OverlayGroup::Wrong,
      .file = "overlays/truth.glsl",
      .reads_reference = true},
     {.key = "truth-difference",
-     .label = "Visibility minus truth",
+     .label = "Visibility minus reference",
      .unit = "",
      .help = "The map's visibility minus the ray-traced one: above zero too light, below too dark.",
      .group = OverlayGroup::Wrong,
@@ -156,8 +155,7 @@ constexpr Overlay kOverlays[] = {
     {.key = "overdraw",
      .label = "Overdraw",
      .unit = "fragments",
-     .help = "Fragments that the triangles at each pixel make, hidden ones included: what shading costs before the "
-             "depth test helps.",
+     .help = "Number of fragments at each pixel, hidden ones included: the cost of shading without a depth test.",
      .file = "overlays/overdraw.glsl",
      .min = 0,
      .max = 8,
@@ -174,17 +172,17 @@ constexpr Overlay kOverlays[] = {
     {.key = "bias-slack",
      .label = "Bias slack",
      .unit = "texels",
-     .help = "What bias and normal offset are worth beyond the least bias needed: below zero (blue) acne is due, far "
-             "above it shadows come off needlessly.",
+     .help = "Equivalent depth bias of bias and normal offset minus the needed bias. Below zero (blue) there is acne, "
+             "and far above it shadows detach needlessly.",
      .group = OverlayGroup::Bias,
      .file = "overlays/bias_slack.glsl",
      .min = -3,
      .max = 3,
      .diverging = true},
     {.key = "transform-difference",
-     .label = "Texture matrices apart",
+     .label = "Texture matrix difference",
      .unit = "texels",
-     .help = "By how many texels the places in the map differ that map.transform world and eye find.",
+     .help = "Difference in texels between the places in the map by map.transform world and eye.",
      .group = OverlayGroup::Resolution,
      .file = "overlays/transform_difference.glsl",
      .paper = "Everitt, Rege, Cebenoyan: Hardware Shadow Mapping, 2001",
@@ -193,8 +191,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "precision-texels",
      .label = "Precision: place in the map",
      .unit = "texels",
-     .help = "How far from where double precision finds it each surface is looked up in the map. A rasteriser's own "
-             "steps, parts of a pixel, are within it; far from the world's origin see map.origin.",
+     .help = "Distance in the map between the look-up of each surface and its place by double precision. It contains "
+             "the rasteriser's own steps, parts of a pixel. It grows far from the world's origin (map.origin).",
      .group = OverlayGroup::Resolution,
      .file = "overlays/precision_texels.glsl",
      .min = 0,
@@ -203,7 +201,7 @@ constexpr Overlay kOverlays[] = {
     {.key = "precision-ulps",
      .label = "Precision: depth",
      .unit = "ULP",
-     .help = "How far the compared depth, before any bias, lies from the surface's plane in double precision, in steps "
+     .help = "Distance of the compared depth, before any bias, from the surface's plane in double precision, in steps "
              "of a 32-bit float at that depth.",
      .group = OverlayGroup::Resolution,
      .file = "overlays/precision_ulps.glsl",
@@ -213,9 +211,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "contact-gap",
      .label = "Contact gap",
      .unit = "m",
-     .help =
-         "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches it: "
-         "their worth along the light's ray, times the sine of the ray's angle to the surface.",
+     .help = "Width of the lit strip that bias and normal offset leave on this surface beside a caster that touches "
+             "it: their equivalent depth bias along the light's ray, times the sine of the angle from the normal.",
      .group = OverlayGroup::Depth,
      .file = "overlays/contact_gap.glsl",
      .min = 0,
@@ -223,8 +220,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "bias-window",
      .label = "Bias window",
      .unit = "texels",
-     .help = "Room for bias in shadow, by the ray-traced truth: how far before the fragment the map stores the surface "
-             "nearest the light, less the bias that its plane needs. Below zero no depth bias can be right.",
+     .help = "Room for bias in shadow, by the ray-traced reference: the distance from the fragment to the caster "
+             "nearest the light, minus the needed bias. Below zero no depth bias is right.",
      .group = OverlayGroup::Wrong,
      .file = "overlays/bias_window.glsl",
      .min = -5,
@@ -255,25 +252,25 @@ constexpr Overlay kOverlays[] = {
     {.key = "taps",
      .label = "Texels fetched",
      .unit = "texels",
-     .help = "Texels of the map that are fetched for each fragment: none where the light does not arrive or the map's "
-             "bounds answer, and few where kernels that search find nothing before the surface.",
+     .help = "Texels of the map that are fetched for each fragment. There are none where no light arrives or where map "
+             "bounds answer, and few where a blocker search finds nothing.",
      .file = "overlays/taps.glsl",
      .min = 0,
      .max = 64,
-     .as_drawn = true},
+     .keeps_optimisations = true},
     {.key = "blocker-gap",
-     .label = "Occluder's distance",
+     .label = "Blocker distance",
      .unit = "m",
-     .help = "How far before each fragment a kernel that searches (PCSS) took the occluder to be, along the light's "
-             "axis; nothing where it found none, or under other kernels.",
+     .help = "Mean distance of casters before each fragment by the blocker search (PCSS), along the light's axis. "
+             "Nothing where it found none, or under other kernels.",
      .group = OverlayGroup::Depth,
      .file = "overlays/blocker_gap.glsl",
      .min = 0,
      .max = 5},
     {.key = "penumbra-width",
-     .label = "Penumbra's width",
+     .label = "Penumbra width",
      .unit = "texels",
-     .help = "How wide a penumbra the kernel made (PCSS), from the occluder's distance and the light's size.",
+     .help = "Width of the penumbra that the kernel made (PCSS), from the caster's distance and the light's size.",
      .group = OverlayGroup::Depth,
      .file = "overlays/penumbra_width.glsl",
      .min = 0,
@@ -282,7 +279,7 @@ constexpr Overlay kOverlays[] = {
      .label = "Depth variance",
      .unit = "range^2",
      .help = "The variance of depths about each fragment under kernels that read moments (VSM), in squares of the "
-             "map's depth range; below zero rounding has eaten it.",
+             "map's depth range. Below zero it is rounding error.",
      .group = OverlayGroup::Depth,
      .file = "overlays/depth_variance.glsl",
      .min = -0.001,
@@ -291,8 +288,8 @@ constexpr Overlay kOverlays[] = {
     {.key = "invalid-moments",
      .label = "Invalid moments",
      .unit = "",
-     .help = "Where moments are those of no depths, under kernels that read them: rounding has left a variance or a "
-             "determinant below zero (red), or an exponent no number (magenta).",
+     .help = "Invalid moments, under kernels that read them: a variance or a determinant below zero by rounding (red), "
+             "or an exponential that is no number (magenta).",
      .group = OverlayGroup::Wrong,
      .file = "overlays/invalid_moments.glsl",
      .paper = "Peters, Klein: Moment Shadow Mapping, I3D 2015",
@@ -300,10 +297,9 @@ constexpr Overlay kOverlays[] = {
     {.key = "cascade",
      .label = "Cascade or face",
      .unit = "",
-     .help =
-         "Which of the light's maps each fragment is looked up in: blue, green, yellow and red from the cascade "
-         "nearest to the camera on, then violet, grey, cyan and pink, mixed where two are blended; of a point light "
-         "its faces +x -x +y -y +z -z.",
+     .help = "The light's map in which each fragment is looked up: blue, green, yellow and red from the cascade "
+             "nearest to the camera on, then violet, grey, cyan and pink, mixed where two are blended; of a point "
+             "light its faces +x -x +y -y +z -z.",
      .group = OverlayGroup::Resolution,
      .file = "overlays/cascade.glsl",
      .scalar = false,

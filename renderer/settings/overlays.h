@@ -1,4 +1,4 @@
-// The table of overlays: a new one is one row here and one GLSL file.
+// Table of overlays. A new overlay is one row of this table and one GLSL file.
 #pragma once
 
 #include <span>
@@ -10,40 +10,47 @@
 
 namespace si {
 
-/// How an overlay's values come about: per visible fragment, along the edges of all triangles, or as a count of
-/// every fragment whatever its depth.
-enum class OverlayDraw { Fragments, Edges, Count };
+/// Drawing method of an overlay.
+enum class OverlayDraw {
+    Fragments,  ///< one value for each visible fragment
+    Edges,      ///< lines along the edges of all triangles
+    Count,      ///< number of all fragments at a pixel, hidden ones included
+};
 
-/// What an overlay is looked at for.
+/// Topic under which lists show an overlay.
 enum class OverlayGroup { Wrong, Bias, Resolution, Depth, Debug };
 
-/// An overlay. Its file defines `vec4 overlay(Receiver r)`; scalars in x, NaN where undefined.
+/// Row of the table of overlays: a quantity of the shadow test drawn over the scene. The row's file defines
+/// `vec4 overlay(Receiver r)`; a scalar is in x, NaN if undefined.
 struct Overlay {
     std::string_view key, label, unit, help;
     OverlayGroup group = OverlayGroup::Debug;
-    std::string_view file;
-    std::string_view paper;         ///< where what it shows comes from; empty: from no one paper
-    bool scalar = true;             ///< x goes through the colour scale; otherwise rgba as it is
-    double min = 0, max = 1;        ///< colour scale when view.overlay_range is declared
-    bool diverging = false;         ///< the scale is centred on zero
-    bool reads_visibility = false;  ///< asks for the visibility texture
-    bool names_causes = false;      ///< its colours are those of causes; their legend has numbers
-    bool names_views = false;       ///< its colours are those of a light's views
-    bool reads_reference = false;   ///< asks for the traced truth and for what it makes of the visibility
-    bool reads_precision = false;   ///< asks for what double precision says of the look-ups
-    bool as_drawn = false;          ///< of look-ups that save what the picture's save
+    std::string_view file;             ///< GLSL file below shaders/
+    std::string_view paper;            ///< source; empty: no single paper
+    bool scalar = true;                ///< x goes through the colour scale; else the value is a colour with alpha
+    double min = 0, max = 1;           ///< ends of the colour scale if view.overlay_range is declared
+    bool diverging = false;            ///< colour scale is centred on zero
+    bool reads_visibility = false;     ///< needs the visibility texture
+    bool names_causes = false;         ///< colours are causes of wrong pixels; their legend has numbers
+    bool names_views = false;          ///< colours are a light's views
+    bool reads_reference = false;      ///< needs the ray-traced reference and the classification of the pixels
+    bool reads_precision = false;      ///< needs the comparison of the look-ups with double precision
+    bool keeps_optimisations = false;  ///< drawn with the optimisations of the picture's look-ups
     OverlayDraw draw = OverlayDraw::Fragments;
 };
 
+/// Returns all rows of the overlay table.
 std::span<const Overlay> overlays();
-std::span<const Choice> overlay_choices();  ///< "none" first
+/// Returns the choices of the setting view.overlay: "none", then one for each row of the overlay table.
+std::span<const Choice> overlay_choices();
 
-/// What a pane shows: a row's number + 1, 0 for none.
+/// Returns the member of `view` that chooses the overlay of a pane: 0 for none, else the table row + 1.
+/// @param pane 0 to 3
 int& overlay_of_pane(ViewSettings& view, std::size_t pane);
-/// That of each pane that there is.
+/// Returns the chosen overlay of each visible pane: 0 for none, else the table row + 1.
 std::vector<int> pane_overlays(const ViewSettings& view);
 
-/// Some pane shows an overlay that has this.
+/// Returns true when the overlay of any visible pane has the property `what`, for example &Overlay::reads_reference.
 bool any_pane_shows(const ViewSettings& view, bool Overlay::*what);
 
 }  // namespace si

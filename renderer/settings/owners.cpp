@@ -1,3 +1,4 @@
+// Ownership of settings by techniques.
 #include "renderer/settings/owners.h"
 
 #include <fmt/format.h>
@@ -14,7 +15,7 @@
 namespace si {
 namespace {
 
-/// A setting that chooses a row of a table, and what each row owns.
+/// Table of techniques: the setting that chooses a row, and the settings that each row owns.
 struct TechniqueTable {
     std::string_view chooser;  ///< key of the setting
     struct Row {
@@ -24,7 +25,8 @@ struct TechniqueTable {
     std::vector<Row> rows;
 };
 
-/// @param choices of the chooser, which may be fewer than the table's rows
+/// Returns the ownership table of a chooser setting.
+/// @param choices number of the chooser's choices, at most the number of rows
 template <typename Rows>
 TechniqueTable table_of(std::string_view chooser, const Rows& rows, std::size_t choices) {
     TechniqueTable table{chooser, {}};
@@ -43,13 +45,14 @@ std::vector<TechniqueTable> technique_tables() {
             {"map.virtual", {{"off", {}}, {"on", kPageSettings}}}};
 }
 
+/// Owners of one setting: rows of the chooser's table, and the reason for display under all other rows.
 struct Ownership {
     const Param* chooser = nullptr;
     std::vector<int> rows;
     std::string reason;
 };
 
-/// By key of the owned setting.
+/// Returns the owners of all owned settings, by key of the setting.
 std::map<std::string_view, Ownership> find_ownerships() {
     std::map<std::string_view, Ownership> out;
     for (const TechniqueTable& table : technique_tables()) {
@@ -73,7 +76,7 @@ std::string_view unused_setting_reason(const Settings& s, const SettingRef& ref)
     const auto found = all.find(ref.param->key);
     if (found == all.end()) return {};
     const Ownership& o = found->second;
-    // What lights share belongs to whatever any of them chooses.
+    // A setting shared by all lights counts as read if the technique of any light reads it.
     const bool shared = o.chooser->scope == Scope::Light && ref.param->scope != Scope::Light;
     const int first = shared ? 0 : ref.light, last = shared ? std::clamp(s.light_count, 0, kMaxLights) - 1 : ref.light;
     for (int light = first; light <= last; ++light) {

@@ -1,4 +1,4 @@
-// Which settings belong to which techniques: a row of a table of techniques lists the keys that are its own.
+// Ownership of settings by techniques: a row of a table of techniques lists the keys that only it reads.
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace si {
 
-/// Why a setting is no part of the techniques that `s` chooses, naming those that read it; empty when it is, or when
-/// it belongs to none. Such settings are not shown, left out of what results depend on, and the same in sweeps.
+/// Returns the reason for display why the techniques chosen by `s` do not read the setting `ref`; it names the
+/// techniques that do. Empty if a chosen technique reads the setting, or if no technique owns it. Panels hide unused
+/// settings, and results do not depend on them.
 std::string_view unused_setting_reason(const Settings& s, const SettingRef& ref);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Whether shadow maps are drawn by pages, and how large those are: what map.virtual comes to under the other settings.
+// Paging of shadow maps (map.virtual): whether maps are drawn by pages under the other settings, and the page size.
 #pragma once
 
 #include <string_view>
@@ -7,16 +7,18 @@
 
 namespace si {
 
-/// Why map.virtual is without effect; empty when it acts. What is made of whole maps has no pages.
+/// Returns the reason for display why map.virtual has no effect; empty if it has. Kernels and blurs that process whole
+/// maps exclude pages.
 std::string_view paging_idle_reason(const Settings& settings, int light);
 
-/// Whether maps are drawn by pages.
+/// Returns true when shadow maps are drawn by pages (map.virtual is on and has an effect).
 bool draws_pages(const Settings& settings);
 
-/// Whether a light that casts has clip levels about the camera in place of the map of its fit.
+/// Returns true when light number `light` has clip levels around the camera instead of the map of its fit.
 bool has_clip_levels(const Settings& settings, int light);
 
-/// Texels along a page's side: map.page_size as a power of two, and eight of them or more to a map where that can be.
+/// Returns the side of a page in texels: map.page_size rounded down to a power of two, at most an eighth of
+/// map.resolution.
 int page_texels(const Settings& settings);
 
 }  // namespace si

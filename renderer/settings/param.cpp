@@ -1,4 +1,4 @@
-// Settings by dotted key: finding, reading, writing and listing them. Text forms are in param_text.cpp.
+// Access to settings by dotted key: search, read, write, list. Text forms are in param_text.cpp.
 #include "renderer/settings/param.h"
 
 #include <algorithm>
@@ -27,7 +27,7 @@ std::optional<int> light_index(std::string_view digits) {
     return canonical && i >= 0 && i < kMaxLights ? std::optional(i) : std::nullopt;
 }
 
-/// The ends of "object.<path>.<member>"; the path may hold dots itself.
+/// Splits "object.<path>.<member>" into path and member. The path may contain dots.
 std::optional<std::pair<std::string_view, std::string_view>> split_object_key(std::string_view key) {
     if (!key.starts_with(kObjectPrefix)) return std::nullopt;
     const std::string_view rest = key.substr(kObjectPrefix.size());
@@ -50,7 +50,7 @@ Value read(const FieldRef& field) {
         field);
 }
 
-/// Damerau-Levenshtein distance (optimal string alignment): swapped neighbours count once.
+/// Returns the Damerau-Levenshtein distance (optimal string alignment): swapped neighbours count once.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
@@ -72,10 +72,10 @@ std::size_t common_prefix(std::string_view a, std::string_view b) {
     return std::size_t(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
 }
 
-/// The distance to `known`, or to as many of its leading parts as `name` has: none from "filter" to "filter.kernel",
-/// nor from what is the beginning of a longer name. One more than to its last part, which comes after what begins
-/// alike: "kernel" is near to "filter.kernel". What is certainly beyond `most` is not looked at closer.
-std::size_t unlikeness(std::string_view name, std::string_view known, std::size_t most) {
+/// Returns the distance of `name` from a known key: the least edit distance to the whole key, to as many leading parts
+/// as `name` has ("filter" has distance 0 from "filter.kernel"), and to the last part plus one ("kernel" is near
+/// "filter.kernel"). A name that begins the key has distance 0. Distances above `most` are not computed exactly.
+std::size_t key_distance(std::string_view name, std::string_view known, std::size_t most) {
     if (name.size() > 2 && known.starts_with(name)) return 0;
     const auto distance = [&](std::string_view other) {
         const std::size_t longer = std::max(name.size(), other.size()), shorter = std::min(name.size(), other.size());
@@ -89,7 +89,7 @@ std::size_t unlikeness(std::string_view name, std::string_view known, std::size_
                      last == known.npos ? most + 1 : distance(known.substr(last + 1)) + 1});
 }
 
-/// Calls `use` with the range of rows of each run of one scope, in table order.
+/// Calls `use` with each run of successive rows of one scope, in table order.
 template <class Use>
 void for_each_group(Use use) {
     const auto rows = params();
@@ -135,13 +135,13 @@ std::string setting_key(const SettingRef& ref) {
 
 std::string nearest_name(std::string_view text, std::span<const std::string> names) {
     const std::string name = lower_ascii(text);
-    // Beyond a third of its letters nothing is like it.
+    // Names that differ in more than a third of the letters are not suggested.
     const std::size_t most = name.size() < 3 ? 1 : std::max<std::size_t>(2, name.size() / 3);
     std::pair best{most + 1, std::size_t(0)};
     const std::string* nearest = nullptr;
     for (const std::string& known : names) {
         const std::string like = lower_ascii(known);
-        const std::pair far{unlikeness(name, like, most), name.size() - common_prefix(name, like)};
+        const std::pair far{key_distance(name, like, most), name.size() - common_prefix(name, like)};
         if (far < best) {
             best = far;
             nearest = &known;
@@ -151,7 +151,7 @@ std::string nearest_name(std::string_view text, std::span<const std::string> nam
 }
 
 std::string nearest_key(std::string_view key) {
-    // The key's own light or object stays as it is: only the rest is compared.
+    // The light's number or the object's path is kept, and only the rest of the key is compared.
     int light = 0;
     std::string object = "PATH";
     std::string plain(key);
@@ -195,7 +195,7 @@ double numeric_value(const Value& v) {
 }
 
 Value get_value(const Settings& s, const SettingRef& ref) {
-    // The rows hand out a pointer to write through; reading goes through the same pointer.
+    // Rows return a pointer for writing, and reading uses the same pointer.
     auto& mutable_settings = const_cast<Settings&>(s);
     if (ref.param->scope != Scope::Object) return read(field_of(mutable_settings, ref, nullptr));
     ObjectSettings object;
@@ -220,7 +220,7 @@ void set_value(Settings& s, const SettingRef& ref, const Value& v) {
         },
         field_of(s, ref, &object), v);
     if (!is_object) return;
-    // Settings that say the same compare equal: an override equal to the defaults is none.
+    // An override equal to the defaults is removed, so that equal settings compare equal.
     if (object == ObjectSettings{}) {
         s.objects.erase(ref.object);
     } else {

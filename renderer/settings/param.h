@@ -1,5 +1,5 @@
-// The rows that describe each setting, and text access to settings by dotted key. Sliders, presets, --set,
-// sweeps, uniforms, defines and the documentation are loops over these rows.
+// Table of settings: one row for each setting, and access to settings by dotted key and as text. Sliders, presets,
+// --set, sweeps, uniforms, defines and the documentation are loops over these rows.
 #pragma once
 
 #include <optional>
@@ -14,13 +14,14 @@
 
 namespace si {
 
-/// What a change of the setting makes the renderer rebuild.
+/// Data that the renderer rebuilds after a change of a setting: uniforms, GLSL programs, or render targets.
 enum class Cost { Uniform, Program, Target };
 
-/// Reference to a member of any enumeration, read and written as the index of its choice. The only place where
-/// settings turn from enumerators into numbers and back.
+/// Reference to a member of any enumeration type, read and written as the index of its choice. Only this class converts
+/// settings between enumerators and numbers.
 class EnumRef {
 public:
+    /// Refers to an enumeration member.
     /// @param member outlives the reference
     template <typename E>
     requires std::is_enum_v<E> EnumRef(E* member)  // NOLINT: implicit, as the pointers beside it in FieldRef are
@@ -30,9 +31,11 @@ public:
         static_assert(std::is_same_v<std::underlying_type_t<E>, int>, "an index that is no choice must survive");
     }
 
+    /// Returns the index of the member's present choice.
     int index() const { return read_(member_); }
-    /// Writes the index as it is: no choice may stand there (see sanitise()).
+    /// Sets the member to the choice with this index, unchecked: an index without a choice is stored too (sanitise()).
     void set_index(int index) const { write_(member_, index); }
+    /// Returns the address of the member.
     void* address() const { return member_; }
 
 private:
@@ -41,127 +44,143 @@ private:
     void (*write_)(void*, int);
 };
 
-/// Reference to one member of Settings.
+/// Reference to one member of Settings, by its type.
 using FieldRef = std::variant<bool*, int*, double*, std::string*, EnumRef>;
 
+/// Allowed value of a setting with named values.
 struct Choice {
     std::string_view key, label, help;
 };
 
-/// What of a driver a setting needs beyond OpenGL 4.5.
+/// OpenGL feature beyond version 4.5 that a setting needs.
 enum class DriverFeature { None, PolygonOffsetClamp };
 
+/// Scope of a setting: one value for the scene, one for each light, or one for each object.
 enum class Scope { Scene, Light, Object };
 
-/// Passes that read a setting themselves: not by what shaders see of it (Param::shader), nor by what lights and camera
-/// are made of it. What they draw is kept while these stay as they are.
+/// Render passes that read a setting directly on the CPU, as bit flags. Not counted are settings read by shaders
+/// (Param::shader) and settings that change lights or camera. A pass draws again only if one of its settings changes.
 enum class ReadBy : unsigned {
     None = 0,
-    Maps = 1 << 0,          ///< that draw the shadow maps
-    DepthBlur = 1 << 1,     ///< map.blur_texels
-    Moments = 1 << 2,       ///< that make them of the maps
-    SurfacesSeen = 1 << 3,  ///< that keep the surfaces
-    OneLight = 1 << 4,      ///< that speak of one light alone
-    Compose = 1 << 5,       ///< that lay overlays over pictures
-    Slabs = 1 << 6,         ///< that draw texels into the scene
-    MapRange = 1 << 7,      ///< that find the map viewer's range
-    MapView = 1 << 8,       ///< that draw its picture
-    Visibility = 1 << 9,    ///< the pass of that name
-    Blobs = 1 << 10,        ///< that draw them
-    Pages = 1 << 11,        ///< that keep pages of virtual maps
-    Shading = 1 << 12,      ///< that shade the picture
+    Maps = 1 << 0,          ///< passes that draw the shadow maps
+    DepthBlur = 1 << 1,     ///< pass of map.blur_texels
+    Moments = 1 << 2,       ///< passes that make moments from the maps
+    SurfacesSeen = 1 << 3,  ///< pass that stores the visible surfaces
+    OneLight = 1 << 4,      ///< passes for the shown light alone
+    Compose = 1 << 5,       ///< pass that blends overlays over pictures
+    Slabs = 1 << 6,         ///< pass that draws texels of the map into the scene
+    MapRange = 1 << 7,      ///< pass that finds the map viewer's range
+    MapView = 1 << 8,       ///< pass that draws the map viewer's picture
+    Visibility = 1 << 9,    ///< visibility pass
+    Blobs = 1 << 10,        ///< pass that draws blobs
+    Pages = 1 << 11,        ///< pass that caches pages of virtual maps
+    Shading = 1 << 12,      ///< passes that shade the picture
 };
+/// Joins two sets of passes.
 constexpr ReadBy operator|(ReadBy a, ReadBy b) {
     return ReadBy(unsigned(a) | unsigned(b));
 }
+/// Returns true when the set of passes contains the pass.
 constexpr bool is_read_by(ReadBy set, ReadBy pass) {
     return (unsigned(set) & unsigned(pass)) != 0;
 }
 
+/// Row of the table of settings: key, member, label, unit, range, help and effects of one setting.
 struct Param {
-    std::string_view key;  ///< dotted; per-light rows read "light.X", per-object rows "object.X"
+    std::string_view key;  ///< dotted key; "light.X" for settings of each light, "object.X" for settings of each object
+    /// Returns the member of Settings or of ObjectSettings.
     FieldRef (*field)(Settings&, int light, ObjectSettings*) = nullptr;
     std::string_view label, unit;
-    double min = 0, max = 1;  ///< of a text max is the most bytes in UTF-8
-    double slider_max = 0;    ///< where its slider ends; what is typed may go on to max. 0: at max
+    double min = 0, max = 1;  ///< range; for texts max is the largest size in bytes of UTF-8
+    double slider_max = 0;    ///< end of the slider, while typed values may go up to max; 0: max
     bool logarithmic = false;
-    bool zero_is_auto = false;  ///< at 0 the program chooses
+    bool zero_is_auto = false;  ///< value 0 lets the program choose
     Cost cost = Cost::Uniform;
+    /// Returns the named values; null for settings without.
     std::span<const Choice> (*choices)() = nullptr;
-    /// What "*" stands for in a sweep, as --set takes it; without it each choice once.
+    /// Returns the values of "*" in a sweep, as texts for --set; null: each choice once.
     std::span<const std::string_view> (*swept)() = nullptr;
-    /// Why the setting is without effect under `s`; empty when it acts.
+    /// Returns the reason why the setting has no effect under `s`; empty if it has. Null: always an effect.
     std::string_view (*idle)(const Settings& s, int light) = nullptr;
     std::string_view help;
-    /// What Unity, Unreal, Godot, three.js, Filament, Blender and OpenGL call it, for the search.
+    /// Names of the setting in Unity, Unreal, Godot, three.js, Filament, Blender and OpenGL, for the search.
     std::string_view also = {};
     Scope scope = Scope::Scene;
     DriverFeature needs = DriverFeature::None;
-    bool of_map = false;          ///< without effect where no light's shadows come from a map (light.source)
-    bool animation_only = false;  ///< without effect on scenes without animations
-    bool shader = false;          ///< the shaders see it, as a define (Cost::Program) or in the settings block
+    bool map_only = false;        ///< no effect if no light's source is a shadow map (light.source)
+    bool animation_only = false;  ///< no effect on scenes without animations
+    bool shader = false;          ///< shaders read the setting, as a define (Cost::Program) or in the settings block
     ReadBy read_by = ReadBy::None;
 };
 
+/// Returns the table of settings: all rows, in the order of panels, listings and presets.
 std::span<const Param> params();
 
-/// One setting of one Settings value: a row, and for per-light and per-object rows whose.
+/// Reference to one setting: its table row and, for settings of a light or an object, which light or object.
 struct SettingRef {
     const Param* param = nullptr;
     int light = 0;
-    std::string object;  ///< node path for Scope::Object
+    std::string object;  ///< node path of the object, for Scope::Object
 };
 
-/// Finds the setting of a dotted key ("bias.slope", "light.2.azimuth", "light.azimuth", "object.Root/Fence.cull").
+/// Returns the setting with a dotted key; nothing if the key is unknown. Examples: "bias.slope",
+/// "light.2.azimuth", "light.azimuth" (light 0), "object.Root/Fence.cull".
 std::optional<SettingRef> find_setting(std::string_view key);
-/// The canonical dotted key of a setting ("light.azimuth" is light 0).
+/// Returns the canonical dotted key of a setting. Keys of light 0 have no number: "light.azimuth".
 std::string setting_key(const SettingRef& ref);
-/// The known key most like `key`, by edit distance.
+/// Returns the setting key nearest to an unknown `key` by edit distance, for "did you mean"; empty if none is near.
 std::string nearest_key(std::string_view key);
 
-/// The nearest of `names` to `name` by edit distance; empty when there are none.
+/// Returns the nearest of `names` to `name` by edit distance, for "did you mean"; empty if none is near.
 std::string nearest_name(std::string_view name, std::span<const std::string> names);
 
-using Value = std::variant<bool, int, double, std::string>;  ///< choices are int
-/// A row whose values are texts for people, which nothing is drawn by.
+/// Value of a setting. A choice is stored as its index, an int.
+using Value = std::variant<bool, int, double, std::string>;
+/// Returns true when the setting's values are free texts for people (a light's name), which never change a picture.
 bool is_text(const Param& p);
-/// Of switches 0 or 1, of choices their number, of texts 0.
+/// Converts a setting's value to a number: a switch to 0 or 1, a choice to its index, a text to 0.
 double numeric_value(const Value& v);
+/// Returns the value of the setting `ref` in `s`; for an object without own settings the default.
 Value get_value(const Settings& s, const SettingRef& ref);
-/// Writes a value as it is, without range checks (sanitise() guards the renderer). Numbers convert as C++ does; a text
-/// is never a number, nor the reverse: then nothing is written.
+/// Sets the setting `ref` in `s` to a value, without range check (sanitise() checks later). Numbers and switches
+/// convert as in C++. Does nothing if one of setting and value is a text and the other is not.
 void set_value(Settings& s, const SettingRef& ref, const Value& v);
+/// Returns the default value of a setting.
 Value default_value(const SettingRef& ref);
 
-/// The value as presets and --set write it: choice keys, true/false, shortest round-trip numbers, texts as they are.
+/// Converts a setting's value to the text of presets and --set: choice keys, true or false, shortest round-trip
+/// numbers.
 std::string value_text(const Param& p, const Value& v);
-/// Parses and range-checks a value; of filter.kernel, a sized kernel's name too (sized_kernels.h).
-/// @throws UsageError naming the key, the value and what is allowed
+/// Parses the text of a setting's value and checks its range. The setting filter.kernel also accepts the names of
+/// sized_kernels.h.
+/// @throws UsageError naming the key, the text and the allowed values
 Value parse_value(const SettingRef& ref, std::string_view text);
-/// Returns the values of other settings that a text implies: filter.size and filter.point of a sized kernel's name.
+/// Returns the further settings that a value's text implies: filter.size and filter.point for a sized kernel ("pcf5"),
+/// else none.
 std::vector<std::pair<SettingRef, Value>> implied_values(const SettingRef& ref, std::string_view text);
-/// Sets the setting `key` to the value that `text` names, and the settings that it implies.
-/// @throws UsageError; of an unknown key it names the nearest one
+/// Sets the setting with the dotted key `key` from a text, and the settings that the text implies.
+/// @throws UsageError for a bad value, or for an unknown key with the nearest known one
 void set_setting(Settings& s, std::string_view key, std::string_view text);
 
-/// Every setting that `s` has (lights 0..15, objects with an override), in table order.
+/// Returns all settings in `s`, in table order: those of the scene, of lights 0 to 15, and of objects with an override.
 std::vector<SettingRef> all_settings(const Settings& s);
-/// The settings that differ from their defaults, in table order.
+/// Returns the settings in `s` that differ from their defaults, in table order.
 std::vector<SettingRef> changed_settings(const Settings& s);
-/// The settings in which the two differ, in table order; a missing object override counts as its defaults.
+/// Returns the settings in which `a` and `b` differ, in table order. A missing object override counts as its defaults.
 std::vector<SettingRef> differing_settings(const Settings& a, const Settings& b);
 
-/// What a number of this setting counts in under `s`; a unit that names another setting is that setting's choice, and
-/// the size of a light is an angle where its rays are parallel.
+/// Returns the unit of a setting's number for display under the settings `s`. A unit can depend on other settings: bias
+/// has the unit chosen by bias.unit, and light.size is an angle for directional lights and metres for others.
 std::string_view shown_unit(const Settings& s, const SettingRef& ref);
-/// The value for people: a choice's label, on or off, a number with its unit.
+/// Formats a setting's value for display: a choice's label, "on" or "off", a number with its unit.
 std::string shown_value(const Settings& s, const SettingRef& ref, const Value& v);
-/// "Light 1", and its name where it has one: "Light 1 (key)".
+/// Returns the title of light number `light` for display, with its name if it has one: "Light 1", "Light 1 (key)".
 std::string light_title(const Settings& s, int light);
-/// "0.1 → 0 texels": from what `a` has to what `b` has, the unit once where it is the same.
+/// Formats the change of one setting from `a` to `b` for display: "0.1 → 0 texels". An equal unit appears once.
 std::string change_text(const Settings& a, const Settings& b, const SettingRef& ref);
 
-/// Clamps non-finite, out-of-range and reversed values in place. Returns one line per repair.
+/// Repairs invalid settings in place: non-finite and out-of-range values and reversed pairs. Returns one line for
+/// display per repair.
 std::vector<std::string> sanitise(Settings& s);
 
 }  // namespace si

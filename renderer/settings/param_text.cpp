@@ -1,4 +1,4 @@
-// Settings as text (parse, print) and the repair of values that no renderer can draw.
+// Text form of settings (parsing, printing) and the repair of invalid values.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace si {
 namespace {
 
-/// The shortest text that reads back as the same number.
+/// Returns the shortest text that parses back to the same number.
 std::string number_text(double v) {
     char buffer[40];
     const auto result = std::to_chars(buffer, buffer + sizeof buffer, v);
@@ -78,7 +78,7 @@ double parse_number(const SettingRef& ref, std::string_view text, bool whole) {
     return *v;
 }
 
-/// What can be shown as it is, and is not too long.
+/// Returns true when the text has no control characters and is not too long.
 bool is_good_text(const Param& p, const std::string& text) {
     return text.size() <= std::size_t(p.max) && printable(text, std::string::npos) == text;
 }
@@ -89,7 +89,8 @@ std::string parse_text(const SettingRef& ref, std::string_view text) {
     return std::string(text);
 }
 
-/// A pair that must not be reversed: lo < hi. `zero_is_automatic`: 0 of either stands for a value found later.
+/// Repairs a pair of settings so that lo < hi: swaps a reversed pair, opens an empty range.
+/// @param zero_is_automatic 0 stands for a value found later, and the pair is left alone
 void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_key, bool zero_is_automatic,
                  std::vector<std::string>& repairs) {
     const auto lo_ref = *find_setting(lo_key), hi_ref = *find_setting(hi_key);
@@ -102,7 +103,7 @@ void repair_pair(Settings& s, const std::string& lo_key, const std::string& hi_k
             fmt::format("{} {} was above {} {}: swapped", lo_key, number_text(lo), hi_key, number_text(hi)));
         return;
     }
-    // Equal: open the range upwards where there is room, else downwards.
+    // An empty range is opened upwards if the limit allows it, else downwards.
     const double step = std::max(std::abs(lo), 1.0) * 0.01;
     if (hi + step <= hi_ref.param->max) {
         set_value(s, hi_ref, hi + step);
@@ -162,15 +163,15 @@ std::vector<std::string> sanitise(Settings& s) {
         if (const std::string* text = std::get_if<std::string>(&v)) {
             if (is_good_text(p, *text)) continue;
             set_value(s, ref, default_value(ref));
-            repairs.push_back(fmt::format("{} was \"{}\", not {}: taken away", setting_key(ref), printable(*text, 60),
-                                          range_text(p)));
+            repairs.push_back(
+                fmt::format("{} was \"{}\", not {}: removed", setting_key(ref), printable(*text, 60), range_text(p)));
             continue;
         }
         const auto* i = std::get_if<int>(&v);
         const double x = i ? *i : std::get<double>(v);
         if (x >= p.min && x <= p.max) continue;
         Value repaired = default_value(ref);
-        // A choice has no order: a number that stands for none becomes the default.
+        // Choices have no order, so an invalid index becomes the default.
         if (std::isfinite(x) && !p.choices) {
             const double clamped = std::clamp(x, p.min, p.max);
             repaired = i ? Value(int(clamped)) : Value(clamped);

@@ -1,4 +1,4 @@
-// Settings as people read them: labels, units, changes.
+// Settings for display: values with units, titles of lights, changes.
 #include <fmt/format.h>
 
 #include <array>
@@ -15,7 +15,7 @@ std::string with_unit(std::string number, std::string_view unit) {
     return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-/// Without unit.
+/// Returns a value for display without its unit.
 std::string plain_value(const Param& p, const Value& v) {
     if (const bool* b = std::get_if<bool>(&v)) return *b ? "on" : "off";
     if (const std::string* text = std::get_if<std::string>(&v)) return text->empty() ? "none" : *text;
@@ -27,7 +27,7 @@ std::string plain_value(const Param& p, const Value& v) {
     std::string text = value_text(p, v);
     const double* number = std::get_if<double>(&v);
     if (!number || text.find('e') == text.npos) return text;
-    std::array<char, 400> digits;  // of the least double, too
+    std::array<char, 400> digits;  // enough for the smallest double
     const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), *number, std::chars_format::fixed);
     return end.ec == std::errc() ? std::string(digits.data(), end.ptr) : text;
 }
@@ -45,7 +45,7 @@ std::string light_title(const Settings& s, int light) {
 
 std::string_view shown_unit(const Settings& settings, const SettingRef& ref) {
     const Param& p = *ref.param;
-    if (p.unit == "lights") return {};  // the label says it, and "1 lights" reads badly
+    if (p.unit == "lights") return {};  // the label says "Lights", and "1 lights" would be wrong
     if (p.unit == "deg or m")
         return settings.lights[std::size_t(ref.light)].type == LightType::Directional ? "deg" : "m";
     if (p.unit == "overlay's") {

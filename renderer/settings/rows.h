@@ -1,5 +1,5 @@
-// What the files of settings rows share: the macros that tie a row to its member, and the count of members that
-// proves no member is without a row.
+// Helpers of the files of settings rows (rows_*.cpp): macros that bind a row to its member, and a count of members,
+// which checks at compile time that every member has a row.
 #pragma once
 
 #include <array>
@@ -11,23 +11,38 @@
 
 namespace si {
 
+// Rows of the settings table by topic; params() joins them.
+
+/// Returns the rows of shadow map settings: map.*.
 std::span<const Param> map_rows();
+/// Returns the rows of caster, bias and filter settings: caster.*, bias.*, filter.*.
 std::span<const Param> bias_rows();
+/// Returns the rows of light settings: light.count and light.*.
 std::span<const Param> light_rows();
+/// Returns the rows of shadow volume settings: volumes.*.
 std::span<const Param> volume_rows();
+/// Returns the rows of contact shadow settings: contact.*.
 std::span<const Param> contact_rows();
+/// Returns the rows of blob shadow settings: blob.*.
 std::span<const Param> blob_rows();
+/// Returns the rows of light map settings: light_map.*.
 std::span<const Param> light_map_rows();
+/// Returns the rows of shading settings: shading.*.
 std::span<const Param> shading_rows();
+/// Returns the rows of camera settings: camera.*.
 std::span<const Param> camera_rows();
+/// Returns the rows of scene settings: scene.*.
 std::span<const Param> scene_rows();
+/// Returns the rows of map viewer, pane and overlay settings: view.*.
 std::span<const Param> view_rows();
+/// Returns the rows of settings of the ray-traced reference: truth.*.
 std::span<const Param> reference_rows();
+/// Returns the rows of object settings: object.*.
 std::span<const Param> object_rows();
 
 namespace rows {
 
-// The key is the C++ path, so that the two cannot drift apart.
+// Each macro makes the key from the C++ path, so that key and member always agree.
 #define SI_FIELD(path) .key = #path, .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.path; }
 #define SI_LIGHT_FIELD(name) \
     .key = "light." #name,   \
@@ -40,38 +55,41 @@ namespace rows {
         return (condition) ? std::string_view(reason) : std::string_view();                      \
     }
 
+/// Returns rows with their scope set to `scope`.
 template <std::size_t N>
 constexpr std::array<Param, N> with_scope(std::array<Param, N> list, Scope scope) {
     for (Param& p : list) p.scope = scope;
     return list;
 }
 
-/// Rows that only shadow maps read.
+/// Returns rows marked as settings that only shadow maps read (Param::map_only).
 template <std::size_t N>
-constexpr std::array<Param, N> of_map(std::array<Param, N> list) {
-    for (Param& p : list) p.of_map = true;
+constexpr std::array<Param, N> only_of_maps(std::array<Param, N> list) {
+    for (Param& p : list) p.map_only = true;
     return list;
 }
 
-struct Any {
+/// Placeholder that converts to any type, for counting the members of an aggregate.
+struct AnyValue {
     template <class T>
     constexpr operator T() const;  // NOLINT: never defined, only its type matters
 };
 
+/// Returns true when an aggregate T can be initialised with as many values as I has indices.
 template <class T, std::size_t... I>
-constexpr bool takes(std::index_sequence<I...>) {
+constexpr bool is_initialisable(std::index_sequence<I...>) {
     return requires {
-        T{(void(I), Any{})...};
+        T{(void(I), AnyValue{})...};
     };
 }
 
-/// Number of members of an aggregate: the longest list of initialisers it accepts.
+/// Returns the number of members of an aggregate: the length of the longest list of initialisers that it accepts.
 template <class T, std::size_t N = 64>
-constexpr std::size_t members() {
-    if constexpr (takes<T>(std::make_index_sequence<N>{})) {
+constexpr std::size_t member_count() {
+    if constexpr (is_initialisable<T>(std::make_index_sequence<N>{})) {
         return N;
     } else {
-        return members<T, N - 1>();
+        return member_count<T, N - 1>();
     }
 }
 

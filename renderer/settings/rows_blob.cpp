@@ -13,13 +13,13 @@ constexpr auto kBlobRows = std::to_array<Param>({
      .help = "Share of the radius over which the disc fades at its rim: 0 is a hard edge, 1 fades from the middle on.",
      .read_by = ReadBy::Blobs},
     {SI_FIELD(blob.opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
-     .help = "How much light the middle of the disc takes away.", .read_by = ReadBy::Blobs},
+     .help = "Share of light that the middle of the disc removes.", .read_by = ReadBy::Blobs},
     {SI_FIELD(blob.reach), .label = "Reach", .unit = "radii", .min = 0, .max = 1000, .logarithmic = true,
-     .help = "Distance below the caster's middle at which the disc has faded away, in radii of the disc; 0 does not "
-             "fade: it then falls through everything below.",
+     .help = "Distance below the caster's middle at which the disc has faded away, in radii of the disc; with 0 it "
+             "does not fade and reaches everything below.",
      .read_by = ReadBy::Blobs},
 });
-static_assert(kBlobRows.size() == members<BlobSettings>(), "a member of BlobSettings has no row");
+static_assert(kBlobRows.size() == member_count<BlobSettings>(), "a member of BlobSettings has no row");
 
 }  // namespace
 

@@ -18,17 +18,16 @@ constexpr std::string_view kNone = "without effect: no light has contact shadows
 constexpr auto kContactRows = std::to_array<Param>({
     {SI_FIELD(contact.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 256, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
-     .help = "How many places of the ray are looked at. Between them thin casters are missed, which each pixel's own "
-             "beginning turns into noise.",
+     .help = "Number of samples along the ray. Thin casters between samples are missed. Each pixel starts at its own "
+             "offset, which turns this into noise.",
      .also = "samples, ray steps", .read_by = ReadBy::Visibility},
     {SI_FIELD(contact.thickness), .label = "Thickness", .unit = "m", .min = 1e-4, .max = 1e4, .logarithmic = true,
      SI_IDLE(no_light_has_contacts(s), kNone),
-     .help =
-         "How far behind a surface that the camera sees the ray counts as being within it. The picture does not tell "
-         "how thick things are: too little lets light through, too much shadows what lies free behind an edge.",
+     .help = "Assumed thickness of visible surfaces: a ray at most this far behind one is blocked. The picture does "
+             "not hold thickness. Too little lets light through, and too much shadows free surfaces behind an edge.",
      .also = "depth bias, ray thickness", .read_by = ReadBy::Visibility},
 });
-static_assert(kContactRows.size() == members<ContactSettings>(), "a member of ContactSettings has no row");
+static_assert(kContactRows.size() == member_count<ContactSettings>(), "a member of ContactSettings has no row");
 
 }  // namespace
 

@@ -23,29 +23,30 @@ constexpr Choice kProjections[] = {
 };
 
 constexpr Choice kNearFar[] = {
-    {"fitted", "by the fit", "What the fit wants in the map: casters and receivers; by hand light.near and light.far."},
+    {"fitted", "by the fit", "Casters and receivers in the fit's region; with a manual fit light.near and light.far."},
     {"manual", "by hand", "light.near and light.far, whatever the fit; 0 is the fit's value."},
     {"casters", "from caster to receiver",
-     "From the first caster to the last receiver between the map's sides. What lies before all casters is lit."},
-    {"scene", "whole scene", "From the first to the last thing of the scene, wherever the map ends at its sides."},
+     "From the first caster to the last receiver between the map's sides. Everything before the first caster is lit."},
+    {"scene", "whole scene", "From the first to the last object of the scene, also beyond the map's sides."},
     {"pancaking", "from receiver to receiver",
-     "From the first receiver, with room for the bias: casters before it are drawn on the near plane, flat as "
-     "pancakes. The steps of depth are the finest, but how far before a receiver a caster stands is lost: penumbrae "
-     "that follow it (PCSS) are too narrow."},
+     "From the first receiver, with room for the bias. Casters before it are drawn flat on the near plane (pancaking). "
+     "Depth steps are the finest. The distance from caster to receiver is lost, so penumbrae that depend on it (PCSS) "
+     "are too narrow."},
 };
 
 constexpr Choice kDepthBounds[] = {
-    {"boxes", "of the boxes", "Of what the camera sees of the receivers' boxes: known before anything is drawn."},
-    {"sdsm", "of the picture's depths",
-     "The least and the greatest depth in the camera's own depth buffer, which is drawn and read back first: sample "
+    {"boxes", "receivers' boxes",
+     "Depths of the receivers' boxes in the view frustum, known before anything is drawn."},
+    {"sdsm", "measured depths",
+     "The smallest and largest depth in the camera's depth buffer, which is drawn and read back first: sample "
      "distribution shadow maps (Lauritzen, Salvi, Lefohn, I3D 2011)."},
 };
 
 constexpr Choice kCascadeChoices[] = {
-    {"interval", "by depth", "By the interval of the camera's depth that the point lies in."},
-    {"map", "first that holds it",
-     "The first, finest map that holds the point, which is often finer than that of its interval. The band of the "
-     "blend is then at the map's rim."},
+    {"interval", "by depth", "By the camera depth of the point."},
+    {"map", "first that contains it",
+     "The finest map that contains the point, often finer than the map of its interval. The blend band is then at the "
+     "map's rim."},
 };
 
 const LightSettings& of(const Settings& s, int i) {
@@ -61,7 +62,8 @@ bool is_orthographic(const Settings& s, int i) {
            (projection == LightProjection::Automatic && has_type(s, i, LightType::Directional));
 }
 
-/// Why nobody sees what the light's map covers: none is drawn, and the camera does not look through the light.
+/// Returns the reason why the region of the light's map has no effect: no map is drawn, and the camera does not look
+/// through the light. Empty if it has an effect.
 std::string_view map_idle(const Settings& s, int i) {
     if (s.camera.source == CameraSource::Light && s.view.light == i) return "";
     if (!of(s, i).cast) return "without effect: the light casts no shadow";
@@ -92,7 +94,7 @@ std::string_view projection_idle(const Settings& s, int i) {
 std::string_view size_idle(const Settings& s, int) {
     return s.truth.area || filter_of(s).reads_light_size
                ? ""
-               : "without effect: this kernel takes lights for points, and truth.area is off";
+               : "without effect: this kernel treats lights as points, and truth.area is off";
 }
 
 std::string_view cascades_idle(const Settings& s, int i) {
@@ -116,14 +118,14 @@ std::string_view lambda_idle(const Settings& s, int i) {
     return reason.empty() && orthographic ? "without effect: an orthographic camera's cascades are even" : reason;
 }
 
-/// @param number of the split by hand, from 1
+/// Returns the reason why manual split `number`, counted from 1, has no effect.
 template <int number>
 std::string_view split_idle(const Settings& s, int i) {
     const auto reason = between_cascades_idle(s, i);
     return reason.empty() && of(s, i).cascades <= number ? "without effect: light.cascades has no such border" : reason;
 }
 
-/// Of what clip levels leave to no choice.
+/// Returns the reason why settings of the depth range have no effect: clip levels fix the range.
 std::string_view near_far_idle(const Settings& s, int i) {
     if (const auto reason = map_idle(s, i); !reason.empty()) return reason;
     if (s.camera.source == CameraSource::Light) return "";
@@ -137,7 +139,7 @@ std::string_view depth_bounds_idle(const Settings& s, int i) {
     return fit_reads_camera(s, i) ? "" : "without effect: the map does not follow the camera";
 }
 
-// A directional light shines along its angles wherever it stands, and an orthographic fit centres itself.
+// Only the angles of a directional light matter, not its place, and an orthographic fit centres itself.
 std::string_view place_idle(const Settings& s, int i) {
     return has_type(s, i, LightType::Directional) && is_orthographic(s, i) && of(s, i).fit != LightFit::Manual
                ? "without effect: the fit places the map of a directional light"
@@ -151,45 +153,45 @@ constexpr auto kCount = std::to_array<Param>({
      .unit = "lights",
      .min = 0,
      .max = kMaxLights,
-     .help = "How many lights shine: light.0 up to this many. Each has a shadow map of its own.",
+     .help = "Number of lights, from light.0 on. Each has its own shadow map.",
      .also = "number of lights, light count"},
 });
 
 constexpr auto kLight = with_scope(
     std::to_array<Param>({
         {SI_LIGHT_FIELD(name), .label = "Name", .unit = "", .max = 60,
-         .help = "What people call the light, such as key or sun. Keys, commands and messages go by its number.",
+         .help = "Name of the light for people, such as key or sun. Keys, commands and messages use its number.",
          .also = "rename, label"},
         {SI_LIGHT_FIELD(type), .label = "Type", .unit = "", SI_CHOICES(kTypes), .help = "The kind of light.",
          .also = "sun, lamp, omni, OmniLight, PointLight, SpotLight, DirectionalLight"},
         {SI_LIGHT_FIELD(on), .label = "On", .unit = "",
-         .help = "Whether the light shines. Off: no map is drawn for it, and it keeps its settings.",
+         .help = "Switches the light on. Off: no map is drawn for it, and it keeps its settings.",
          .also = "enabled, visible, mute, solo"},
         {SI_LIGHT_FIELD(azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360,
-         .help = "Where the light stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x.",
+         .help = "Direction from the target to the light, around the vertical axis: 0 is +z, 90 is +x.",
          .also = "sun direction, light rotation, yaw, heading"},
         {SI_LIGHT_FIELD(elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90,
-         .help = "Where the light stands as seen from its target, above the horizon: 90 is straight overhead.",
+         .help = "Direction from the target to the light, above the horizon: 90 is straight overhead.",
          .also = "sun direction, sun height, light rotation, pitch"},
         {SI_LIGHT_FIELD(distance), .label = "Distance", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
          .zero_is_auto = true, .idle = place_idle,
          .help = "Distance of the light from its target; 0 lets the fit choose from the scene's size."},
         {SI_LIGHT_FIELD(target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "What the light looks at, along x from the centre of the scene's bounds."},
+         .help = "The light's target, along x from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "What the light looks at, upwards from the centre of the scene's bounds."},
+         .help = "The light's target, upwards from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = place_idle,
-         .help = "What the light looks at, along z from the centre of the scene's bounds."},
+         .help = "The light's target, along z from the centre of the scene's bounds."},
         {SI_LIGHT_FIELD(size), .label = "Size", .unit = "deg or m", .min = 0, .max = 100, .logarithmic = true,
          .idle = size_idle,
-         .help = "How large the light is: angular radius in degrees for directional lights (the sun: 0.27), radius in "
+         .help = "Size of the light: angular radius in degrees for directional lights (the sun: 0.27), radius in "
                  "metres for spot and point lights. Larger lights make wider penumbrae.",
          .also =
              "source radius, source angle, angular size, angular diameter, softness, soft falloff, light size, "
              "penumbra, area light, angular distance, light radius, shadow soft size, shadowBulbRadius, penumbraScale"},
         {SI_LIGHT_FIELD(range), .label = "Range", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          SI_IDLE(has_type(s, i, LightType::Directional), "without effect: a directional light reaches everywhere"),
-         .help = "Distance at which the light has faded to nothing; 0 is unlimited. Within it the light falls with the "
+         .help = "Distance at which the light has faded to 0; 0 is unlimited. Within it the light falls with the "
                  "square of the distance, times max(min(1 - (distance / range)^4, 1), 0), as glTF has it. The fitted "
                  "map ends there too.",
          .also = "attenuation radius, falloff distance, decay"},
@@ -204,7 +206,7 @@ constexpr auto kLight = with_scope(
          .also = "inner cone angle, spot blend, penumbra"},
         {SI_LIGHT_FIELD(intensity), .label = "Intensity", .unit = "", .min = 0, .max = 1e6, .logarithmic = true,
          .help = "Brightness relative to the other lights. Directional lights: as given. Spot and point lights: scaled "
-                 "together so that the brightest of them is 1 at the scene's centre, their ranges left aside.",
+                 "together so that the brightest of them is 1 at the scene's centre, without regard to their ranges.",
          .also = "energy, strength, brightness, power"},
         {SI_LIGHT_FIELD(red), .label = "Red", .unit = "", .min = 0, .max = 1, .help = "Colour, linear red.",
          .also = "light color"},
@@ -213,34 +215,34 @@ constexpr auto kLight = with_scope(
         {SI_LIGHT_FIELD(blue), .label = "Blue", .unit = "", .min = 0, .max = 1, .help = "Colour, linear blue.",
          .also = "light color"},
         {SI_LIGHT_FIELD(cast), .label = "Casts shadows", .unit = "",
-         .help = "Whether the light casts shadows. Off: everything it reaches is lit, and no map is drawn for it.",
+         .help = "Makes the light cast shadows. Off: everything it reaches is lit, and no map is drawn for it.",
          .also = "castShadow, castShadows, shadow enabled, enable shadows, no shadows"},
         {SI_LIGHT_FIELD(contact), .label = "Contact shadows", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
-         .help = "Length of the ray that is marched from each surface towards the light through what the camera sees; "
-                 "what it meets shadows the surface, whatever light.source says. Brings back the small shadows that a "
-                 "bias loses at contacts. It knows only what is in the picture. 0 is off.",
+         .help = "Length of the ray that is marched from each surface towards the light through the camera's depth "
+                 "buffer; a surface on the way shadows it, whatever light.source says. Brings back the small shadows "
+                 "that a bias loses at contacts. Only geometry in the picture counts. 0 is off.",
          .also = "contact shadow length, screen-space shadows, contact distance, screenSpaceContactShadows"},
         {SI_LIGHT_FIELD(source), .label = "Source", .unit = "", .choices = source_choices,
          SI_IDLE(!of(s, i).cast, "without effect: the light casts no shadow"),
-         .help = "Where the light's shadows come from. All can be compared with the ray-traced truth.",
+         .help = "The technique that makes the light's shadows. All can be compared with the ray-traced reference.",
          .also = "shadow type, ray-traced shadows, baked shadows, stencil shadows, lightmap, shadowmask, capsule "
                  "shadows, blob shadows, decal shadows"},
         {SI_LIGHT_FIELD(fit), .label = "Fit", .unit = "", .choices = fit_choices, .idle = map_idle,
-         .help = "Who chooses what the shadow map covers.",
+         .help = "The region that the shadow map covers.",
          .also = "shadow distance, max distance, shadow camera, stable cascades, stabilized, shadow frustum, stable "
                  "fit, close fit, shadow projection, dynamic shadow distance, directional shadow max distance, "
                  "maxShadowDistance, perspective shadow maps"},
         {SI_LIGHT_FIELD(snap), .label = "Whole texels", .unit = "",
          SI_IDLE(of(s, i).fit != LightFit::Stabilised, "without effect: only the fit stabilised moves by whole texels"),
-         .help = "Moves the stabilised map by whole texels, so that edges of shadows stay as they are while the camera "
-                 "moves. Off: it follows by fractions of them, and edges crawl.",
+         .help = "Moves the stabilised map by whole texels, so that shadow edges stay unchanged while the camera "
+                 "moves. Off: the map follows by fractions of a texel, and edges shimmer.",
          .also = "texel snapping, stable, shimmer, swimming, shimmering, flicker, edge crawling"},
         {SI_LIGHT_FIELD(projection), .label = "Projection", .unit = "", SI_CHOICES(kProjections),
          .idle = projection_idle, .help = "The projection of the shadow map.",
          .also = "orthographic, perspective, shadow camera"},
         {SI_LIGHT_FIELD(near_far), .label = "Near and far", .unit = "", SI_CHOICES(kNearFar), .idle = near_far_idle,
-         .help = "Between which depths the map stores. Shorter ranges have finer steps.",
+         .help = "The depth range of the map. Shorter ranges have finer steps.",
          .also = "shadow near plane, near plane offset, pancaking, depth range, directional shadow pancake size"},
         {SI_LIGHT_FIELD(near), .label = "Near", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .zero_is_auto = true, .idle = planes_idle,
@@ -254,12 +256,11 @@ constexpr auto kLight = with_scope(
                  "steps of depth.",
          .also = "shadow far, clip end, max distance, shadow distance, shadow camera far, shadow.camera.far, "
                  "shadowFar, shadowFarHint, clipping planes"},
-        {SI_LIGHT_FIELD(stretch), .label = "Range stretched", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
+        {SI_LIGHT_FIELD(stretch), .label = "Range factor", .unit = "", .min = 1, .max = 1e5, .logarithmic = true,
          .idle = near_far_idle,
-         .help =
-             "Makes the range of depths longer than near and far say: of parallel rays this many times as long, about "
-             "its middle; of a light that shines from a point near is divided by it, and far multiplied. Steps of "
-             "stored depth grow with it. 1 leaves it alone."},
+         .help = "Factor by which the depth range is longer than near and far. Under parallel light the range grows "
+                 "around its middle. Under spot and point lights near is divided by the factor and far multiplied. "
+                 "Steps of stored depth grow with it. 1 changes nothing."},
         {SI_LIGHT_FIELD(extent), .label = "Extent", .unit = "m", .min = 0, .max = 1e8, .logarithmic = true,
          .idle = extent_idle,
          .help =
@@ -268,50 +269,46 @@ constexpr auto kLight = with_scope(
          .also = "orthographicSize, ortho size, ortho scale, shadow camera size, left, right, top, bottom"},
         {SI_LIGHT_FIELD(cascades), .label = "Cascades", .unit = "maps", .min = 1, .max = kMaxCascades,
          .idle = cascades_idle,
-         .help = "Maps of a directional light, each fitted to what the camera sees of receivers in an interval of its "
-                 "depth, and drawn at map.resolution. 1 is the map of light.fit, whatever the camera sees.",
+         .help = "Number of maps of a directional light. Each covers the visible receivers in one interval of camera "
+                 "depth, at map.resolution. 1 is the single map of light.fit.",
          .also = "cascade count, CSM, PSSM, shadow splits, num dynamic shadow cascades, shadowCascades, directional "
                  "shadow mode, cascaded shadow maps"},
         {SI_LIGHT_FIELD(depth_bounds), .label = "Depth bounds", .unit = "", SI_CHOICES(kDepthBounds),
-         .idle = depth_bounds_idle,
-         .help = "Which camera depths the maps are made for: of cascades, and of a fit to what is seen."},
+         .idle = depth_bounds_idle, .help = "The camera depths that cascades and fits to the view frustum cover."},
         {SI_LIGHT_FIELD(split), .label = "Split", .unit = "", .choices = split_choices, .idle = between_cascades_idle,
-         .help = "How the camera's depth is divided among cascades.",
+         .help = "The division of the camera's depth among cascades.",
          .also = "cascade splits, cascade distribution, partition, split distance, cascadeSplitPositions"},
         {SI_LIGHT_FIELD(split_lambda), .label = "Split lambda", .unit = "", .min = 0, .max = 1, .idle = lambda_idle,
-         .help = "How the camera's depth is divided among cascades: 0 evenly, 1 by equal ratios, between them the mean "
-                 "of both, weighted by it (Zhang et al., 2006).",
+         .help = "The division of the camera's depth among cascades: 0 even, 1 by equal ratios, between them their "
+                 "weighted mean (Zhang et al., 2006).",
          .also = "cascade distribution exponent, PSSM lambda, fade-in"},
         {SI_LIGHT_FIELD(split_1), .label = "Split 1", .unit = "", .min = 0, .max = 1, .idle = split_idle<1>,
-         .help = "Where the first cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake.",
+         .help = "Far end of the first cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_2), .label = "Split 2", .unit = "", .min = 0, .max = 1, .idle = split_idle<2>,
-         .help =
-             "Where the second cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake.",
+         .help = "Far end of the second cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_3), .label = "Split 3", .unit = "", .min = 0, .max = 1, .idle = split_idle<3>,
-         .help = "Where the third cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake.",
+         .help = "Far end of the third cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance, directional shadow split"},
         {SI_LIGHT_FIELD(split_4), .label = "Split 4", .unit = "", .min = 0, .max = 1, .idle = split_idle<4>,
-         .help =
-             "Where the fourth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake.",
+         .help = "Far end of the fourth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance"},
         {SI_LIGHT_FIELD(split_5), .label = "Split 5", .unit = "", .min = 0, .max = 1, .idle = split_idle<5>,
-         .help = "Where the fifth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake.",
+         .help = "Far end of the fifth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance"},
         {SI_LIGHT_FIELD(split_6), .label = "Split 6", .unit = "", .min = 0, .max = 1, .idle = split_idle<6>,
-         .help = "Where the sixth cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-                 "split moves those that it would overtake.",
+         .help = "Far end of the sixth cascade, as a share of the divided depths: 0 is the nearest. An edit moves the "
+                 "splits that it passes.",
          .also = "split distance"},
         {SI_LIGHT_FIELD(split_7), .label = "Split 7", .unit = "", .min = 0, .max = 1, .idle = split_idle<7>,
-         .help =
-             "Where the seventh cascade ends, as a share of the depths that the cascades divide: 0 is the nearest. A "
-             "split moves those that it would overtake.",
+         .help = "Far end of the seventh cascade, as a share of the divided depths: 0 is the nearest. An edit moves "
+                 "the splits that it passes.",
          .also = "split distance"},
         {SI_LIGHT_FIELD(cascade_blend), .label = "Cascade blend", .unit = "", .min = 0, .max = 1,
          .idle = between_cascades_idle,
@@ -320,10 +317,10 @@ constexpr auto kLight = with_scope(
          .also = "cascade border, transition fraction, blend splits, cascade fade, directional shadow blend splits, "
                  "cascade transition"},
         {SI_LIGHT_FIELD(cascade_choice), .label = "Cascade chosen", .unit = "", SI_CHOICES(kCascadeChoices),
-         .idle = between_cascades_idle, .help = "Which cascade a point is looked up in."},
+         .idle = between_cascades_idle, .help = "The cascade in which a point is looked up."},
     }),
     Scope::Light);
-static_assert(kLight.size() == members<LightSettings>(), "a member of LightSettings has no row");
+static_assert(kLight.size() == member_count<LightSettings>(), "a member of LightSettings has no row");
 
 }  // namespace
 

@@ -9,15 +9,15 @@ using namespace rows;
 constexpr auto kLightMapRows = std::to_array<Param>({
     {SI_FIELD(light_map.resolution), .label = "Resolution", .unit = "texels", .min = 16, .max = 16384,
      .logarithmic = true, .cost = Cost::Target,
-     .help = "Side of the square that holds all surfaces of the scene, a byte a texel and light. All surfaces have the "
-             "same texels per metre: as many as fit, which the pass says. An edge of a shadow is off by up to 0.7 "
-             "texels."},
+     .help =
+         "Side of the square that holds all surfaces of the scene, a byte a texel and light. All surfaces have the "
+         "same texels per metre: as many as fit, as the pass reports. An edge of a shadow is off by up to 0.7 texels."},
     {SI_FIELD(light_map.samples), .label = "Rays per texel", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Most rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
-             "again, where the noise demands it. 1 goes to the light's middle: the shadow is hard."},
+     .help = "Maximum rays of a texel, over the light's area (light.size): 64 everywhere, then four times as many, and "
+             "again, where noise requires it. A single ray goes to the light's middle, and the shadow is hard."},
 });
-static_assert(kLightMapRows.size() == members<LightMapSettings>(), "a member of LightMapSettings has no row");
+static_assert(kLightMapRows.size() == member_count<LightMapSettings>(), "a member of LightMapSettings has no row");
 
 }  // namespace
 

@@ -18,9 +18,9 @@ constexpr Choice kFormats[] = {
      "The depth written to a 32-bit float colour target by the fragment shader, as before depth "
      "textures were common. The sampler cannot compare it."},
     {"linear", "distance, 32 bits",
-     "The distance along the light's axis between near and far, written to a 32-bit float colour target and made a "
-     "depth where it is read. Under parallel light it is the depth. The sampler cannot compare it, and polygon offset "
-     "does not move it."},
+     "The distance along the light's axis between near and far, written to a 32-bit float colour target and converted "
+     "to depth when read. Under parallel light it is the depth. The sampler cannot compare it, and polygon offset does "
+     "not move it."},
     {"linear16", "distance, 16 bits",
      "The same in 65536 equal steps of distance: a spot light's far half keeps the steps that d16 spends near the "
      "light."},
@@ -41,9 +41,8 @@ constexpr Choice kRadiusUnits[] = {
     {"metres", "metres", "Metres at the receiver, at most filter.max_radius texels of them."},
 };
 constexpr Choice kDisks[] = {
-    {"table", "Poisson table", "64 places at most, each as far as can be from those before it."},
-    {"spiral", "Vogel's spiral",
-     "Golden angles: as many places as are asked for, evenly spread whatever their number."},
+    {"table", "Poisson table", "At most 64 places, each as far as possible from the earlier ones."},
+    {"spiral", "Vogel's spiral", "Golden angles: any number of places, evenly spread."},
 };
 constexpr Choice kCompares[] = {
     {"less", "less", "Lit when the fragment's depth is strictly nearer to the light than the stored depth."},
@@ -54,7 +53,7 @@ constexpr Choice kOrigins[] = {
     {"near", "a place nearby",
      "A place near the camera, and for the maps the middle of the scene: differences are taken in double precision, "
      "before anything is rounded."},
-    {"world", "the world's origin", "As many engines do: the farther away, the coarser."},
+    {"world", "the world's origin", "The choice of many engines: positions become coarser with distance."},
 };
 
 constexpr Choice kTransforms[] = {
@@ -66,7 +65,7 @@ constexpr Choice kTransforms[] = {
      "as texture matrices of fixed-function OpenGL were."},
 };
 
-/// map.outside also answers for what lies behind the far plane or behind a light with a place.
+/// Returns the reason why map.outside has no effect. It also applies behind the far plane and behind spot lights.
 std::string_view outside_idle(const Settings& s, int) {
     if (s.map.far_guard || s.map.wrap == MapWrap::Border || s.map.wrap == MapWrap::Range) return "";
     for (int i = 0; i < s.light_count && i < kMaxLights; ++i) {
@@ -81,7 +80,7 @@ bool keeps_moments(const Settings& s) {
 
 std::string_view compare_idle(const Settings& s, int) {
     return keeps_moments(s)
-               ? "without effect: this kernel compares with the mean and variance of depths, never with one"
+               ? "without effect: this kernel compares with the mean and variance of depths, not with single depths"
                : "";
 }
 
@@ -94,26 +93,26 @@ std::string_view method_idle(const Settings& s, int light) {
 constexpr std::string_view kNoOffset =
     "without effect: polygon offset does not move the distances that map.format stores";
 
-constexpr auto kMap = of_map(std::to_array<Param>({
+constexpr auto kMap = only_of_maps(std::to_array<Param>({
     {SI_FIELD(map.resolution), .label = "Resolution", .unit = "texels", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground "
-             "and takes four times the memory. Clamped to what the driver can allocate. While casters move "
-             "below a light whose map stays, as much again for those at rest. Under map.virtual only pages that are "
-             "read take memory.",
+     .help =
+         "Width and height of each shadow map image. Twice the resolution halves the texel's size on the ground and "
+         "takes four times the memory. Clamped to what the driver can allocate. While casters move and the light's map "
+         "stays, cached static casters take as much again. Under map.virtual only pages that are read take memory.",
      .also = "shadow map size, shadow resolution, texture size, atlas size, mapSize, cube size, cascade size, "
              "shadow.mapSize",
      .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.format), .label = "Format", .unit = "", .cost = Cost::Target, SI_CHOICES(kFormats),
-     .help = "How the map stores depth. Fewer bits make larger steps of depth, which call for more bias.",
+     .help = "The storage of depth in the map. Fewer bits make larger steps of depth, which need more bias.",
      .also = "depth precision, depth bits, depth buffer format", .shader = true, .read_by = ReadBy::Maps},
     {SI_FIELD(map.wrap), .label = "Addressing", .unit = "", .cost = Cost::Program, SI_CHOICES(kWraps),
-     .help = "What a look-up outside of the map's square finds.",
+     .help = "The result of a look-up outside the map's square.",
      .also = "wrap mode, address mode, clamp, oversampling", .shader = true},
     {SI_FIELD(map.outside), .label = "Out-of-map result", .unit = "", .cost = Cost::Program, SI_CHOICES(kOutside),
      .idle = outside_idle,
-     .help = "Whether surfaces that the map does not hold (beside it, guarded behind its far plane, behind the light) "
-             "are lit or get ambient light only.",
+     .help = "The lighting of surfaces that the map does not hold: beside it, behind its far plane with map.far_guard, "
+             "or behind the light.",
      .also = "border colour, border color", .shader = true},
     {SI_FIELD(map.far_guard), .label = "Far-plane test", .unit = "", .cost = Cost::Program,
      .help = "Surfaces beyond the light's far plane count as map.outside says. Off: they are compared like all others, "
@@ -131,56 +130,54 @@ constexpr auto kMap = of_map(std::to_array<Param>({
     {SI_FIELD(map.blur_texels), .label = "Depth blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help =
          "Wrong on purpose: each stored depth becomes the mean of those up to this many texels away, along x and y. "
-         "The comparison then meets slopes between occluder and receiver that are not there: shadows grow and lose "
-         "their corners, thin ones vanish, and every edge stays hard. Filter the comparisons instead "
-         "(filter.kernel). 0 is off.",
+         "The comparison then meets false slopes between caster and receiver. Shadows grow and lose their corners, "
+         "thin ones vanish, and every edge stays hard. Filter the comparisons instead (filter.kernel). 0 is off.",
      .read_by = ReadBy::DepthBlur},
     {SI_FIELD(map.samples), .label = "Samples", .unit = "a texel", .min = 1, .max = 32, .logarithmic = true,
      .cost = Cost::Target,
-     SI_IDLE(s.map.blur_texels > 0, "without effect: moments are those of the depths that map.blur_texels blurs"),
+     SI_IDLE(s.map.blur_texels > 0, "without effect: moments come from the depths that map.blur_texels blurs"),
      .help = "Draws the casters with several samples a texel (MSAA), and averages the moments of all: an edge that "
-             "crosses a texel covers a share of it. What the driver cannot do is said, and the next that it can is "
-             "used.",
+             "crosses a texel covers a share of it. A number that the driver does not support is reported, and the "
+             "next lower supported one is used.",
      .also = "MSAA, multisampling, antialiasing, msaaSamples", .read_by = ReadBy::Moments},
     {SI_FIELD(map.transform), .label = "Texture matrix", .unit = "", .cost = Cost::Program, SI_CHOICES(kTransforms),
-     .help = "How a surface's place in the map is found. Both are the same in exact numbers; the overlay "
+     .help = "The computation of a surface's place in the map. Both ways agree in exact numbers. The overlay "
              "transform-difference shows by how many texels they differ in single precision.",
      .also = "bias matrix, texture matrix, texture projection", .shader = true},
     {SI_FIELD(map.origin), .label = "Positions from", .unit = "", SI_CHOICES(kOrigins),
-     .help = "What the positions that the graphics card computes with count from. Both are the same in exact numbers; "
-             "single precision has some seven digits, which far from the world's origin the way there uses up."},
+     .help = "The origin of positions on the GPU. Both choices agree in exact numbers. Single precision has some seven "
+             "digits, and far from the world's origin the distance uses them up."},
     {.key = "map.virtual",
      .field = [](Settings& s, int, ObjectSettings*) -> FieldRef { return &s.map.paged; },
      .label = "Virtual map",
      .unit = "",
      .cost = Cost::Target,
      .idle = paging_idle_reason,
-     .help = "Draws of each map only the pages that visible surfaces read, and keeps them until a caster or the light "
-             "moves. A directional light has clip levels about the camera, each twice as wide as the one before, so "
-             "that a texel is about a pixel everywhere; other lights' maps, and those of light.fit manual, are drawn "
-             "by pages as they are (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
+     .help = "Draws only those pages of each map that visible surfaces read, and caches them until a caster or the "
+             "light moves. A directional light has clip levels around the camera, each twice as wide as the one "
+             "before, so that a texel is about a pixel everywhere. Other lights' maps, and those of light.fit manual, "
+             "keep their region and are drawn by pages (Sakmary, Ryan, Hall, Lustri: Virtual Shadow Maps, GPU Zen 3).",
      .also = "virtual shadow maps, clipmap, sparse, paged, VSM, virtual texture",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_size), .label = "Page", .unit = "texels", .min = 16, .max = 1024, .logarithmic = true,
      .cost = Cost::Target,
      .help = "Width and height of a page, rounded down to a power of two and to an eighth of map.resolution. Small "
-             "pages draw less that nothing reads; large ones are fewer to draw.",
+             "pages draw fewer unread texels, and large pages need fewer draws.",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.page_pool), .label = "Page pool", .unit = "pages", .min = 1, .max = 16384, .logarithmic = true,
      .cost = Cost::Target,
-     .help = "Pages that are kept at most. Where a picture reads more, pages of coarser levels stand for the finest: "
-             "its shadows lose sharpness, and never a place of the map.",
+     .help = "Maximum number of cached pages. If a picture reads more, coarser pages replace the finest. Shadows then "
+             "lose sharpness, and no place of the map is missing.",
      .read_by = ReadBy::Pages},
     {SI_FIELD(map.virtual_levels), .label = "Clip levels", .unit = "maps", .min = 1, .max = kMaxClipLevels,
-     .help =
-         "Maps of a directional light about the camera. The coarsest holds all that the camera sees, each finer one "
-         "has texels half as wide. 1 is the map of light.fit, drawn by pages."},
+     .help = "Number of maps of a directional light around the camera. The coarsest covers the view frustum, and each "
+             "finer one has texels half as wide. 1 is the map of light.fit, drawn by pages."},
     {SI_FIELD(map.virtual_bias), .label = "Level bias", .unit = "levels", .min = -4, .max = 4,
      SI_IDLE(s.map.virtual_levels < 2, "without effect: map.virtual_levels is 1"),
-     .help = "How many levels coarser than half a pixel to a pixel a texel is. 1 halves sharpness and draws about a "
+     .help = "Level offset. With 0 a texel covers half a pixel to a pixel. 1 halves sharpness and draws about a "
              "quarter of the pages; below 0 is finer."},
 }));
-static_assert(kMap.size() == members<MapSettings>(), "a member of MapSettings has no row");
+static_assert(kMap.size() == member_count<MapSettings>(), "a member of MapSettings has no row");
 
 constexpr Choice kCulls[] = {
     {"none", "none", "Every triangle casts."},
@@ -206,27 +203,27 @@ constexpr Choice kNormals[] = {
      "the bias from pixel to pixel, and the shadow test with it."},
 };
 constexpr Choice kMethods[] = {
-    {"auto", "automatic", "Gather: the quicker one where it was measured."},
+    {"auto", "automatic", "Gather, which was measured to be faster."},
     {"gather", "gather",
      "The shader fetches depths, four a call where the kernel allows (textureGather), and compares them itself."},
     {"sampler", "sampler", "The texture unit compares, and blends 2x2 for bilinear kernels (sampler2DShadow)."},
 };
 
 constexpr Choice kBlurShapes[] = {
-    {"box", "box", "All texels weigh the same."},
-    {"gaussian", "Gaussian", "A bell curve of which the outermost texels are two deviations away."},
+    {"box", "box", "All texels have the same weight."},
+    {"gaussian", "Gaussian", "A bell curve with the outermost texels at two standard deviations."},
 };
 constexpr Choice kMomentFormats[] = {
     {"32-bit", "32-bit", "32-bit floats."},
     {"16-bit", "16-bit",
-     "Half the memory. 16-bit floats hold little of a variance; exponents must be small. Four moments are kept as "
-     "16-bit integers of a transform that spreads them (Peters, Klein 2015)."},
+     "Half the memory. 16-bit floats leave little precision for a variance, and exponents must be small. Four moments "
+     "are stored as 16-bit integers of a transform that spreads them (Peters, Klein 2015)."},
 };
 constexpr Choice kSums[] = {
-    {"integer", "32-bit integers", "Moments in steps of 3e-7. Sums wrap around, those over a window are exact."},
+    {"integer", "32-bit integers", "Moments in steps of 3e-7. Sums wrap around, and the sum over a window is exact."},
     {"float", "32-bit floats",
-     "Sums of millions keep few digits for the window that is their difference: noise that grows away from the "
-     "table's first corner."},
+     "Sums of millions leave few digits for the window, which is their difference. Noise grows with the distance from "
+     "the table's first corner."},
 };
 
 constexpr Choice kBlends[] = {
@@ -236,32 +233,31 @@ constexpr Choice kBlends[] = {
 
 constexpr auto kCaster = std::to_array<Param>({
     {SI_FIELD(caster.cull), .label = "Cull casters", .unit = "", SI_CHOICES(kCulls),
-     .help = "Which faces are left out of the shadow map. Objects may differ (object.PATH.cull).",
+     .help = "The faces that are left out of the shadow map. Objects may differ (object.PATH.cull).",
      .also = "shadow side, shadowSide, double sided, two-sided, cull mode, front face culling, back face culling, "
              "shadow reverse cull face, face culling",
-     .of_map = true, .read_by = ReadBy::Maps},
+     .map_only = true, .read_by = ReadBy::Maps},
     {SI_FIELD(caster.blend), .label = "Blended casters", .unit = "", SI_CHOICES(kBlends),
-     .help =
-         "What materials whose alpha blends (glTF: BLEND) cast. A shadow map holds one depth a texel, so there is no "
-         "half shadow.",
+     .help = "The shadow of materials whose alpha blends (glTF: BLEND). A shadow map holds one depth a texel, so there "
+             "is no half shadow.",
      .also = "transparent shadows, translucent, alpha blend"},
 });
-static_assert(kCaster.size() == members<CasterSettings>(), "a member of CasterSettings has no row");
+static_assert(kCaster.size() == member_count<CasterSettings>(), "a member of CasterSettings has no row");
 
 bool slope_acts(const Settings& s) {
     return reads_setting(bias_of(s), "bias.slope") && s.bias.slope > s.bias.constant;
 }
 
-constexpr auto kBias = of_map(std::to_array<Param>({
+constexpr auto kBias = only_of_maps(std::to_array<Param>({
     {SI_FIELD(bias.kind), .label = "Kind", .unit = "", .cost = Cost::Program, .choices = bias_choices,
-     .help = "What is subtracted from the fragment's depth before the comparison. Normal offset and raster bias act "
-             "beside it.",
+     .help = "The amount subtracted from the fragment's depth before the comparison. Normal offset and polygon offset "
+             "are added to it.",
      .also = "receiver plane depth bias, adaptive bias, bias type", .shader = true},
     {SI_FIELD(bias.unit), .label = "Unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kUnits),
      .help = "The unit of bias.constant and bias.slope.", .shader = true, .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.constant), .label = "Constant bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
      .help = "Bias = max(slope bias * (1 - N·L), constant bias), subtracted from the fragment's depth before the "
-             "comparison. Too little: acne. Too much: shadows come off their objects (peter-panning).",
+             "comparison. Too little: acne. Too much: shadows detach from their casters (peter-panning).",
      .also = "depth bias, shadow bias, constantBias, shadow.bias, shadow acne", .shader = true,
      .read_by = ReadBy::Slabs},
     {SI_FIELD(bias.slope), .label = "Slope bias", .unit = "bias.unit", .min = 0, .max = 1000, .slider_max = 20,
@@ -273,13 +269,13 @@ constexpr auto kBias = of_map(std::to_array<Param>({
              "and light.",
      .also = "slope scale, slope-scaled depth bias, shadow slope bias", .shader = true},
     {SI_FIELD(bias.plane_clamp), .label = "Plane clamp", .unit = "texels", .min = 0, .max = 10000, .logarithmic = true,
-     .help = "How far the depth that a texel is compared with may differ from the one at the look-up, in widths of a "
-             "texel along the light's axis; 0 is no limit. A plane that the light grazes is steep without bound; "
-             "beyond the limit it may show acne.",
+     .help = "Limit of the difference between a texel's compared depth and the one at the look-up, in texel widths "
+             "along the light's axis; 0 is no limit. In grazing light a plane is steep without bound, and beyond the "
+             "limit it may show acne.",
      .shader = true},
     {SI_FIELD(bias.normal), .label = "Normal offset", .unit = "texels", .min = 0, .max = 100, .slider_max = 20,
-     .help = "Moves the point that is looked up along its normal by this many texels (normal-offset shadows). Cures "
-             "acne at any angle of light; too much lets light in at inner edges.",
+     .help = "Shifts the point of the look-up along its normal by this many texels (normal-offset shadows). Cures acne "
+             "at any angle of light; too much lets light in at inner edges.",
      .also =
          "normal bias, normalBias, shadow normal bias, normal-offset shadows, shadow.normalBias, normal offset bias",
      .shader = true},
@@ -308,21 +304,22 @@ constexpr auto kBias = of_map(std::to_array<Param>({
      .also = "DepthBiasClamp, glPolygonOffsetClamp", .needs = DriverFeature::PolygonOffsetClamp, .shader = true,
      .read_by = ReadBy::Maps},
 }));
-static_assert(kBias.size() == members<BiasSettings>(), "a member of BiasSettings has no row");
+static_assert(kBias.size() == member_count<BiasSettings>(), "a member of BiasSettings has no row");
 
-constexpr auto kFilter = of_map(std::to_array<Param>({
+constexpr auto kFilter = only_of_maps(std::to_array<Param>({
     {SI_FIELD(filter.kernel), .label = "Kernel", .unit = "", .cost = Cost::Program, .choices = filter_choices,
      .swept = sweep_kernels,
-     .help = "How the shadow test is filtered. Wider kernels blur the stair steps and call for more bias.",
+     .help = "The filter of the shadow test. Wider kernels blur the stair steps and need more bias.",
      .also = "softness, soft shadows, shadow type, shadow quality, filter quality, filter mode, contact hardening, "
              "hard shadows, shadowMap.type, PCFSoftShadowMap, PCFShadowMap, BasicShadowMap, VSMShadowMap, "
              "percentage-closer filtering",
      .shader = true},
     {SI_FIELD(filter.method), .label = "Method", .unit = "", .cost = Cost::Program, SI_CHOICES(kMethods),
-     .idle = method_idle, .help = "How the kernel reads the map. Both give the same picture at different cost.",
+     .idle = method_idle,
+     .help = "The way in which the kernel reads the map. All give the same picture at different cost.",
      .also = "sampler2DShadow, textureGather, comparison sampler, hardware PCF", .shader = true},
     {SI_FIELD(filter.size), .label = "Size", .unit = "texels", .min = 2, .max = 15, .cost = Cost::Program,
-     .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even one is "
+     .help = "Width of the kernel: comparisons, or texels that the weights span, along each axis. An even width is "
              "centred between texels.",
      .also = "kernel size, filter size, softness, PCF 3x3, 5x5, 7x7", .shader = true},
     {SI_FIELD(filter.point), .label = "Points", .unit = "", .cost = Cost::Program,
@@ -331,46 +328,46 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .shader = true},
     {SI_FIELD(filter.taps), .label = "Taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
-     .help = "How many places of the disk are compared. Few of them show as steps in each edge, or as noise where "
-             "each pixel turns the disk. The Poisson table ends at 64.",
+     .help = "Number of places of the disk that are compared. Few of them show as steps in each edge, or as noise if "
+             "each pixel rotates the disk. The Poisson table ends at 64.",
      .also = "samples, sample count, filter samples", .shader = true},
     {SI_FIELD(filter.radius), .label = "Radius", .unit = "filter.radius_unit", .min = 0, .max = 32, .logarithmic = true,
-     .help = "Radius of the disk of taps. Wider is softer and calls for more bias.",
+     .help = "Radius of the disk of taps. A wider kernel is softer and needs more bias.",
      .also = "softness, filter radius, shadow radius, shadow blur, shadow.radius, shadow filter sharpen",
      .shader = true},
     {SI_FIELD(filter.radius_unit), .label = "Radius unit", .unit = "", .cost = Cost::Program, SI_CHOICES(kRadiusUnits),
-     .help = "What filter.radius counts in. In metres the shadow is as soft whatever the map's resolution, and at any "
-             "distance from a light with a place.",
+     .help = "The unit of filter.radius. In metres the shadow is equally soft at any resolution and at any distance "
+             "from a spot or point light.",
      .shader = true},
-    {SI_FIELD(filter.rotate), .label = "Turn by pixel", .unit = "", .cost = Cost::Program,
-     .help = "Turns the disk of taps by an angle of each pixel's own: noise in place of the steps that few taps leave. "
-             "Off: the same taps everywhere.",
+    {SI_FIELD(filter.rotate), .label = "Rotate per pixel", .unit = "", .cost = Cost::Program,
+     .help = "Rotates the disk of taps by an angle for each pixel: noise in place of the steps of few taps. Off: the "
+             "same taps everywhere.",
      .also = "jitter, dither, random rotation, noise, interleaved gradient noise", .shader = true},
     {SI_FIELD(filter.disk), .label = "Disk", .unit = "", .cost = Cost::Program, SI_CHOICES(kDisks),
-     .help = "Which places of the disk are searched and compared.", .shader = true},
+     .help = "The places of the disk that are searched and compared.", .shader = true},
     {SI_FIELD(filter.blocker_taps), .label = "Blocker taps", .unit = "taps", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
-     .help = "How many texels are searched for what stands between surface and light. Their mean distance gives the "
-             "penumbra's width; where none is found, the surface is lit.",
+     .help = "Number of texels that are searched for casters between surface and light. The casters' mean distance "
+             "gives the penumbra's width. Without a caster the surface is lit.",
      .also = "blocker search samples, blocker samples", .shader = true},
     {SI_FIELD(filter.max_radius), .label = "Largest radius", .unit = "texels", .min = 1, .max = 64, .logarithmic = true,
      SI_IDLE(!filter_of(s).reads_light_size && s.filter.radius_unit == RadiusUnit::Texels,
              "without effect: filter.radius itself is in texels"),
-     .help = "Most that the kernel reaches to each side: search, penumbra, or a radius in metres. Wider ones than that "
-             "come out too narrow; the bias must do for so wide a kernel.",
+     .help = "Maximum reach of the kernel to each side: search, penumbra, or a radius in metres. Wider penumbrae "
+             "become too narrow. The bias must suffice for this reach.",
      .also = "penumbra limit, max penumbra", .shader = true},
     {SI_FIELD(filter.rays), .label = "Rays", .unit = "rays", .min = 1, .max = 4096, .logarithmic = true,
      .cost = Cost::Program,
-     .help = "How many places of the light are looked at. Few of them show as noise, or without turns as steps.",
+     .help = "Number of rays to places of the light. Few rays show as noise, or as steps if filter.rotate is off.",
      .also = "SMRT ray count, samples", .shader = true},
     {SI_FIELD(filter.steps), .label = "Steps", .unit = "steps", .min = 1, .max = 64, .logarithmic = true,
      .cost = Cost::Program,
-     .help = "How many texels each ray is compared with on its way through the widest penumbra. Steps wider than an "
-             "occluder make its shadow too narrow or ragged.",
+     .help = "Number of texels compared along each ray through the widest penumbra. Steps wider than a caster make its "
+             "shadow too narrow or ragged.",
      .shader = true},
     {SI_FIELD(filter.thickness), .label = "Thickness", .unit = "m", .min = 0, .max = 100, .logarithmic = true,
-     .help = "How thick whatever the map holds is taken to be: a ray that passes farther than that behind it goes on. "
-             "Too little lets light leak through solid things; too much widens the shadows of thin ones.",
+     .help = "Assumed thickness of the map's surfaces: a ray that passes farther behind one continues. Too little lets "
+             "light leak through solid objects, and too much widens the shadows of thin ones.",
      .shader = true},
     {SI_FIELD(filter.blur), .label = "Blur", .unit = "texels", .min = 0, .max = 32, .cost = Cost::Target,
      .help = "The moments of each texel become the mean of those up to this many texels away, along x and y: once for "
@@ -378,16 +375,16 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .also = "blur radius, softness, blurSamples, blurWidth, shadow.blurSamples", .shader = true,
      .read_by = ReadBy::Moments},
     {SI_FIELD(filter.bleed), .label = "Light-bleed reduction", .unit = "", .min = 0, .max = 0.99,
-     .help = "Visibility below this share counts as shadow, and the rest is stretched to fill 0 to 1. Takes away light "
+     .help = "Visibility below this share counts as shadow, and the remainder is stretched to 0 to 1. Removes light "
              "that leaks in where shadows overlap, and hardens every edge.",
      .also = "light bleeding, lightBleedReduction, bleed bias, light leaking", .shader = true},
-    {SI_FIELD(filter.min_variance), .label = "Least variance", .unit = "range^2", .min = 0, .max = 0.01,
+    {SI_FIELD(filter.min_variance), .label = "Minimum variance", .unit = "range^2", .min = 0, .max = 0.01,
      .logarithmic = true,
-     .help = "Variance that every texel has at least, in squares of the map's depth range. Stands in for rounding: too "
-             "little leaves acne, too much lets light in near contacts.",
+     .help = "Minimum variance of every texel, in squares of the map's depth range. It covers rounding: too little "
+             "leaves acne, too much lets light in near contacts.",
      .also = "minVarianceScale, variance bias", .shader = true},
-    {SI_FIELD(filter.blur_shape), .label = "Blur's shape", .unit = "", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
-     SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "How the texels of the blur weigh.",
+    {SI_FIELD(filter.blur_shape), .label = "Blur shape", .unit = "", .cost = Cost::Program, SI_CHOICES(kBlurShapes),
+     SI_IDLE(s.filter.blur == 0, "without effect: filter.blur is 0"), .help = "The weights of the blur's texels.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.mips), .label = "Mip levels", .unit = "", .cost = Cost::Program,
      .help = "Coarser copies of the moments, blended by the pixel's footprint in the map: distant shadows turn soft "
@@ -395,34 +392,33 @@ constexpr auto kFilter = of_map(std::to_array<Param>({
      .also = "mipmaps, mipmapping", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.anisotropy), .label = "Anisotropy", .unit = "samples", .min = 1, .max = 16, .logarithmic = true,
      SI_IDLE(!s.filter.mips, "without effect: filter.mips is off"),
-     .help = "Most samples along the footprint's long side, where light or view grazes the surface: less blur across "
-             "it. Beyond the driver's limit that is used, and said.",
+     .help = "Most samples along the footprint's long side, in grazing light or in a grazing view: less blur across "
+             "it. A value beyond the driver's limit is reported, and the limit is used.",
      .shader = true},
     {SI_FIELD(filter.moment_format), .label = "Moments", .unit = "", .cost = Cost::Program, SI_CHOICES(kMomentFormats),
-     .help = "How each moment is stored.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
+     .help = "The storage of each moment.", .also = "highPrecision", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.exponent), .label = "Exponent", .unit = "", .min = 0.5, .max = 88, .logarithmic = true,
      .help = "c of e^(c x), where x runs from -1 at the near to 1 at the far plane. Higher: less light bleeds, sharper "
-             "contacts. What the stored numbers can hold is the limit (32-bit: esm 87.3, evsm 43.6, less by the "
-             "shares of a blur; 16-bit: esm 11, evsm 5.54); beyond it the limit is used, and said.",
+             "contacts. The limit is the range of the stored format (32-bit: esm 87.3, evsm 43.6, reduced by a blur; "
+             "16-bit: esm 11, evsm 5.54). A value beyond it is reported, and the limit is used.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.negative_exponent), .label = "Negative exponent", .unit = "", .min = 0.5, .max = 88,
      .logarithmic = true,
-     .help = "d of -e^(-d x), the second warp. It tells near occluders apart, and turns slopes dark where it is high. "
-             "Limits as filter.exponent.",
+     .help = "d of -e^(-d x), the second warp. It separates near casters, and darkens slopes if it is high. Limits as "
+             "filter.exponent.",
      .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.moment_bias), .label = "Moment bias", .unit = "", .min = 0, .max = 0.1, .logarithmic = true,
-     .help = "Share of the moments that is replaced by one half. Stands in for rounding, which leaves moments that no "
-             "depths have: about 3e-6 for 32-bit, 3e-5 for 16-bit. Too little: noise. Too much: light bleeds.",
+     .help = "Share of the moments that is replaced by one half. It covers rounding, which leaves moments of no "
+             "possible depths: about 3e-6 for 32-bit, 3e-5 for 16-bit. Too little: noise. Too much: light bleeds.",
      .shader = true},
     {SI_FIELD(filter.sums), .label = "Table", .unit = "", .cost = Cost::Program, SI_CHOICES(kSums),
-     .help = "How the summed-area table counts.", .shader = true, .read_by = ReadBy::Moments},
+     .help = "The number type of the summed-area table.", .shader = true, .read_by = ReadBy::Moments},
     {SI_FIELD(filter.window), .label = "Window", .unit = "texels", .min = 1, .max = 32, .logarithmic = true,
      .help = "Width of the square of texels that each look-up averages; any number costs the same.", .shader = true},
     {SI_FIELD(filter.footprint), .label = "Widen by footprint", .unit = "", .cost = Cost::Program,
-     .help = "Where a pixel spans more texels than the window, the window is as wide as the pixel, up to 32 texels.",
-     .shader = true},
+     .help = "Widens the window to the pixel's footprint where that spans more texels, up to 32.", .shader = true},
 }));
-static_assert(kFilter.size() == members<FilterSettings>(), "a member of FilterSettings has no row");
+static_assert(kFilter.size() == member_count<FilterSettings>(), "a member of FilterSettings has no row");
 
 }  // namespace
 

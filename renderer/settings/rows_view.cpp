@@ -8,25 +8,24 @@ using namespace rows;
 
 constexpr Choice kCompositions[] = {
     {"ambient", "ambient and visibility",
-     "colour = (ambient + visibility * (diffuse + specular)) * base colour, in one pass: shadows soften as their "
-     "filter does."},
+     "colour = (ambient + visibility * (diffuse + specular)) * base colour, in one pass: shadows are as soft as their "
+     "filter."},
     {"dim-lit", "dim pass, then lit pass",
      "The whole picture is drawn by dimmed lights first. Then it is drawn again where the comparison finds light, by "
-     "an alpha test of 0.99: whatever the filter, a pixel is lit or it is not. Blended surfaces take one pass."},
+     "an alpha test of 0.99. With any filter a pixel is then either lit or not. Blended surfaces take one pass."},
 };
 
 constexpr Choice kSkies[] = {
-    {"plain", "plain",
-     "A flat grey background, and ambient light that is the same from everywhere: for eyes that measure."},
+    {"plain", "plain", "A flat grey background, and equal ambient light from everywhere, for measuring by eye."},
     {"gradient", "gradient",
      "A sky whose colours follow the sun's height (the brightest directional light's). Ambient light comes from it "
-     "above and from the ground below, so that what lies in shadow keeps its form."},
+     "above and from the ground below, so that surfaces in shadow keep their shape."},
 };
 constexpr Choice kCurves[] = {
-    {"plain", "plain", "Encoded as sRGB; what is brighter than white is cut off."},
+    {"plain", "plain", "Encoded as sRGB; values above white are clipped."},
     {"filmic", "filmic",
-     "Dark tones are deepened a little and bright ones run out softly, so that several lights do not become paper: "
-     "white is four times as bright as a lit white surface was."},
+     "Dark tones become a little darker and highlights roll off softly, so that several lights do not clip. White is "
+     "light of four times a lit white surface."},
 };
 
 constexpr auto kShading = std::to_array<Param>({
@@ -44,16 +43,16 @@ constexpr auto kShading = std::to_array<Param>({
      SI_IDLE(s.shading.specular == 0, "without effect: shading.specular is 0"),
      .help = "Exponent of the Blinn-Phong highlight; larger is smaller and sharper.", .shader = true},
     {SI_FIELD(shading.sky), .label = "Sky", .unit = "", SI_CHOICES(kSkies),
-     .help = "What stands behind the scene and lights its shadows. No visibility depends on it.",
+     .help = "Background and ambient light of the scene. No visibility depends on it.",
      .also = "skybox, background, world", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.exposure), .label = "Exposure", .unit = "EV", .min = -8, .max = 8,
      .help = "Brightens the picture, sky included, by powers of two before the tone curve.",
      .also = "exposure compensation, toneMappingExposure, post exposure", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.curve), .label = "Tone curve", .unit = "", SI_CHOICES(kCurves),
-     .help = "How light becomes the picture's colours. No visibility depends on it.",
+     .help = "The conversion of light to the picture's colours. No visibility depends on it.",
      .also = "tone mapping, toneMapping, tonemapper, gamma, view transform", .read_by = ReadBy::Shading},
     {SI_FIELD(shading.composition), .label = "Composition", .unit = "", .cost = Cost::Program,
-     SI_CHOICES(kCompositions), .help = "How light and shadow become a picture.", .shader = true},
+     SI_CHOICES(kCompositions), .help = "The combination of light and shadow in the picture.", .shader = true},
     {SI_FIELD(shading.dim), .label = "Dim light", .unit = "", .min = 0, .max = 1,
      SI_IDLE(s.shading.composition != Composition::DimLit, "without effect: set shading.composition to dim-lit"),
      .help = "Share of each light that the dim pass leaves in shadow, so that surfaces keep their shape there.",
@@ -67,15 +66,15 @@ constexpr auto kShading = std::to_array<Param>({
              "the cost of the filter shows by itself.",
      .also = "shadow mask, screen-space shadow texture"},
 });
-static_assert(kShading.size() == members<ShadingSettings>(), "a member of ShadingSettings has no row");
+static_assert(kShading.size() == member_count<ShadingSettings>(), "a member of ShadingSettings has no row");
 
 constexpr Choice kSources[] = {
     {"auto", "automatic", "The scene's own camera (camera.index), or one that shows the whole scene."},
     {"manual", "by hand", "As the settings below say."},
     {"light", "through the light",
-     "What the map of view.light sees: its place, direction and projection (view.face of a point light), near and far "
-     "planes included. The map's square fills the picture's shorter side. Where the map is fitted to what the camera "
-     "sees, it is the map of the whole scene instead."},
+     "The view of the map of view.light: its place, direction and projection (view.face of a point light), near and "
+     "far planes included. The map's square fills the picture's shorter side. If the map is fitted to the view "
+     "frustum, the map of the whole scene is used instead."},
 };
 
 std::string_view camera_idle(const Settings& s, int) {
@@ -91,12 +90,11 @@ std::string_view height_idle(const Settings& s, int i) {
 }
 
 constexpr auto kCamera = std::to_array<Param>({
-    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources),
-     .help = "Where the camera comes from."},
+    {SI_FIELD(camera.source), .label = "Camera", .unit = "", SI_CHOICES(kSources), .help = "The source of the camera."},
     {SI_FIELD(camera.index), .label = "Scene's camera", .unit = "", .min = -1, .max = 9999,
      SI_IDLE(s.camera.source != CameraSource::Automatic, "without effect: set camera.source to auto"),
-     .help = "Which of the scene's own cameras is used, counted from 0; -1 is none of them: a camera that shows the "
-             "whole scene. Without effect on scenes without cameras."},
+     .help = "The scene's camera that is used, counted from 0; -1 is a camera that shows the whole scene. Without "
+             "effect on scenes without cameras."},
     {SI_FIELD(camera.target_x), .label = "Target x", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world x."},
     {SI_FIELD(camera.target_y), .label = "Target y", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
@@ -104,11 +102,11 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.target_z), .label = "Target z", .unit = "m", .min = -1e8, .max = 1e8, .idle = camera_idle,
      .help = "The point the camera looks at, world z."},
     {SI_FIELD(camera.azimuth), .label = "Azimuth", .unit = "deg", .min = -360, .max = 360, .idle = camera_idle,
-     .help = "Where the camera stands as seen from its target, about the vertical axis: 0 is +z, 90 is +x."},
+     .help = "Direction from the target to the camera, around the vertical axis: 0 is +z, 90 is +x."},
     {SI_FIELD(camera.elevation), .label = "Elevation", .unit = "deg", .min = -90, .max = 90, .idle = camera_idle,
-     .help = "Where the camera stands as seen from its target, above the horizon: 90 looks straight down."},
+     .help = "Direction from the target to the camera, above the horizon: 90 looks straight down."},
     {SI_FIELD(camera.roll), .label = "Roll", .unit = "deg", .min = -360, .max = 360, .idle = camera_idle,
-     .help = "Turn of the camera about its own axis."},
+     .help = "Rotation of the camera around its viewing axis."},
     {SI_FIELD(camera.distance), .label = "Distance", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
      .idle = camera_idle, .help = "Distance of the camera from its target."},
     {SI_FIELD(camera.fov), .label = "Field of view", .unit = "deg", .min = 0.1, .max = 170, .idle = fov_idle,
@@ -123,34 +121,32 @@ constexpr auto kCamera = std::to_array<Param>({
     {SI_FIELD(camera.orthographic), .label = "Orthographic", .unit = "", .idle = camera_idle,
      .help = "Parallel instead of perspective projection of the camera.", .also = "ortho, isometric"},
     {SI_FIELD(camera.height), .label = "Height", .unit = "m", .min = 1e-6, .max = 1e8, .logarithmic = true,
-     .idle = height_idle, .help = "Height of what an orthographic camera shows.",
+     .idle = height_idle, .help = "Height of the view of an orthographic camera.",
      .also = "orthographic size, orthographicSize, ortho size, ortho scale"},
 });
-static_assert(kCamera.size() == members<CameraSettings>(), "a member of CameraSettings has no row");
+static_assert(kCamera.size() == member_count<CameraSettings>(), "a member of CameraSettings has no row");
 
 constexpr Choice kPlacedAlong[] = {
-    {"aslant", "aslant", "Along (2, 1, 5): no step of the way lies on any grid."},
+    {"aslant", "aslant", "Along (2, 1, 5), so that no step lies on a grid."},
     {"x", "x", "Along the world's x axis."},
     {"y", "y", "Upwards."},
     {"z", "z", "Along the world's z axis."},
 };
 
 constexpr Choice kGrounds[] = {
-    {"auto", "where there is none",
-     "A file without a large level surface is stood on a ground, which receives shadows and casts none. Maps hold "
-     "no more of it than where the model may shadow it, which is never beyond what casts there, and reach as deep as "
-     "that; its pixels are counted apart. Built-in scenes have their own."},
+    {"auto", "if the file has none",
+     "A file without a large level surface gets a ground, which receives shadows and casts none. Maps cover only the "
+     "part that the model may shadow. Its pixels are counted apart. Built-in scenes have their own."},
     {"off", "off", "The file as it is."},
 };
 
 constexpr auto kScene = std::to_array<Param>({
     {SI_FIELD(scene.index), .label = "Scene of the file", .unit = "", .min = -1, .max = 9999,
      .help =
-         "Which scene of a glTF file is shown, counted from 0; -1 is the file's default. Another one is read anew."},
+         "The shown scene of a glTF file, counted from 0; -1 is the file's default. A change reads the file again."},
     {SI_FIELD(scene.animation), .label = "Animation", .unit = "", .min = -1, .max = 9999,
-     .help =
-         "Which animation of the scene's file is shown, counted from 0; -1 is the rest pose. Without effect on scenes "
-         "without animations.",
+     .help = "The shown animation of the scene's file, counted from 0; -1 is the rest pose. Without effect on scenes "
+             "without animations.",
      .animation_only = true},
     {SI_FIELD(scene.time), .label = "Time", .unit = "s", .min = 0, .max = 1e6,
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
@@ -158,28 +154,26 @@ constexpr auto kScene = std::to_array<Param>({
      .animation_only = true},
     {SI_FIELD(scene.distance), .label = "Moved by", .unit = "m", .min = 0, .max = 1e7, .logarithmic = true,
      .help =
-         "How far the scene is moved from where its file has it, with its cameras and lights. Far from the world's "
-         "origin single precision has few digits left for a shadow's edge: see map.origin. At 0 it is where it was."},
+         "Distance by which the scene is moved from its place in the file, with its cameras and lights. Far from the "
+         "world's origin single precision has few digits left for a shadow's edge (map.origin). 0 moves nothing."},
     {SI_FIELD(scene.direction), .label = "Moved along", .unit = "", SI_CHOICES(kPlacedAlong),
-     SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"), .help = "Which way the scene is moved."},
+     SI_IDLE(s.scene.distance == 0, "without effect: scene.distance is 0"),
+     .help = "The direction in which the scene is moved."},
     {SI_FIELD(scene.scale), .label = "Scaled by", .unit = "", .min = 1e-3, .max = 1e6, .logarithmic = true,
-     .help =
-         "By how much the scene is larger than its file has it, with its cameras and lights. The camera by hand and "
-         "settings in metres grow with it; what --set says in metres is taken as it is."},
+     .help = "Factor of the scene's size over that of its file, with its cameras and lights. The manual camera and "
+             "settings in metres grow with it. Metres given by --set stay as given."},
     {SI_FIELD(scene.ground), .label = "Ground", .unit = "", SI_CHOICES(kGrounds),
-     .help = "Whether a loaded model is stood on a ground that shows its shadow.",
-     .also = "floor, ground plane, shadow catcher"},
+     .help = "The ground under a loaded model, which shows its shadow.", .also = "floor, ground plane, shadow catcher"},
     {SI_FIELD(scene.fit_animation), .label = "Fit over the animation", .unit = "",
      SI_IDLE(s.scene.animation < 0, "without effect: scene.animation is -1, the rest pose"),
-     .help =
-         "Fits shadow maps to all the places that the chosen animation takes each object to: they neither swim nor "
-         "change their size while it plays, and their texels are larger. Off: they follow the pose that is shown. "
-         "A fit to what the camera sees follows the camera either way. Without effect on scenes without animations.",
+     .help = "Fits shadow maps to all places that objects reach during the chosen animation. Maps then neither move "
+             "nor change size while it plays, and their texels are larger. Off: maps follow the shown pose. A fit to "
+             "the view frustum follows the camera either way. Without effect on scenes without animations.",
      .also = "stable fit, swimming, shimmer, whole animation, animated bounds, fixed skel bounds, bounds scale, update "
              "when offscreen, skinned bounds",
      .animation_only = true},
 });
-static_assert(kScene.size() == members<SceneSettings>(), "a member of SceneSettings has no row");
+static_assert(kScene.size() == member_count<SceneSettings>(), "a member of SceneSettings has no row");
 
 std::string_view area_idle(const Settings& s, int) {
     return s.truth.area ? "" : "without effect: truth.area is off";
@@ -190,18 +184,17 @@ constexpr auto kReference = std::to_array<Param>({
      .help = "Compare with an area light (light.size), which casts penumbras. Off: with a point or a direction, "
              "which casts hard shadows.",
      .also = "soft shadows, area light, ray-traced shadows"},
-    {SI_FIELD(truth.samples), .label = "Most rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
+    {SI_FIELD(truth.samples), .label = "Maximum rays", .unit = "", .min = 1, .max = 1 << 20, .logarithmic = true,
      .idle = area_idle,
-     .help =
-         "Most rays of a pixel to an area light: 64 everywhere, then four times as many, and again, where the noise "
-         "demands it."},
+     .help = "Maximum rays of a pixel to an area light: 64 everywhere, then four times as many, and again, where noise "
+             "requires it."},
     {SI_FIELD(truth.noise), .label = "Noise", .unit = "", .min = 0, .max = 1, .logarithmic = true, .idle = area_idle,
-     .help = "Wanted standard error of a pixel's true visibility under an area light."},
+     .help = "Target standard error of a pixel's reference visibility under an area light."},
     {SI_FIELD(truth.step), .label = "Trace every n-th pixel", .unit = "px", .min = 1, .max = 8,
-     .help = "Every that many pixels, across and down, are traced and compared: 1 is every pixel, 2 one of four (half "
+     .help = "Step between traced and compared pixels, across and down: 1 is every pixel, 2 one of four (half "
              "resolution)."},
 });
-static_assert(kReference.size() == members<ReferenceSettings>(), "a member of TruthSettings has no row");
+static_assert(kReference.size() == member_count<ReferenceSettings>(), "a member of ReferenceSettings has no row");
 
 constexpr Choice kObjectCulls[] = {
     {"inherit", "as the scene", "As caster.cull says."},
@@ -213,20 +206,20 @@ constexpr Choice kObjectCulls[] = {
 constexpr auto kObject = with_scope(
     std::to_array<Param>({
         {SI_OBJECT_FIELD(shown), .label = "Shown", .unit = "",
-         .help = "Whether this object is there: a hidden one is not drawn, casts nothing and receives nothing. The "
-                 "scene's bounds keep it, so that the view stays.",
+         .help = "Shows this object. A hidden one is not drawn, casts nothing and receives nothing. The scene's bounds "
+                 "still contain it, so that the view stays.",
          .also = "visible, visibility, hide, hidden, isolate, enabled, renderable"},
         {SI_OBJECT_FIELD(cull), .label = "Cull", .unit = "", SI_CHOICES(kObjectCulls),
-         .help = "Which faces of this object are left out of the shadow map; the way to keep single planes and floors "
+         .help = "The faces of this object that are left out of the shadow map. It keeps single planes and floors "
                  "under front-face culling.",
-         .also = "shadow side, double sided, two-sided", .of_map = true},
-        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Whether this object casts shadows.",
+         .also = "shadow side, double sided, two-sided", .map_only = true},
+        {SI_OBJECT_FIELD(cast), .label = "Casts", .unit = "", .help = "Makes this object cast shadows.",
          .also = "cast shadow, castShadow, castShadows, shadow casting mode, cast shadow setting"},
-        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Whether this object receives shadows.",
+        {SI_OBJECT_FIELD(receive), .label = "Receives", .unit = "", .help = "Makes this object receive shadows.",
          .also = "receive shadow, receiveShadow, receive shadows"},
     }),
     Scope::Object);
-static_assert(kObject.size() == members<ObjectSettings>(), "a member of ObjectSettings has no row");
+static_assert(kObject.size() == member_count<ObjectSettings>(), "a member of ObjectSettings has no row");
 
 }  // namespace
 

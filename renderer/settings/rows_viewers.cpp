@@ -1,4 +1,4 @@
-// Rows of what is looked at: the map viewer, the panes with their overlays, the texel slabs.
+// Rows of display settings: map viewer, panes with overlays, texel quads.
 #include <algorithm>
 
 #include "renderer/settings/filters.h"
@@ -52,9 +52,8 @@ constexpr Choice kSlabs[] = {
     {"none", "none", "No quads."},
     {"stored", "as stored", "Each texel at the depth that it stores (blue)."},
     {"biased", "with bias",
-     "Each texel where a fragment has to lie to compare equal to it (orange): own depth minus bias against stored "
-     "depth is the same as the quad moved away from the light by the bias. Of the bias this is bias.constant, in "
-     "bias.unit; slope and normal offset depend on the surface."},
+     "Each texel at the depth of a fragment that compares equal (orange): the quad is moved away from the light by "
+     "bias.constant. Slope bias and normal offset depend on the surface and are left out."},
     {"both", "both", "As stored (blue) and with bias (orange)."},
 };
 
@@ -100,7 +99,7 @@ const LightSettings& shown_light(const Settings& s) {
 
 std::string_view face_idle(const Settings& s, int) {
     const LightSettings& shown = shown_light(s);
-    // 1.5 rad is half the widest cone that light_place.cpp leaves to one map.
+    // 1.5 rad is half the widest cone that light_place.cpp draws into one map.
     const bool faces =
         shown.type == LightType::Point || (shown.type == LightType::Spot && shown.cone > 2 * 1.5 * 57.29577951308232);
     const bool cascades = shown.type == LightType::Directional && shown.cascades > 1 && shown.fit != LightFit::Manual &&
@@ -117,21 +116,20 @@ std::string_view slabs_region_idle(const Settings& s, int i) {
 
 constexpr auto kView = std::to_array<Param>({
     {SI_FIELD(view.map_source), .label = "Map viewer shows", .unit = "", SI_CHOICES(kMapSources),
-     .help = "Whose depth the map viewer shows.", .read_by = ReadBy::MapRange | ReadBy::MapView},
+     .help = "The depth image in the map viewer.", .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map), .label = "Map view", .unit = "", SI_CHOICES(kMapViews),
-     .help = "How the map viewer shows depth.", .read_by = ReadBy::MapView},
+     .help = "The display of depth in the map viewer.", .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_channel), .label = "Channel", .unit = "", SI_CHOICES(kMapChannels), .idle = channel_idle,
-     .help = "What of the light's map is shown: depth, or one of the numbers that filter.kernel has prepared. Raw: the "
-             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth that alone "
-             "would have it.",
+     .help = "The shown channel of the light's map: depth, or one of the moments that filter.kernel reads. Raw: the "
+             "number itself, from 0 black to 1 white (fit the greys for exponentials). Linear: the depth which would "
+             "give that number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
     {SI_FIELD(view.map_mip), .label = "Mip level", .unit = "", .min = 0, .max = 15, .idle = mip_idle,
-     .help = "Which mip level of the channel is shown: 0 the map's own texels, each further one has half as many "
-             "across; numbers past the coarsest mean that one. The saved floats are the level's own: of a moment its "
-             "numbers under view.map raw, else "
-             "the share of the range that alone would have it.",
+     .help = "The shown mip level of the channel: 0 the map's own texels, each further one has half as many across; "
+             "numbers past the coarsest mean that one. The saved floats are the level's own: a moment's numbers under "
+             "view.map raw, else the share of the depth range which would give that number.",
      .read_by = ReadBy::MapRange | ReadBy::MapView},
-    {SI_FIELD(view.map_fit), .label = "Fit greys to what is drawn", .unit = "", SI_IDLE(is_bands(s), kBandColours),
+    {SI_FIELD(view.map_fit), .label = "Fit greys to drawn depths", .unit = "", SI_IDLE(is_bands(s), kBandColours),
      .help = "Black and white lie at the smallest and the largest depth that was drawn, the empty background left out, "
              "instead of at view.map_black and view.map_white.",
      .read_by = ReadBy::MapView},
@@ -141,11 +139,11 @@ constexpr auto kView = std::to_array<Param>({
      .help = "The value that the map viewer shows white, as a share of its range.", .read_by = ReadBy::MapView},
     {SI_FIELD(view.map_colours), .label = "Map colours", .unit = "", SI_CHOICES(kMapColours),
      SI_IDLE(is_bands(s), kBandColours),
-     .help = "The colour ramp of the map viewer, in place of greys. Texels that hold nothing but the far plane are "
-             "hatched dark under each.",
+     .help = "The colour ramp of the map viewer, in place of greys. Empty texels (at the far plane) are hatched dark "
+             "under each ramp.",
      .read_by = ReadBy::MapView},
-    {SI_FIELD(view.map_region), .label = "Outline of what is seen", .unit = "",
-     .help = "Outline in the map viewer what of the map lies in the camera's view."},
+    {SI_FIELD(view.map_region), .label = "Outline of the view frustum", .unit = "",
+     .help = "Outline of the camera's view frustum in the map viewer."},
     {SI_FIELD(view.band_low), .label = "Lower band", .unit = "depth", .min = 0, .max = 1,
      SI_IDLE(!is_bands(s), "without effect: view.map is not bands"),
      .help = "Depths below this are red in the band view. Counted from the near plane, under reversed depth too.",
@@ -156,31 +154,30 @@ constexpr auto kView = std::to_array<Param>({
      .read_by = ReadBy::MapView},
     {SI_FIELD(view.light), .label = "Light shown", .unit = "", .min = 0, .max = kMaxLights - 1,
      SI_IDLE(s.light_count < 2 && s.view.light == 0, "without effect: there is one light"),
-     .help = "Whose shadow map, visibility, overlays and quads are shown; 0 is the first light.",
+     .help = "The light whose shadow map, visibility, overlays and quads are shown; 0 is the first.",
      .read_by = ReadBy::OneLight},
     {SI_FIELD(view.face), .label = "Face or cascade shown", .unit = "", .min = 0, .max = kMaxClipLevels - 1,
      .idle = face_idle,
-     .help = "Which of a light's maps is shown. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A "
-             "directional light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
+     .help = "The shown map of the light. A point light's six faces: 0 +x, 1 -x, 2 +y, 3 -y, 4 +z, 5 -z. A directional "
+             "light's cascades: 0 is the one nearest to the camera; numbers past the last mean the last."},
     {SI_FIELD(view.panes), .label = "Panes", .unit = "", SI_CHOICES(kPanes),
-     .help =
-         "How many pictures are drawn beside each other, all from the same camera, each with an overlay of its own."},
+     .help = "Number of pictures beside each other, all from the same camera, each with an overlay of its own."},
     {SI_FIELD(view.overlay), .label = "Overlay", .unit = "", .cost = Cost::Program, .choices = overlay_choices,
      .help = "A quantity of the shadow test drawn over the scene."},
     {SI_FIELD(view.overlay_2), .label = "Overlay of pane 2", .unit = "", .cost = Cost::Program,
      .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Two, "without effect: view.panes is one"),
-     .help = "What the second pane draws over the scene; none is the shaded picture."},
+     .help = "The overlay of the second pane; none is the shaded picture."},
     {SI_FIELD(view.overlay_3), .label = "Overlay of pane 3", .unit = "", .cost = Cost::Program,
      .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Four, "without effect: view.panes is not four"),
-     .help = "What the third pane draws over the scene; none is the shaded picture."},
+     .help = "The overlay of the third pane; none is the shaded picture."},
     {SI_FIELD(view.overlay_4), .label = "Overlay of pane 4", .unit = "", .cost = Cost::Program,
      .choices = overlay_choices, SI_IDLE(s.view.panes < Panes::Four, "without effect: view.panes is not four"),
-     .help = "What the fourth pane draws over the scene; none is the shaded picture."},
+     .help = "The overlay of the fourth pane; none is the shaded picture."},
     {SI_FIELD(view.overlay_opacity), .label = "Opacity", .unit = "", .min = 0, .max = 1,
-     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "How much of the overlay covers the picture: 0 nothing, 1 all.",
+     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "Opacity of the overlay over the picture: 0 nothing, 1 all.",
      .read_by = ReadBy::Compose},
     {SI_FIELD(view.overlay_range), .label = "Scale", .unit = "", SI_CHOICES(kRanges),
-     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "Which values the overlay's colour scale spans.",
+     SI_IDLE(no_overlay_shown(s), kNoOverlay), .help = "The range of the overlay's colour scale.",
      .read_by = ReadBy::Compose},
     {SI_FIELD(view.overlay_min), .label = "Scale from", .unit = "overlay's", .min = -1e8, .max = 1e8,
      .idle = range_idle, .help = "The value at the low end of the colour scale, in the overlay's unit.",
@@ -194,14 +191,14 @@ constexpr auto kView = std::to_array<Param>({
      .help = "Draw the box of each object that casts in the editor's view, as the light fit sees it; at most 2000."},
     {SI_FIELD(view.axes), .label = "Axes", .unit = "",
      .help = "Draw the world's axes in a corner of the editor's view; a click on an end looks along it."},
-    {SI_FIELD(view.smooth), .label = "Smooth at rest", .unit = "",
+    {SI_FIELD(view.smooth), .label = "Smooth when static", .unit = "",
      .help = "While nothing moves, the editor shows the mean of up to 8 pictures, each of a camera turned by part of a "
              "pixel. Numbers, overlays and probes keep to the one picture. Off: pixels as they are.",
      .also = "anti-aliasing, antialiasing, MSAA, TAA, FXAA, supersampling"},
     {SI_FIELD(view.slabs), .label = "Stored-depth quads", .unit = "", SI_CHOICES(kSlabs), .idle = slabs_idle,
      .help = "Draw texels of the shown light's map into the scene, each as a flat quad where its stored depth lies. A "
-             "surface is in shadow where it lies behind the quad of its texel: acne can be seen to come about. Texels "
-             "that hold nothing but the far plane are left out.",
+             "surface is in shadow where it lies behind the quad of its texel, so the quads show how acne arises. "
+             "Empty texels (at the far plane) are left out.",
      .also = "texel slabs, depth quads", .read_by = ReadBy::Slabs},
     {SI_FIELD(view.slabs_u), .label = "Quads around u", .unit = "", .min = 0, .max = 1, .idle = slabs_region_idle,
      .help = "Centre of the square of texels that are drawn as quads, as a share of the map's width.",
@@ -213,7 +210,7 @@ constexpr auto kView = std::to_array<Param>({
      .idle = slabs_region_idle, .help = "Side of the square of texels that are drawn as quads.",
      .read_by = ReadBy::Slabs},
 });
-static_assert(kView.size() == members<ViewSettings>(), "a member of ViewSettings has no row");
+static_assert(kView.size() == member_count<ViewSettings>(), "a member of ViewSettings has no row");
 
 }  // namespace
 

@@ -7,12 +7,12 @@ namespace {
 using namespace rows;
 
 constexpr auto kVolumeRows = std::to_array<Param>({
-    {SI_FIELD(volumes.allow_large), .label = "Draw large ones", .unit = "",
+    {SI_FIELD(volumes.allow_large), .label = "Draw large volumes", .unit = "",
      .help = "Draws shadow volumes also where more than 20000 triangles of casters are not of closed surfaces: each "
-             "then brings faces of its own, and a picture may take minutes. Off: the light has no shadow there, and a "
-             "note tells how many triangles it would take and how often they would cover the picture."},
+             "then adds faces of its own, and a picture may take minutes. Off: the light has no shadow then, and a "
+             "note says how many triangles it would take and how often they would cover the picture."},
 });
-static_assert(kVolumeRows.size() == members<VolumeSettings>(), "a member of VolumeSettings has no row");
+static_assert(kVolumeRows.size() == member_count<VolumeSettings>(), "a member of VolumeSettings has no row");
 
 }  // namespace
 

@@ -1,3 +1,4 @@
+// Search for settings by words.
 #include "renderer/settings/search.h"
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 namespace si {
 namespace {
 
-/// As it is searched: "shadow_normal_bias" as "shadow normal bias", "Tent 3×3" as "Tent 3x3".
+/// Returns the text normalised for the search: "shadow_normal_bias" as "shadow normal bias", "Tent 3×3" as "Tent 3x3".
 std::string as_searched(std::string_view text) {
     constexpr std::string_view kTimes = "×";
     std::string out;

@@ -1,4 +1,4 @@
-// Settings found by words: the editor's search, and `list settings`.
+// Search for settings by words, for the editor's search field and `list settings`.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,9 @@
 
 namespace si {
 
-/// Whether each word of `text` stands in the row's label, key, help or names elsewhere (Param::also), or in its label,
-/// key or those names and in the key or label of one of its choices. Without regard to case; _ and - are spaces, × is
-/// x. A whole key finds its setting alone.
+/// Returns true when the setting `ref` matches the search text. Each word of the text must occur in the label, key,
+/// help or other names (Param::also) of the setting, or in the label, key and other names together with one choice.
+/// Case does not matter; _ and - count as spaces, × as x. A complete key matches its own setting only.
 bool setting_matches(const SettingRef& ref, std::string_view text);
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// Everything that a person can choose and a preset can hold, with its default. One row of the table in
-// settings_table.cpp describes each member: key, unit, range, help.
+// Settings that a person can choose and a preset can hold, with their defaults. One row of the settings table
+// (param.h, rows_*.cpp) describes each member: key, unit, range, help.
 #pragma once
 
 #include <array>
@@ -8,53 +8,93 @@
 
 namespace si {
 
+/// Largest number of lights.
 inline constexpr int kMaxLights = 16;
+/// Largest number of cascades of a directional light.
 inline constexpr int kMaxCascades = 8;
+/// Largest number of clip levels of a directional light under map.virtual.
 inline constexpr int kMaxClipLevels = 8;
 
-// Closed choices: the program names each of their values. Their enumerators stand in the order of the choices in the
-// settings table. What chooses a row of an open table of techniques (bias.kind, filter.kernel, light.source,
-// view.overlay) is an int, the index of the row: a new row there takes no enumerator.
+// Settings with a closed set of choices have an enumeration; enumerators have the order of the choices in the settings
+// table. A setting that chooses a row of an open table of techniques (bias.kind, filter.kernel, light.source,
+// view.overlay) is an int, the row's index, so that a new row needs no enumerator.
+/// Type of a light (light.type).
 enum class LightType { Directional, Spot, Point };
+/// Region of a light's shadow map (light.fit); rows of fits().
 enum class LightFit { Manual, Scene, Casters, View, Stabilised, Lispsm };
+/// Depth range of a light's shadow map (light.near_far).
 enum class NearFar { Fitted, Manual, Casters, Scene, Pancaking };
+/// Division of the camera's depth among cascades (light.split); rows of splits().
 enum class Split { Uniform, Logarithmic, Practical, Manual };
+/// Source of the camera depths that cascades cover (light.depth_bounds): receivers' boxes or the depth buffer.
 enum class DepthBounds { Boxes, Sdsm };
+/// Choice of the cascade for a point (light.cascade_choice): by depth, or the first map that contains the point.
 enum class CascadeChoice { Interval, Map };
+/// Projection of a shadow map (light.projection).
 enum class LightProjection { Automatic, Orthographic, Perspective };
+/// Source of the camera (camera.source).
 enum class CameraSource { Automatic, Manual, Light };
+/// Storage format of shadow maps (map.format). Colour, Linear and Linear16 are colour images.
 enum class MapFormat { D16, D24, D32F, Colour, Linear, Linear16 };
+/// Result of a look-up outside the map's square (map.wrap).
 enum class MapWrap { Border, Clamp, Repeat, Range };
+/// Lighting of surfaces outside the map (map.outside).
 enum class Outside { Lit, Unlit };
+/// Comparison of own and stored depth (map.compare).
 enum class Compare { Less, LessEqual };
+/// Shadow of alpha-blended materials (caster.blend).
 enum class BlendCasters { None, Mask };
+/// Faces left out of the shadow map for all casters (caster.cull).
 enum class Cull { None, Back, Front };
+/// Faces of one object left out of the shadow map (object.PATH.cull).
 enum class ObjectCull { Inherit, None, Back, Front };
+/// Unit of bias.constant and bias.slope (bias.unit).
 enum class BiasUnit { Depth, Texels, Metres };
+/// Normal used by slope bias and normal offset (bias.normal_source).
 enum class NormalSource { Geometric, Shading, Mapped };
+/// Way in which a kernel reads the map (filter.method).
 enum class FilterMethod { Automatic, Gather, Sampler };
+/// Unit of filter.radius (filter.radius_unit).
 enum class RadiusUnit { Texels, Metres };
+/// Points of the sampled disk (filter.disk): Poisson table or spiral.
 enum class Disk { Table, Spiral };
+/// Weights of the blur of moments (filter.blur_shape).
 enum class BlurShape { Box, Gaussian };
+/// Bits of a stored moment (filter.moment_format).
 enum class MomentFormat { Bits32, Bits16 };
+/// Number type of the summed-area table (filter.sums).
 enum class TableSums { Integer, Float };
+/// Display of depth in the map viewer (view.map).
 enum class MapView { Raw, Linear, Bands };
+/// Depth image in the map viewer (view.map_source): a light's shadow map or the camera's depth buffer.
 enum class MapSource { Light, Camera };
+/// Number of pictures side by side (view.panes).
 enum class Panes { One, Two, Four };
+/// Range of the overlay's colour scale (view.overlay_range).
 enum class OverlayRange { Declared, Fitted, Manual };
+/// Combination of light and shadow (shading.composition).
 enum class Composition { Ambient, DimLit };
+/// Background and ambient light (shading.sky).
 enum class SkyLook { Plain, Gradient };
+/// Tone curve from light to picture colours (shading.curve).
 enum class ToneCurve { Plain, Filmic };
+/// Ground under a loaded model (scene.ground).
 enum class Ground { Auto, Off };
+/// Colour ramp of the map viewer (view.map_colours).
 enum class MapColours { Grey, Turbo, Viridis };
+/// Computation of map coordinates (map.transform): from world space, or from eye space by a texture matrix.
 enum class MapTransform { World, Eye };
+/// Origin of positions on the GPU (map.origin).
 enum class MapOrigin { Near, World };
+/// Direction in which the scene is moved (scene.direction).
 enum class PlacedAlong { Aslant, X, Y, Z };
+/// Texels drawn as quads in the scene (view.slabs).
 enum class Slabs { None, Stored, Biased, Both };
 
+/// Settings of the camera: camera.*. Lengths in metres, angles in degrees.
 struct CameraSettings {
     CameraSource source = CameraSource::Automatic;
-    int index = 0;  ///< of the scene's cameras; -1: none of them
+    int index = 0;  ///< index of the scene's camera; -1: a camera that shows the whole scene
     double target_x = 0, target_y = 0, target_z = 0;
     double azimuth = 35, elevation = 25, roll = 0;
     double distance = 10;
@@ -65,12 +105,12 @@ struct CameraSettings {
     bool operator==(const CameraSettings&) const = default;
 };
 
-/// What of a file is shown.
+/// Settings of the shown scene: scene.*.
 struct SceneSettings {
-    int index = -1;       ///< of the file's scenes; -1: its default one
-    int animation = 0;    ///< -1: the rest pose
-    double time = 0;      ///< s
-    double distance = 0;  ///< m
+    int index = -1;       ///< index of the file's scene; -1: default scene
+    int animation = 0;    ///< index of the animation; -1: rest pose
+    double time = 0;      ///< time of the animation, seconds
+    double distance = 0;  ///< translation of the scene, metres
     PlacedAlong direction = PlacedAlong::Aslant;
     double scale = 1;
     Ground ground = Ground::Auto;
@@ -78,6 +118,7 @@ struct SceneSettings {
     bool operator==(const SceneSettings&) const = default;
 };
 
+/// Settings of the shadow maps: map.*.
 struct MapSettings {
     int resolution = 2048;
     MapFormat format = MapFormat::D32F;
@@ -90,7 +131,7 @@ struct MapSettings {
     int samples = 1;
     MapTransform transform = MapTransform::World;
     MapOrigin origin = MapOrigin::Near;
-    bool paged = false;  ///< map.virtual, a word that C++ keeps to itself
+    bool paged = false;  ///< map.virtual, a keyword in C++
     int page_size = 128;
     int page_pool = 1024;
     int virtual_levels = 8;
@@ -98,21 +139,24 @@ struct MapSettings {
     bool operator==(const MapSettings&) const = default;
 };
 
+/// Settings of all casters: caster.*.
 struct CasterSettings {
     Cull cull = Cull::None;
     BlendCasters blend = BlendCasters::None;
     bool operator==(const CasterSettings&) const = default;
 };
 
-/// The rows of the bias and filter tables that are chosen where nobody chooses: by their keys, wherever they stand.
+/// Returns the default of bias.kind: the index of the row "slope" in the bias table.
 int default_bias();
+/// Returns the default of filter.kernel: the index of the row "pcf" in the kernel table.
 int default_filter();
 
+/// Settings of the bias: bias.*.
 struct BiasSettings {
     int kind = default_bias();  ///< row of the bias table
     BiasUnit unit = BiasUnit::Texels;
-    // Three texels along the normal clear a plane at any angle under the default kernel: h >= kappa*sqrt(2)*sin(theta)
-    // with kappa = 2 (bias_theory.h); the constant covers quantisation.
+    // A normal offset of three texels prevents acne on a plane at any angle under the default kernel:
+    // h >= kappa*sqrt(2)*sin(theta) with kappa = 2 (bias/theory.h). The constant covers quantisation.
     double constant = 0.1;
     double slope = 0.0;
     double plane_clamp = 100;
@@ -124,10 +168,11 @@ struct BiasSettings {
     bool operator==(const BiasSettings&) const = default;
 };
 
+/// Settings of the filter kernel: filter.*.
 struct FilterSettings {
     int kernel = default_filter();  ///< row of the filter table
     FilterMethod method = FilterMethod::Automatic;
-    // Of single kernels: see the rows' `settings` in the filter table.
+    // The members below belong to single kernels: see Filter::settings.
     int size = 3;
     bool point = false;
     int taps = 16;
@@ -156,6 +201,7 @@ struct FilterSettings {
     bool operator==(const FilterSettings&) const = default;
 };
 
+/// Settings of one light: light.* for light 0, light.N.* for light N. Lengths in metres, angles in degrees.
 struct LightSettings {
     std::string name;
     LightType type = LightType::Directional;
@@ -186,12 +232,13 @@ struct LightSettings {
     bool operator==(const LightSettings&) const = default;
 };
 
+/// Settings of shadow volumes: volumes.*.
 struct VolumeSettings {
     bool allow_large = false;
     bool operator==(const VolumeSettings&) const = default;
 };
 
-/// Of lights whose source are blobs.
+/// Settings of blob shadows, for lights whose source is blobs: blob.*.
 struct BlobSettings {
     double size = 1;
     double softness = 0.6;
@@ -200,20 +247,21 @@ struct BlobSettings {
     bool operator==(const BlobSettings&) const = default;
 };
 
-/// Of lights with light.contact above 0.
+/// Settings of contact shadows, for lights with light.contact above 0: contact.*.
 struct ContactSettings {
     int steps = 16;
     double thickness = 0.1;
     bool operator==(const ContactSettings&) const = default;
 };
 
-/// Of lights whose source is a light map.
+/// Settings of light maps, for lights whose source is a light map: light_map.*.
 struct LightMapSettings {
     int resolution = 1024;
     int samples = 1;
     bool operator==(const LightMapSettings&) const = default;
 };
 
+/// Settings of shading: shading.*.
 struct ShadingSettings {
     double ambient = 0.25;
     double diffuse = 0.75;
@@ -229,20 +277,21 @@ struct ShadingSettings {
     bool operator==(const ShadingSettings&) const = default;
 };
 
+/// Settings of the map viewer, panes and overlays: view.*.
 struct ViewSettings {
     MapSource map_source = MapSource::Light;
     MapView map = MapView::Linear;
-    int map_channel = 0;  ///< 0 depth, else 1 + channel of the kernel's moments
+    int map_channel = 0;  ///< 0: depth, else 1 + channel of the kernel's moments
     int map_mip = 0;
     bool map_fit = false;
     MapColours map_colours = MapColours::Grey;
-    bool map_region = true;  ///< outline of what the camera sees
+    bool map_region = true;  ///< outline of the view frustum
     double map_black = 0, map_white = 1;
     double band_low = 0.9, band_high = 0.925;
-    int light = 0;  ///< whose map and overlay are shown
-    int face = 0;   ///< which of a light's faces or cascades
+    int light = 0;  ///< light with the shown map and overlay
+    int face = 0;   ///< shown face or cascade of the light
     Panes panes = Panes::One;
-    int overlay = 0;  ///< 0 none, else row of the overlay table + 1; the first pane's
+    int overlay = 0;  ///< overlay of the first pane: 0 none, else row of the overlay table + 1
     int overlay_2 = 0, overlay_3 = 0, overlay_4 = 0;
     double overlay_opacity = 1;
     OverlayRange overlay_range = OverlayRange::Declared;
@@ -250,14 +299,14 @@ struct ViewSettings {
     bool frustum = true;
     bool bounds = false;
     bool axes = true;
-    bool smooth = true;  ///< anti-aliasing of a view that rests
+    bool smooth = true;  ///< anti-aliasing while nothing moves
     Slabs slabs = Slabs::None;
     double slabs_u = 0.5, slabs_v = 0.5;
     int slabs_texels = 32;
     bool operator==(const ViewSettings&) const = default;
 };
 
-/// The ray-traced truth that the shadows of view.light are compared with.
+/// Settings of the ray-traced reference, with which the shadows of view.light are compared: truth.*.
 struct ReferenceSettings {
     bool area = false;
     int samples = 1024;
@@ -266,7 +315,7 @@ struct ReferenceSettings {
     bool operator==(const ReferenceSettings&) const = default;
 };
 
-/// What one object does differently from the scene; keyed by its node path.
+/// Settings of one object: object.PATH.*, with the node path of the object as PATH.
 struct ObjectSettings {
     bool shown = true;
     ObjectCull cull = ObjectCull::Inherit;
@@ -275,7 +324,8 @@ struct ObjectSettings {
     bool operator==(const ObjectSettings&) const = default;
 };
 
-/// Returns the culling in force for an object: its own choice, else that of all casters (caster.cull).
+/// Returns the face culling that applies to an object.
+/// @param own choice of the object @param of_all choice for all casters (caster.cull), used if the object inherits
 constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
     switch (own) {
         case ObjectCull::None:
@@ -290,6 +340,8 @@ constexpr Cull cull_in_force(ObjectCull own, Cull of_all) {
     return of_all;
 }
 
+/// Complete settings of a session: scene, camera, techniques, lights, display and objects. A comparable, copyable
+/// value.
 struct Settings {
     SceneSettings scene;
     CameraSettings camera;

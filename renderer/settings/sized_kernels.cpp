@@ -1,3 +1,4 @@
+// Short names of kernels at one size.
 #include "renderer/settings/sized_kernels.h"
 
 #include <algorithm>

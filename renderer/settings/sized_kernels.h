@@ -1,5 +1,5 @@
-// Short names of kernels at one size ("pcf5"), which --set, --vary, presets and searches take as values of
-// filter.kernel. A list of kernels can so hold several sizes of one kernel. Files are written without them.
+// Short names of kernels at one size ("pcf5"), which --set, --vary, presets and searches accept as values of
+// filter.kernel. A list of kernels can thus hold several sizes of one kernel. Files are written without these names.
 #pragma once
 
 #include <optional>
@@ -8,15 +8,17 @@
 
 namespace si {
 
+/// Short name of a kernel at one size, and the settings that the name implies.
 struct SizedKernel {
-    std::string_view name;      ///< "pcf5"
+    std::string_view name;      ///< short name, such as "pcf5"
     std::string_view kernel;    ///< key of the kernel's row (filters.h)
     int size = 0;               ///< value of filter.size
     std::optional<bool> point;  ///< value of filter.point, for kernels that read it
 };
 
+/// Returns all short names of kernels.
 std::span<const SizedKernel> sized_kernels();
-/// Returns the row called `name`; nullptr if there is none.
+/// Returns the sized kernel with the short name `name`; nullptr if there is none.
 const SizedKernel* find_sized_kernel(std::string_view name);
 
 }  // namespace si

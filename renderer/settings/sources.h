@@ -1,4 +1,4 @@
-// The table of sources of visibility: where a light's shadows come from.
+// Table of visibility sources: the techniques that make a light's shadows (light.source).
 #pragma once
 
 #include <span>
@@ -9,39 +9,43 @@
 
 namespace si {
 
-/// What the frame brings for a source.
+/// Data that the frame prepares for a visibility source.
 struct SourceNeeds {
-    bool map = false;           ///< shadow maps
-    bool stencil = false;       ///< a stencil buffer of its own
-    bool before = false;        ///< in which it counts faces before the surface, not those behind it
-    bool camera_depth = false;  ///< the depth that the camera sees
-    bool reference = false;     ///< FrameRequest::traced
-    bool blobs = false;         ///< a blob below each caster
-    bool light_map = false;     ///< FrameRequest::light_maps
+    bool map = false;                 ///< shadow maps
+    bool stencil = false;             ///< stencil buffer of its own
+    bool counts_front_faces = false;  ///< the stencil counts faces before the surface (z-pass) instead of behind it
+    bool camera_depth = false;        ///< camera's depth buffer
+    bool reference = false;           ///< FrameRequest::traced
+    bool blobs = false;               ///< blob below each caster
+    bool light_map = false;           ///< FrameRequest::light_maps
 };
 
-/// Where a light's visibility comes from: 1 lit to 0 in shadow, a layer of the visibility texture a light.
+/// Row of the table of visibility sources. A source gives a light's visibility, 1 lit to 0 in shadow, into one layer of
+/// the visibility texture.
 struct Source {
     std::string_view key, label, help, paper;
-    /// Shading can evaluate it by itself; else it reads the visibility texture.
+    /// Shading can evaluate the source itself; else it reads the visibility texture.
     bool fused = false;
     SourceNeeds needs;
-    /// Below shaders/, with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn for it. What rays
-    /// found is copied as it is, else all is lit.
+    /// GLSL file below shaders/ with `float source_visibility(Surface s, int light)`. Empty: nothing is drawn; the
+    /// result of traced rays is copied, and without rays all is lit.
     std::string_view file;
-    std::span<const std::string_view> settings = {};  ///< keys that it alone reads
-    /// Why it does not tell where light reaches; empty: it does, as far as its samples do.
-    std::string_view stands_for = {};
+    std::span<const std::string_view> settings = {};  ///< keys that only this source reads
+    /// Reason why the source's visibility is only an approximation; empty if it converges to the exact one.
+    std::string_view approximation = {};
 };
 
+/// Returns all rows of the table of visibility sources.
 std::span<const Source> sources();
+/// Returns the choices of the setting light.source.
 std::span<const Choice> source_choices();
 
-/// Of light.<i>, whether that casts or not.
+/// Returns the visibility source that light number `light` chooses, even if the light casts no shadow.
 const Source& source_of(const Settings& settings, int light);
-/// Whether the source of any light that casts has this need.
+/// Returns true when the source of any light that casts shadows has the need `what`, for example &SourceNeeds::map.
 bool any_source_needs(const Settings& settings, bool SourceNeeds::*what);
-/// Whether settings of shadow maps act on no light, as no light's source is a map.
+/// Returns true when there are lights and none has a shadow map as its source, so that settings of shadow maps have no
+/// effect.
 bool no_source_is_map(const Settings& settings);
 
 }  // namespace si

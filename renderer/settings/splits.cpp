@@ -1,3 +1,4 @@
+// Rows of the table of cascade splits, and the order of manual splits.
 #include "renderer/settings/splits.h"
 
 #include <fmt/format.h>
@@ -15,21 +16,23 @@ constexpr std::string_view kByHand[] = {"light.split_1", "light.split_2", "light
 static_assert(std::size(kByHand) == kMaxCascades - 1);
 
 constexpr SplitRow kSplits[] = {
-    {.key = "uniform", .label = "even", .help = "Into intervals of one length: far ones get texels that nobody sees."},
+    {.key = "uniform",
+     .label = "even",
+     .help = "Intervals of equal length: far ones get finer texels than pixels need."},
     {.key = "logarithmic",
      .label = "by equal ratios",
-     .help = "Each interval ends at the same multiple of where it begins: a texel then covers about as many pixels in "
-             "each, but the near ones are very short. Where the camera is orthographic: even.",
+     .help = "Each interval ends at the same multiple of its beginning: a texel then covers about as many pixels in "
+             "each, and near intervals are very short. Even under an orthographic camera.",
      .paper = "Wimmer, Scherzer, Purgathofer, Light Space Perspective Shadow Maps, EGSR 2004"},
     {.key = "practical",
      .label = "between both",
      .help = "The mean of the even and of the logarithmic division, weighted by light.split_lambda.",
      .paper = "Zhang, Sun, Xu, Lun, Parallel-Split Shadow Maps for Large-scale Virtual Environments, VRCIA 2006",
      .settings = kLambda},
-    {.key = "manual", .label = "by hand", .help = "Where light.split_1 and those after it say.", .settings = kByHand},
+    {.key = "manual", .label = "by hand", .help = "At light.split_1, light.split_2, and so on.", .settings = kByHand},
 };
 
-/// Of a light.
+/// Members of LightSettings with the manual splits.
 using Members = std::array<double LightSettings::*, kMaxCascades - 1>;
 constexpr Members kMembers = {&LightSettings::split_1, &LightSettings::split_2, &LightSettings::split_3,
                               &LightSettings::split_4, &LightSettings::split_5, &LightSettings::split_6,

@@ -1,4 +1,4 @@
-// The table of ways to divide the camera's depth among cascades, and what keeps splits by hand in order.
+// Table of cascade splits: ways to divide the camera's depth among cascades, and the order of manual splits.
 #pragma once
 
 #include <array>
@@ -11,25 +11,28 @@
 
 namespace si {
 
+/// Row of the table of cascade splits: one way to divide the camera's depth among cascades (light.split).
 struct SplitRow {
     std::string_view key, label, help;
-    std::string_view paper;                           ///< where it is from; empty: it is common
-    std::span<const std::string_view> settings = {};  ///< keys that only it and other rows that list them read
+    std::string_view paper;                           ///< source; empty: common knowledge
+    std::span<const std::string_view> settings = {};  ///< keys that only rows listing them read
 };
 
-/// In the order of Split, whose names the program itself knows.
+/// Returns the table of cascade splits, in the order of the enumeration Split.
 std::span<const SplitRow> splits();
+/// Returns the choices of the setting light.split.
 std::span<const Choice> split_choices();
 
-/// Where the cascades but the last end by hand: light.split_1 to light.split_7.
+/// Returns the manual far ends of all cascades but the last (light.split_1 to light.split_7), as shares of the divided
+/// depth.
 std::array<double, kMaxCascades - 1> manual_splits(const LightSettings& light);
 
-/// Where `changed` is a split by hand: moves those before it down to it and those after it up to it, so that none lies
-/// before the one before it.
+/// Keeps manual splits in order after an edit: moves earlier splits down and later splits up to the split `changed`.
+/// Does nothing if `changed` is no manual split.
 void push_splits(Settings& settings, const SettingRef& changed);
 
-/// Moves each split by hand that lies before the one before it up to that, of lights whose cascades they divide.
-/// Appends a line per repair.
+/// Raises each manual split that is below the split before it to that one, for lights with manual cascades. Appends one
+/// line per repair.
 void repair_splits(Settings& settings, std::vector<std::string>& repairs);
 
 }  // namespace si

@@ -1,11 +1,11 @@
-// The one table of settings: the groups, in the order in which panels, listings and presets show them.
+// Table of settings: all groups of rows, in the order of panels, listings and presets.
 #include "renderer/settings/rows.h"
 
 namespace si {
 
-// A group added to Settings needs its rows in the list below: scene, map, caster, bias, filter, light_count, lights,
-// volumes, contact, blob, light_map, shading, camera, view, truth, objects.
-static_assert(rows::members<Settings>() == 16, "Settings has a member without rows: add them to params()");
+// A group added to Settings needs its rows in the list of params(). Groups: scene, map, caster, bias, filter,
+// light_count, lights, volumes, contact, blob, light_map, shading, camera, view, truth, objects.
+static_assert(rows::member_count<Settings>() == 16, "Settings has a member without rows: add them to params()");
 
 std::span<const Param> params() {
     static const std::vector<Param> table = [] {

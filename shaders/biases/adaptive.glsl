@@ -1,3 +1,3 @@
-// What the receiver's plane needs, in closed form, for all texels alike. After Dou, Yan, Kerzner, Dai, Wyman, Adaptive Depth
-// Bias for Shadow Maps, JCGT 3(4), 2014, who take one texel's centre; here it is the chosen kernel's whole reach.
-float depth_bias(BiasInput b) { return b.least; }
+// Needed depth bias of the receiver's plane in closed form, equal for all texels. Source: Dou, Yan, Kerzner, Dai, Wyman,
+// Adaptive Depth Bias for Shadow Maps, JCGT 3(4), 2014, for one texel's centre; here for the kernel's whole reach.
+float depth_bias(BiasInput b) { return b.least_common; }

@@ -1,5 +1,5 @@
-// What glPolygonOffset adds to the stored depth of a plane, as the driver was measured to make it
-// (renderer/render/polygon_offset.h). Drawing the map applies it; this tells what it is worth.
+// Offset that glPolygonOffset adds to the stored depth of a plane, by the driver's measured behaviour
+// (renderer/render/polygon_offset.h). Drawing the map applies the offset. This function only computes its amount.
 // @param per_texel depth of the plane per texel, along u and v, without sign
 float raster_offset(vec2 per_texel, float quantum) {
     float slope = frame.offset.z * (frame.offset.w != 0.0 ? length(per_texel) : max(per_texel.x, per_texel.y));

@@ -1,15 +1,15 @@
-// Percentage-closer filtering whose taps tell the occluder's distance as well: over the widest penumbra the shadowed
-// share of a straight edge rises evenly, so raising its contrast about one half makes the penumbra of any narrower one.
+// Percentage-closer filtering whose taps also give the caster's distance. Over the widest penumbra the shadowed share of
+// a straight edge rises linearly, so a higher contrast around one half gives any narrower penumbra.
 // Guy, Agopian, Physically Based Rendering in Filament (DPCF), after Gruen, Contact Hardening Shadows Made Fast, 2010.
 #include "lib/blockers.glsl"
 
 float filter_visibility(Receiver r) {
     float own_m = compared_metres(r);
-    vec2 turn = disk_turn(r);
+    vec2 turn = disk_rotation(r);
     float widest = clamp(max_penumbra_radius_texels(r, own_m), 0.5, filter_max_radius);
-    Blockers blockers = blockers_within(r, own_m, turn, looped(TAP_COUNT), widest, true);
+    Blockers blockers = search_blockers(r, own_m, turn, loop_bound(TAP_COUNT), widest, true);
     found.taps = float(TAP_COUNT);
     if (blockers.share == 0.0) return 1.0;
-    float radius = radius_past(blockers, r, own_m, widest);
+    float radius = penumbra_radius(blockers, r, own_m, widest);
     return clamp(0.5 + (0.5 - blockers.share) * (widest / radius), 0.0, 1.0);
 }

@@ -1,5 +1,5 @@
-// Exponential variance shadow maps with one warp: Chebyshev's bound of e^(c x), under which far occluders hardly count,
-// so that little light bleeds. Lauritzen, McCool, Layered Variance Shadow Maps, Graphics Interface 2008.
+// Exponential variance shadow maps with one warp: Chebyshev's bound of e^(c x). Far casters hardly count in it, so little
+// light bleeds. Lauritzen, McCool, Layered Variance Shadow Maps, Graphics Interface 2008.
 #include "lib/exponential.glsl"
 
 vec4 moments_of(float share) {
@@ -12,6 +12,6 @@ float filter_visibility(Receiver r) {
     float own = own_share(r), variance = unwarped_variance(moments, filter_exponent);
     float bound = warped_chebyshev(moments, exp(filter_exponent * warp_depth(own)),
                                    2.0 * filter_exponent * sqrt(filter_min_variance));
-    tell_moments(vec4(moments, UNKNOWN, UNKNOWN), unwarped(moments.x, filter_exponent), variance, variance, own, bound, 4.0);
+    record_moments(vec4(moments, UNKNOWN, UNKNOWN), unwarped(moments.x, filter_exponent), variance, variance, own, bound, 4.0);
     return without_bleeding(bound);
 }

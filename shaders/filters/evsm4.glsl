@@ -1,5 +1,5 @@
-// Exponential variance shadow maps with two warps: of the bounds by e^(c x) and by -e^(-d x) the lower one. The second
-// is tight where the first is not, near receivers behind a far one. Lauritzen, McCool, Layered Variance Shadow Maps,
+// Exponential variance shadow maps with two warps: the lower of the bounds by e^(c x) and by -e^(-d x). The second bound is
+// tight where the first is not, near receivers behind a far one. Lauritzen, McCool, Layered Variance Shadow Maps,
 // Graphics Interface 2008.
 #include "lib/exponential.glsl"
 
@@ -14,7 +14,7 @@ float filter_visibility(Receiver r) {
     float by_risen = warped_chebyshev(moments.xy, exp(filter_exponent * x), spread * filter_exponent);
     float by_fallen = warped_chebyshev(moments.zw, -exp(-filter_negative_exponent * x), spread * filter_negative_exponent);
     float bound = min(by_risen, by_fallen), variance = unwarped_variance(moments.zw, filter_negative_exponent);
-    tell_moments(moments, unwarped(moments.z, -filter_negative_exponent), variance,
+    record_moments(moments, unwarped(moments.z, -filter_negative_exponent), variance,
                  min(variance, unwarped_variance(moments.xy, filter_exponent)), own, bound, 4.0);
     return without_bleeding(bound);
 }

@@ -1,4 +1,4 @@
-// Gaussian weights over KERNEL_SIZE texels, lowered so that they end at nothing where the kernel does.
+// Gaussian weights over KERNEL_SIZE texels, lowered so that they reach 0 at the kernel's ends.
 // Pettineo, A Sampling of Shadow Techniques, 2013.
 float weight_of(float off) {
     const float end = 0.5 * float(KERNEL_SIZE + 1), deviation = 0.4 * end;

@@ -4,7 +4,7 @@ float filter_visibility(Receiver r) {
     float size = float(map_resolution), texel = 1.0 / size, sum = 0.0;
 #if FILTER_SAMPLER || !SAMPLER_BILINEAR
     const float middle = 0.5 * float(KERNEL_SIZE - 1);
-    for (int y = 0; y < looped(KERNEL_SIZE); ++y)
+    for (int y = 0; y < loop_bound(KERNEL_SIZE); ++y)
         for (int x = 0; x < KERNEL_SIZE; ++x)
             sum += compares_lit(r, r.uvd_offset.xy + (vec2(x, y) - middle) * texel);
     return sum / float(KERNEL_SIZE * KERNEL_SIZE);
@@ -13,7 +13,7 @@ float filter_visibility(Receiver r) {
     // texels fetched by gathers give the same sum as KERNEL_SIZE^2 filtered taps.
     vec2 at = r.uvd_offset.xy * size - 0.5 * float(KERNEL_SIZE % 2);
     vec2 corner = floor(at), f = at - corner;
-    for (int y = 0; y <= looped(KERNEL_SIZE); y += 2) {
+    for (int y = 0; y <= loop_bound(KERNEL_SIZE); y += 2) {
         float y0 = y == 0 ? 1.0 - f.y : y == KERNEL_SIZE ? f.y : 1.0;
         float y1 = y == KERNEL_SIZE - 1 ? f.y : float(y < KERNEL_SIZE);
         for (int x = 0; x <= KERNEL_SIZE; x += 2) {

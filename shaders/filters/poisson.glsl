@@ -1,13 +1,13 @@
-// Nearest comparisons at places that are spread over a disk, turned by an angle of each pixel's own.
+// Nearest comparisons at places spread over a disk, rotated by an angle for each pixel.
 // Uralsky, Efficient Soft-Edged Shadows Using Pixel Shader Branching, GPU Gems 2, chapter 17, 2005.
 #include "lib/disk.glsl"
 #include "lib/disk_places.glsl"
 
 float filter_visibility(Receiver r) {
     float radius_uv = disk_radius_texels(r) / float(map_resolution);
-    vec2 turn = disk_turn(r);
+    vec2 turn = disk_rotation(r);
     float sum = 0.0;
-    for (int i = 0; i < looped(TAP_COUNT); ++i)
-        sum += compares_lit(r, r.uvd_offset.xy + of_radius(r, turned(tap_place(i), turn)) * radius_uv);
+    for (int i = 0; i < loop_bound(TAP_COUNT); ++i)
+        sum += compares_lit(r, r.uvd_offset.xy + radius_to_map(r, rotated(tap_place(i), turn)) * radius_uv);
     return sum / float(TAP_COUNT);
 }

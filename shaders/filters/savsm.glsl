@@ -1,4 +1,4 @@
-// Summed-area variance shadow maps: a variance shadow map whose window is chosen at each look-up, by a table of sums.
+// Summed-area variance shadow maps: a variance shadow map with a summed-area table, so that each look-up chooses its window.
 // Lauritzen, Summed-Area Variance Shadow Maps, GPU Gems 3, chapter 8, 2007.
 #include "lib/summed_area.glsl"
 #include "lib/variance.glsl"

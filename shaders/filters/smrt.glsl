@@ -1,49 +1,49 @@
-// Rays through the shadow map: each goes from the receiver to a place of the light, and is stopped where the map holds
-// something before it that is not farther off than filter.thickness. Without turns the same rays everywhere.
+// Rays through the shadow map, each from the receiver to a place of the light. A surface of the map blocks a ray if the
+// surface is before the ray by at most filter.thickness. Without filter.rotate all pixels use the same rays.
 // Epic Games, Shadow Map Ray Tracing, in the documentation of Virtual Shadow Maps, Unreal Engine 5, 2021.
 #include "lib/disk_places.glsl"
 #include "lib/penumbra.glsl"
 
 float filter_visibility(Receiver r) {
-    float own_m = compared_metres(r), near = begins_m(r, r.uvd_offset.xy);
-    // Sideways a ray goes evenly with `t`, 1 where the penumbra gets widest. Towards the light it does so under parallel
-    // rays; under those from a place it is the quotient of what it went and what is left that grows evenly.
+    float own_m = compared_metres(r), near = near_plane_m(r, r.uvd_offset.xy);
+    // Across the light a ray advances linearly with `t`, which is 1 at the widest penumbra. Along the light the advance is
+    // linear under parallel rays. For a point light the quotient of passed and remaining distance is linear.
     bool even = LIGHT_TYPE[r.light] == LIGHT_DIRECTIONAL || LIGHT_PERSPECTIVE[r.light] == 0;
     float full = max_penumbra_radius_texels(r, own_m), widest = min(full, filter_max_radius);
     float share = full > 0.0 ? widest / full : 1.0;
     float end_m = even ? (own_m - near) * share : (own_m - near) / near * share;
-    vec2 turn = disk_turn(r);
+    vec2 turn = disk_rotation(r);
 #if filter_rotate
     float first = pixel_angle(r.surface.pixel.yx + 17.0) / 6.28318531;
 #else
     float first = 0.5;
 #endif
     float hits = 0.0, blocker_m = 0.0, taps = 1.0;
-    // What is stored at the receiver's own place is the same for every ray.
-    float here_m = own_m - held_metres(r, r.uvd_offset.xy,
+    // The stored depth at the receiver's own place is the same for every ray.
+    float here_m = own_m - clamped_metres(r, r.uvd_offset.xy,
                                       map_depth(r.uvd_offset.xy, r.layer) - plane_within_texel(r, r.uvd_offset.xy));
     int rays = filter_rays;
 #if SKIPS_SEARCH
-    if (widest == 0.0 && !(here_m > 0.0)) rays = 0;  // all go where nothing stands before it
+    if (widest == 0.0 && !(here_m > 0.0)) rays = 0;  // no caster is in the way of any ray
 #endif
     for (int ray = 0; ray < rays; ++ray) {
-        vec2 aim = on_map(r, turned(ray_place(ray), turn)) * (widest / float(map_resolution));
-        float begun = fract(first + float(ray) * 0.754877666);  // of the first step, spread over the rays
-        float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // where the ray was when last something stood before it
+        vec2 aim = disk_to_map(r, rotated(ray_place(ray), turn)) * (widest / float(map_resolution));
+        float begun = fract(first + float(ray) * 0.754877666);  // offset of the first step, spread over the rays
+        float ray_m = 0.0, gap_m = here_m, below_m = 3e38;  // below_m: place of the ray at the last step with a surface before it
         for (int i = 0; i <= filter_steps; ++i) {
             if (i > 0) {
                 float t = (float(i) - 1.0 + begun) / float(filter_steps);
                 ray_m = even ? t * end_m : own_m * (t * end_m) / (1.0 + t * end_m);
                 vec2 at = r.uvd_offset.xy + t * aim;
-                gap_m = own_m - held_metres(r, at, map_depth(at, r.layer) - plane_within_texel(r, at));
+                gap_m = own_m - clamped_metres(r, at, map_depth(at, r.layer) - plane_within_texel(r, at));
                 taps += 1.0;
             }
-            // Up to where the next step looks for itself; beyond the last nothing does.
+            // A step covers the ray up to the next step. After the last step the interval is unlimited.
             float next = (float(i) + begun) / float(filter_steps);
             float next_m = even ? next * end_m : own_m * (next * end_m) / (1.0 + next * end_m);
             float reaches_m = i == filter_steps ? 3e38 : max(next_m, ray_m + filter_thickness);
             bool before = gap_m > ray_m;
-            // A surface is never missed between two steps because its texels lie at steps of depth.
+            // The test covers the whole interval between two steps, so that no surface is missed there.
             if (before ? gap_m <= reaches_m : gap_m > below_m) {
                 hits += 1.0;
                 blocker_m += gap_m;

@@ -1,7 +1,7 @@
-// A tent of weights, KERNEL_SIZE texels wide: each texel weighs the part of the tent that stands above it.
+// A tent of weights, KERNEL_SIZE texels wide: the weight of a texel is the area of the tent above the texel.
 // Castano, Shadow Mapping Summary, on the shadows of The Witness, 2013.
 
-/// Of the tent's area what lies to the left of `off`.
+/// Returns the share of the tent's area to the left of `off`, in texels from the middle.
 float tent_below(float off) {
     float x = clamp(off / (0.5 * float(KERNEL_SIZE)), -1.0, 1.0);
     return 0.5 + x - 0.5 * x * abs(x);

@@ -1,4 +1,4 @@
-// Variance shadow maps: from mean and variance of the depths about the receiver, the most of them that can lie behind it.
+// Variance shadow maps: an upper bound of the share of depths behind the receiver, from their mean and variance.
 // Donnelly, Lauritzen, Variance Shadow Maps, I3D 2006; light-bleed reduction: Lauritzen, GPU Gems 3, chapter 8, 2007.
 #include "lib/moments.glsl"
 #include "lib/variance.glsl"

@@ -1,4 +1,4 @@
-// Base colour and alpha mask, the same in every pass.
+// Base colour and alpha mask, shared by all passes.
 #include "shared/units.h"
 layout(binding = UNIT_BASE_COLOUR) uniform sampler2D base_colour_map;
 #ifdef TEXTURED

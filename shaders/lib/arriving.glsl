@@ -1,7 +1,8 @@
-// What a light brings to a place, whatever stands between.
+// Light that reaches a point without regard to shadows.
 #include "lib/receiver.glsl"
 
-/// Where all lights are grey, the three channels are one, which stands beside a directional light's direction.
+/// Returns a light's colour times intensity. If all lights are grey, one channel is enough; a directional light stores it
+/// next to its direction.
 vec3 radiance_of(LightBlock light, int type) {
 #if LIGHTS_GREY
     if (type == LIGHT_DIRECTIONAL) return light.to_light.www;
@@ -11,9 +12,9 @@ vec3 radiance_of(LightBlock light, int type) {
 #endif
 }
 
-/// Radiance arriving without shadows: inverse square falloff, smooth edge of the spot's cone, and the window that
-/// KHR_lights_punctual gives a light's range.
-vec3 arriving(int index, vec3 to_light, float distance_m) {
+/// Returns the radiance that arrives without shadows: inverse square falloff, smooth edge of the spot's cone, and the range
+/// window of KHR_lights_punctual.
+vec3 unshadowed_radiance(int index, vec3 to_light, float distance_m) {
     LightBlock light = light_of(index);
     if (LIGHT_TYPE[index] == LIGHT_DIRECTIONAL) return radiance_of(light, LIGHT_DIRECTIONAL);
     float cone = LIGHT_TYPE[index] == LIGHT_SPOT
@@ -27,10 +28,11 @@ vec3 arriving(int index, vec3 to_light, float distance_m) {
     return radiance_of(light, LIGHT_TYPE[index]) * (cone * window) / max(distance_m * distance_m, 1e-12);
 }
 
-/// Whether the picture can show the light's visibility at a surface: else its share is nothing, lit or not.
+/// Returns true when the light's visibility can change the picture at a surface. Otherwise the light contributes nothing,
+/// lit or not.
 bool needs_visibility(int index, Surface s, vec3 to_light, float distance_m) {
 #if SKIPS_UNLIT && shading_composition != shading_composition_dim_lit
-    return dot(s.shading, to_light) > 0.0 && any(greaterThan(arriving(index, to_light, distance_m), vec3(0.0)));
+    return dot(s.shading, to_light) > 0.0 && any(greaterThan(unshadowed_radiance(index, to_light, distance_m), vec3(0.0)));
 #else
     return true;
 #endif

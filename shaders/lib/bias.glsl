@@ -1,11 +1,11 @@
-// How much bias a receiver's plane needs, and what the chosen row of the bias table gives it: renderer/bias/theory.h and
-// renderer/settings/biases.h in single precision. Depths are in depth-buffer units. Needs Receiver and its functions of
-// lib/receiver.glsl, which includes this.
+// Needed bias of a receiver's plane, and the bias of the chosen row of the bias table: renderer/bias/theory.h and
+// renderer/settings/biases.h in single precision. Depths are in depth-buffer units. lib/receiver.glsl includes this file
+// after Receiver and its functions.
 #include "lib/across.glsl"
 
-/// The plane's depth gradient over the map, per map width. From two directions within the plane and their steps in the
-/// map by the quotient rule; that of depth is known in closed form, where a quotient would cancel.
-/// @param u, v two directions within the plane, of any length
+/// Returns the plane's depth gradient over the map, per map width, by the quotient rule along two directions in the plane.
+/// The change of depth has a closed form, since its quotient would cancel.
+/// @param u, v directions in the plane, of any length
 vec2 gradient_along(Receiver r, vec3 u, vec3 v) {
     mat4 m = view_of(r.layer).uvd_from_relative;
     vec4 p = m * vec4(u, 0.0), q = m * vec4(v, 0.0);
@@ -17,23 +17,24 @@ vec2 gradient_along(Receiver r, vec3 u, vec3 v) {
         b = (q.xy - r.uvd.xy * q.w) / r.w;
     }
     if (LIGHT_PERSPECTIVE[r.light] != 0) {
-        depth = vec2(away(r.depth_per_m * p.w), away(r.depth_per_m * q.w));
+        depth = vec2(away_from_light(r.depth_per_m * p.w), away_from_light(r.depth_per_m * q.w));
         a = (p.xy - r.uvd.xy * p.w) / r.w;
         b = (q.xy - r.uvd.xy * q.w) / r.w;
     }
     return vec2(depth.x * b.y - depth.y * a.y, depth.y * a.x - depth.x * b.x) / (a.x * b.y - a.y * b.x);
 }
 
+/// Returns the depth gradient of the triangle's plane over the map, per map width.
 vec2 plane_gradient(Receiver r) {
     vec3 n = r.surface.geometric;
-    vec3 along = across(n);
+    vec3 along = perpendicular_to(n);
     return gradient_along(r, along, cross(n, along));
 }
 
-/// One step of a 32-bit float between 0 and 1.
+/// Returns the step of a 32-bit float at v, between 0 and 1.
 float float_step(float v) { return exp2(floor(log2(clamp(v, 1.17549435e-38, 1.0))) - 23.0); }
 
-/// One step of the stored depth at r; as renderer/bias/theory.h has it.
+/// Returns the step of the stored depth at r (renderer/bias/theory.h).
 float depth_quantum(Receiver r) {
 #if map_format == map_format_d16
     return 1.0 / 65535.0;
@@ -55,14 +56,14 @@ float depth_quantum(Receiver r) {
 #endif
 }
 
-/// The largest coordinate that shaders compute with here, in metres.
+/// Returns the largest coordinate in the shader's computations at r, metres, for the rounding error.
 float extent_m(Receiver r) {
     vec3 farthest = max(abs(r.surface.position), abs(r.surface.position - frame.map_origin.xyz));
     return max(max(0.5 * r.texel_m * float(map_resolution), farthest.x), max(farthest.y, farthest.z));
 }
 
-/// Where one depth is compared with all texels.
-/// @param reach_texels how far the centre of a texel that is compared may lie, per axis
+/// Returns the least bias without acne on the plane if all texels share one compared depth.
+/// @param reach_texels largest distance to the centre of a compared texel, per axis
 float least_bias(Receiver r, vec2 gradient, float reach_texels) {
     float per_texel = (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
     float snapping = SUBPIXEL_BITS > 0 ? exp2(-float(SUBPIXEL_BITS + 1)) : 0.0;
@@ -70,26 +71,28 @@ float least_bias(Receiver r, vec2 gradient, float reach_texels) {
            exp2(-21.0) * max(extent_m(r) * (r.depth_per_m + r.relative_dw_per_m * r.uvd.z), r.uvd.z);
 }
 
-/// Where every texel is compared with the plane at its centre: besides, what roundings of map coordinates are worth.
+/// Returns the least bias without acne if each texel is compared with the plane at its centre. It includes the rounding of
+/// map coordinates.
 float least_bias_per_texel(Receiver r, vec2 gradient) {
     float per_m = 1.0 / (r.texel_short_m * float(map_resolution)) + r.relative_dw_per_m;
     return least_bias(r, gradient, 0.0) + exp2(-21.0) * extent_m(r) * per_m * (abs(gradient.x) + abs(gradient.y));
 }
 
+/// Inputs of a bias for one receiver; BiasInput of renderer/settings/biases.h.
 struct BiasInput {
-    bool perspective;   // the view of the light
-    float nearest;      // metres along its axis: nothing comes nearer
-    float n_dot_l;      // of the normal that bias.normal_source chooses
+    bool perspective;   // view of the light is perspective
+    float nearest;      // least distance along the light's axis, metres
+    float n_dot_l;      // cosine between the light and the normal of bias.normal_source
     float texel_m;      // world size of a texel at the receiver
-    float z;            // metres along the axis of the point that is looked up
-    float own_z;        // of the receiver
-    float depth_per_m;  // at own_z
-    vec2 gradient;      // of the plane's depth over the map; 0 where rows of the table do not read it (BIAS_READS_PLANE)
-    float rest;         // least_bias_per_texel(); likewise
-    float least;        // least_bias() of the chosen kernel; likewise
+    float z;            // distance of the looked-up point along the axis, metres
+    float own_z;        // distance of the receiver along the axis, metres
+    float depth_per_m;  // depth change per metre along the axis, at own_z
+    vec2 gradient;      // gradient of the plane's depth over the map; 0 unless BIAS_READS_PLANE
+    float least_per_texel;  // least_bias_per_texel(); 0 unless BIAS_READS_PLANE
+    float least_common;     // least_bias() of the chosen kernel; 0 unless BIAS_READS_PLANE
 };
 
-/// An amount in bias.unit as depth.
+/// Converts an amount in bias.unit to depth-buffer units.
 float unit_depth(BiasInput b, float amount) {
 #if bias_unit == bias_unit_texels
     return depth_change_towards_light(b.perspective, b.nearest, b.own_z, b.depth_per_m, b.z, amount * b.texel_m);
@@ -102,13 +105,14 @@ float unit_depth(BiasInput b, float amount) {
 
 #include BIAS_FILE
 
-/// @param n_dot_l of the normal that counts
-/// @param z metres along the axis of the point that is looked up
+/// Returns the inputs of the chosen bias at r.
+/// @param n_dot_l cosine between the light and the normal of bias.normal_source
+/// @param z distance of the looked-up point along the axis, metres
 BiasInput bias_input(Receiver r, float n_dot_l, float z) {
     BiasInput b = BiasInput(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), n_dot_l, r.texel_m, z, r.z, r.depth_per_m,
                             vec2(0.0), 0.0, 0.0);
 #if BIAS_READS_PLANE
-    // Edge-on there is no gradient, and no look-up.
+    // A plane edge-on to the light has no gradient, and no look-up.
     if (faces_light(r)) {
 #if BIAS_BY_DERIVATIVES
         b.gradient = gradient_along(r, r.surface.step_x, r.surface.step_y);
@@ -116,9 +120,9 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
         b.gradient = plane_gradient(r);
 #endif
 #if BIAS_PER_TEXEL
-        b.rest = least_bias_per_texel(r, b.gradient);
+        b.least_per_texel = least_bias_per_texel(r, b.gradient);
 #else
-        b.least = least_bias(r, b.gradient, light_of(r.light).kernel.y);
+        b.least_common = least_bias(r, b.gradient, light_of(r.light).kernel.y);
 #endif
     }
 #endif
@@ -126,7 +130,7 @@ BiasInput bias_input(Receiver r, float n_dot_l, float z) {
 }
 
 #if BIAS_PER_TEXEL
-/// By how much the compared depth may differ from the receiver's own, whatever its plane.
+/// Returns the limit of bias.plane_clamp: the largest difference between a texel's compared depth and the receiver's.
 float max_texel_shift(Receiver r) {
     return bias_plane_clamp > 0.0 ? bias_plane_clamp * r.texel_m * r.depth_per_m : 3e38;
 }

@@ -1,12 +1,13 @@
-// What a caster's disc sweeps away from a light.
+// Volume that a caster's disc sweeps away from a light.
 #include "lib/frame.glsl"
 
-/// The way of the light past the middle of a disc, and how much wider the disc is there.
+/// Light ray through the middle of a disc, and the spread of the disc along it.
 struct Sweep {
     vec3 axis;         // unit, away from the light
-    float distance_m;  // of the middle from the light; 0: its rays are parallel
+    float distance_m;  // distance of the middle from the light; 0: parallel rays
 };
 
+/// Returns the sweep of a disc with this middle.
 Sweep sweep_of(vec3 middle) {
     LightBlock light = light_of(LIGHT_INDEX);
     if (LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL) return Sweep(-light.to_light.xyz, 0.0);
@@ -14,5 +15,5 @@ Sweep sweep_of(vec3 middle) {
     return Sweep(normalize(from_light), max(length(from_light), 1e-6));
 }
 
-/// The disc's radius `along` metres past its middle, as a multiple of that there.
+/// Returns the disc's radius `along` metres past its middle, relative to the radius at the middle.
 float spread_at(Sweep s, float along) { return s.distance_m > 0.0 ? 1.0 + along / s.distance_m : 1.0; }

@@ -1,27 +1,29 @@
-// Why a pixel is wrong: the first trial that puts it right. renderer/frame/causes.cpp in GLSL; tests hold both equal.
+// Cause of a wrong pixel: the first trial that makes it right. GLSL version of renderer/frame/causes.cpp; tests compare
+// both.
 #include "lib/evidence.glsl"
 
+/// Cause of a wrong pixel.
 struct Cause {
     int artefact;
-    int also;   // bits 1 << artefact of what else has to be put right, or would do as well
-    bool seam;  // OUTSIDE_MAP: the look-up lies inside, taps do not
+    int also;   // bits 1 << artefact: further causes to fix, or alternatives
+    bool seam;  // OUTSIDE_MAP: the look-up is inside the map, and taps are outside
 };
 
 Cause cause(int artefact, int also) { return Cause(artefact, also, false); }
 
 Cause cause_of_false_light(Evidence e, int place) {
     if (place == PLACE_OUTSIDE) return cause(ARTEFACT_OUTSIDE_MAP, 0);
-    // Where no tap lies beyond, both answers are the same.
+    // If no tap is outside the map, both trials give the same result.
     if (place == PLACE_INSIDE && e.beyond_dark < 0.5 && e.beyond_lit >= 0.5) return Cause(ARTEFACT_OUTSIDE_MAP, 0, true);
     const int bias = 1 << ARTEFACT_PETER_PANNING, offset = 1 << ARTEFACT_PETER_PANNING_OFFSET, leak = 1 << ARTEFACT_LEAK;
     if (e.gap_all >= e.least && e.least > e.gap_drawn)
         return cause(ARTEFACT_LOST_CASTER, e.gap_all < e.applied ? bias : 0);
-    // Else the surface shadowing itself would pass for the caster.
+    // Without the slack self-shadowing would be taken for the caster.
     bool near = e.gap_drawn < e.applied + e.slack, stands = e.far_bare < 0.5 || e.gap_drawn < e.far;
     bool by_bias = e.least_kept < 0.5 && near, by_offset = e.own_bare < 0.5 && stands;
     bool by_both = e.least_bare < 0.5 && (near || stands);
     bool offset_larger = e.strip_offset_m > e.strip_bias_m;
-    // What casts in truth, nearer to the light, would have withstood more.
+    // A caster missing from the map, nearer to the light, would have allowed more bias.
     int lost = e.gap_all > e.gap_drawn ? 1 << ARTEFACT_LOST_CASTER : 0;
 #if RASTER_BIAS
     if (by_bias && e.unfiltered < 0.5)
@@ -51,7 +53,7 @@ Cause cause_of_false_light(Evidence e, int place) {
     return cause(e.run_m < e.texel_m || closed ? ARTEFACT_UNDERSAMPLED : ARTEFACT_EDGE_ALIASING, 0);
 }
 
-/// Whether more bias lets a pixel be as lit as `enough`, and no true edge stands for that.
+/// Returns true when more bias makes the pixel at least `enough` lit, without a true shadow edge as the reason.
 bool is_acne(Evidence e, float enough) {
     return e.worth < e.most && e.most_raised >= enough;
 }

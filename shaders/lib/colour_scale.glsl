@@ -1,4 +1,4 @@
-// Colour scales for numbers.
+// Colour scales of overlays.
 #include "shared/colours.h"
 
 vec3 three_stops(float t, vec3 low, vec3 middle, vec3 high) {

@@ -1,6 +1,6 @@
-// The depths that are compared with stored ones, which bias.kind may make another for every texel.
+// Compared depths of a look-up, which differ for each texel with some rows of bias.kind.
 
-/// A depth as shadow samplers have it with formats that hold nothing beyond 0 to 1.
+/// Clamps a compared depth to 0 to 1 for integer formats, as shadow samplers do.
 vec4 reference_of(vec4 depth) {
 #if (!FILTER_SAMPLER || COMPARE_BY_HAND) && (map_format == map_format_d16 || map_format == map_format_d24)
     return clamp(depth, 0.0, 1.0);
@@ -11,12 +11,12 @@ vec4 reference_of(vec4 depth) {
 float reference_of(float depth) { return reference_of(vec4(depth)).x; }
 
 #if BIAS_PER_TEXEL
-/// The depths of the receiver's plane, brought nearer by the bias, at map coordinates.
+/// Returns the depths of the receiver's plane, with bias, at map coordinates.
 vec4 reference_at(Receiver r, vec4 u, vec4 v) {
     float most = max_texel_shift(r);
     vec4 moved = r.reference_slope.x * (u - r.uvd_offset.x) + r.reference_slope.y * (v - r.uvd_offset.y);
     vec4 depth = r.reference + clamp(moved, -most, most);
-    // Where the plane runs on beyond the far plane, the map may be empty.
+    // The plane may continue behind the far plane, where the map is empty.
 #if map_reversed_z
     return reference_of(max(depth, min(r.reference, 0.0)));
 #else
@@ -27,7 +27,7 @@ vec4 reference_at(Receiver r, vec4 u, vec4 v) {
 vec2 texel_centre(vec2 at) { return (floor(at * float(map_resolution)) + 0.5) / float(map_resolution); }
 #endif
 
-/// The depth that the texel at a place of the map is compared with.
+/// Returns the compared depth for the texel at a place of the map.
 float compared_depth(Receiver r, vec2 at) {
 #if BIAS_PER_TEXEL
     at = texel_centre(at);
@@ -37,10 +37,10 @@ float compared_depth(Receiver r, vec2 at) {
 #endif
 }
 
-/// A weighted mean of comparisons. Weights round to a little more or less than one: what all taps find lit is lit.
+/// Corrects a weighted mean of comparisons for rounded weights: 1 if all taps are lit.
 float normalised_share(float share) { return share > 1.0 - 1e-6 ? 1.0 : share; }
 
-/// By how much the receiver's plane is deeper at the centre of the texel that holds a place than at the place.
+/// Returns the depth of the receiver's plane at a texel's centre minus the one at a place in the texel.
 float plane_within_texel(Receiver r, vec2 at) {
 #if BIAS_PER_TEXEL
     vec2 centre = texel_centre(at);
@@ -50,11 +50,11 @@ float plane_within_texel(Receiver r, vec2 at) {
 #endif
 }
 
-/// One comparison at a place of the receiver's map, by filter.method.
+/// Returns one comparison at a place of the receiver's map, by filter.method: 1 lit, 0 in shadow.
 float compares_lit(Receiver r, vec2 at) {
     float own = compared_depth(r, at);
 #if BIAS_PER_TEXEL
-    at = texel_centre(at);  // that no rounding of the sampler's reads its neighbour
+    at = texel_centre(at);  // the centre keeps the sampler's rounding from reading a neighbour
 #endif
 #if FILTER_SAMPLER
     return map_compare_at(at, r.layer, own);
@@ -63,7 +63,7 @@ float compares_lit(Receiver r, vec2 at) {
 #endif
 }
 
-/// The comparisons of the four texels that meet at a place of the receiver's map, in textureGather's order.
+/// Returns the comparisons of the four texels around a corner of the receiver's map, in textureGather order.
 vec4 gather_lit(Receiver r, vec2 meet) {
 #if BIAS_PER_TEXEL
     float half_texel = 0.5 / float(map_resolution);

@@ -1,5 +1,5 @@
-// Places of the unit disk, of renderer/base/poisson_disk.h: *_PLACES are lists of constants, and 0 where there are too many
-// for that. Compilers for CPUs look into those only where they unroll a loop, so elsewhere places are read from a buffer.
+// Places of the unit disk (renderer/base/poisson_disk.h). *_PLACES are lists of constants, or 0 for too many places.
+// Compilers for CPUs resolve constants only in unrolled loops, so places otherwise come from a buffer.
 #if DISK_FROM_IMAGE
 layout(rg32ui, binding = IMAGE_DISK_PLACES) restrict readonly uniform uimageBuffer disk_texels;
 vec2 disk_texel(int i) { return uintBitsToFloat(imageLoad(disk_texels, i).xy); }
@@ -8,7 +8,7 @@ vec2 blocker_place(int i) { return disk_texel(TAP_COUNT + i); }
 vec2 ray_place(int i) { return disk_texel(TAP_COUNT + BLOCKER_COUNT + i); }
 #else
 vec2 spiral_place(int i, int n) {
-    // The golden angle in whole parts of a turn, of which whole turns fall away without rounding.
+    // The golden angle as an integer fraction of a turn, so that whole turns wrap without rounding.
     float angle = float(uint(i) * 2654435769u) * (6.28318531 / 4294967296.0);
     return sqrt((float(i) + 0.5) / float(n)) * vec2(cos(angle), sin(angle));
 }

@@ -1,7 +1,7 @@
-// The pixel's footprint in the shadow map, from the surface's plane alone: without screen derivatives, which edges break
-// and which passes that draw no surface do not have.
+// Pixel footprint in the shadow map, from the surface's plane. Screen derivatives would break at edges and do not exist in
+// passes that draw no surfaces.
 
-/// By how much map coordinates change over one pixel to the right, and one up, on the receiver's plane.
+/// Returns the change of map coordinates over one pixel to the right and one upwards, on the receiver's plane.
 mat2 pixel_footprint(Receiver r) {
     vec3 n = r.surface.geometric, axis = abs(n.x) < 0.6 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 1.0, 0.0);
     vec3 along = normalize(cross(n, axis)), across = cross(n, along);
@@ -14,7 +14,7 @@ mat2 pixel_footprint(Receiver r) {
     vec4 map_a = held * vec4(along, 0.0), map_b = held * vec4(across, 0.0);
     mat2 uvs = mat2((map_a.xy - r.uvd.xy * map_a.w) / r.w, (map_b.xy - r.uvd.xy * map_b.w) / r.w);
     float determinant_px = pixels[0].x * pixels[1].y - pixels[0].y * pixels[1].x;
-    // Edge-on to the camera a pixel sees the plane without end: no more than the map.
+    // Edge-on to the camera the footprint is unlimited, so it is clamped to the map.
     mat2 inverse_px = mat2(pixels[1].y, -pixels[0].y, -pixels[1].x, pixels[0].x);
     mat2 print = uvs * inverse_px;
     float least = max(max(abs(print[0].x), abs(print[0].y)), max(abs(print[1].x), abs(print[1].y)));

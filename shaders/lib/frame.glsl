@@ -1,14 +1,13 @@
+// Frame block, lights and views.
 #include "shared/units.h"
 #include "shared/frame.h"
 layout(std140, row_major, binding = BLOCK_FRAME) uniform FrameUniforms { FrameBlock frame; };
 
-// What is known of the lights when the program is made (LIGHT_* are constant arrays), so that loops over them unroll
-// and whatever no light of the scene needs costs nothing.
+// LIGHT_* are constant arrays of facts about the lights. Loops over them unroll, and code that no light needs is removed.
 const int LIGHT_DIRECTIONAL = 0, LIGHT_SPOT = 1, LIGHT_POINT = 2;
 
-
-// What fragments read of the block. Drivers that draw on the CPU read each number of a uniform block anew for every few
-// pixels, and four of an image's texel for a third of the time of one.
+// Access of fragments to the frame block. Drivers on the CPU read each uniform again for every few pixels. The four numbers
+// of an image's texel take a third of the time of one uniform.
 #if BLOCKS_AS_IMAGES
 layout(rgba32ui, binding = IMAGE_FRAME_BLOCK) restrict readonly uniform uimageBuffer frame_texels;
 vec4 frame_texel(int at) { return uintBitsToFloat(imageLoad(frame_texels, at)); }
@@ -47,7 +46,8 @@ vec4 frame_sky_sun() { return frame.sky_sun; }
 vec4 frame_ground() { return frame.ground; }
 #endif
 
-/// Whether rays run from one point: only then does depth crowd along them. A warped view's w changes across its rays.
+/// Returns true when the view's rays come from one point, so that depth is not linear along them. The w of a warped view
+/// changes across its parallel rays and does not count.
 bool is_perspective(ViewBlock view) {
     mat4 m = view.uvd_from_relative;
     return any(notEqual(vec3(m[0][3], m[1][3], m[2][3]), vec3(0.0))) && all(equal(view.warp, vec4(0.0)));

@@ -1,8 +1,8 @@
-// What the settings' bias is worth against acne, and what the chosen kernel needs: renderer/bias/account.h in single
-// precision. Depths are in depth-buffer units; texels_nearer() makes texels of them.
+// Equivalent depth bias of the settings, and least bias of the chosen kernel: renderer/bias/account.h in single precision.
+// Depths are in depth-buffer units; texels_nearer() converts them to texels.
 #include "biases/raster.glsl"
 
-/// Of the chosen kernel.
+/// Returns the least bias without acne on the plane, for the chosen kernel and bias.
 float least_bias(Receiver r, vec2 gradient) {
 #if BIAS_PER_TEXEL
     float kernel = light_of(r.light).kernel.y * (abs(gradient.x) + abs(gradient.y)) / float(map_resolution);
@@ -12,8 +12,8 @@ float least_bias(Receiver r, vec2 gradient) {
 #endif
 }
 
-/// How far all bias brings the compared depth before the receiver's own plane.
+/// Returns the equivalent depth bias: distance from the receiver's plane to the compared depth, towards the light.
 float equivalent_depth_bias(Receiver r, vec2 gradient) {
     float plane = r.uvd.z + dot(gradient, r.uvd_offset.xy - r.uvd.xy);
-    return away(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), depth_quantum(r));
+    return away_from_light(plane - r.reference) + raster_offset(abs(gradient) / float(map_resolution), depth_quantum(r));
 }

@@ -1,17 +1,17 @@
-// Look-ups that are answered by the planes between which the map's depths lie about them, where taps cannot differ.
+// Look-ups answered by bounds of the map's depths (two planes), without taps.
 #if MAP_BOUNDS && !defined(MAP_TRIALS) && !defined(RECORD_TAPS) && !defined(MARK_TEXELS)
-#define ASKS_BOUNDS 1
+#define USES_BOUNDS 1
 layout(binding = UNIT_MAP_BOUNDS) uniform MAPS map_bounds;  // passes/map_bounds.frag.glsl
 
-/// The least and the greatest of what is stored within `texels` of a place, on each axis, of its block's bounds; above
-/// them the receiver's own depth may rise by `slope` a texel.
+/// Returns the smallest and largest stored depth within `texels` of a place, per axis, by the bounds of its block. The
+/// receiver's own depth rises by `slope` per texel and is subtracted.
 vec2 stored_bounds(vec4 bounds, vec2 from_middle, float texels, vec2 slope) {
     vec2 steeper = abs(bounds.xy - slope), size = abs(bounds.xy);
     float spread = (steeper.x + steeper.y) * texels + BOUNDS_MARGIN * (1.0 + 64.0 * (size.x + size.y));
     return bounds.zw + dot(bounds.xy, from_middle) + vec2(-spread, spread);
 }
 
-/// 1 or 0 where every tap of the kernel would say so; below 0 where taps have to tell.
+/// Returns 1 or 0 if every tap of the kernel would give it; below 0 if taps are needed.
 float bounded_visibility(Receiver r) {
     vec2 at = r.uvd_offset.xy * float(map_resolution);
     ivec2 block = clamp(ivec2(at) / BOUNDS_BLOCK, ivec2(0), textureSize(map_bounds, 0).xy - 1);
@@ -20,13 +20,13 @@ float bounded_visibility(Receiver r) {
 #else
     vec4 bounds = texelFetch(map_bounds, block, 0);
 #endif
-    float texels = light_of(r.light).kernel.w + 1e-3;  // what rounding moves a texel by, too
+    float texels = light_of(r.light).kernel.w + 1e-3;  // 1e-3: rounding of map coordinates
     vec2 from_middle = at - (vec2(block) + 0.5) * float(BOUNDS_BLOCK);
     bool known = all(greaterThanEqual(at, vec2(0.0))) && all(lessThanEqual(at, vec2(float(map_resolution))));
     vec2 slope = vec2(0.0);
 #if BIAS_PER_TEXEL
     slope = r.reference_slope / float(map_resolution);
-    // Where each texel's own depth is held back it rises otherwise.
+    // Clamped texel depths (max_texel_shift()) do not follow the slope.
     known = known && (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= max_texel_shift(r) &&
             abs(r.reference - 0.5) + (abs(slope.x) + abs(slope.y)) * (texels + 1.0) <= 0.5;
 #endif
@@ -43,9 +43,9 @@ float bounded_visibility(Receiver r) {
 }
 #endif
 
-/// A number of a kernel's taps, told so that a CPU's compiler keeps their loop, which look-ups without taps then leave.
+/// Returns a number of taps such that compilers for CPUs keep the loop, which look-ups without taps then skip.
 #if KEEPS_LOOPS
-int looped(int taps) { return taps + int(frame_pixel().w); }
+int loop_bound(int taps) { return taps + int(frame_pixel().w); }
 #else
-#define looped(taps) (taps)
+#define loop_bound(taps) (taps)
 #endif

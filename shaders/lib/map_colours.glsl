@@ -8,7 +8,7 @@ vec3 turbo_colour(float t) {
     return c0 + t * (c1 + t * (c2 + t * (c3 + t * (c4 + t * c5))));
 }
 
-/// Viridis between nine of its colours. Van der Walt and Smith, 2015.
+/// Viridis, interpolated between nine of its colours. Van der Walt and Smith, 2015.
 vec3 viridis_colour(float t) {
     const vec3 stops[9] = vec3[](vec3(0.267, 0.005, 0.329), vec3(0.278, 0.176, 0.483), vec3(0.231, 0.318, 0.545),
                                  vec3(0.173, 0.443, 0.557), vec3(0.128, 0.567, 0.551), vec3(0.154, 0.681, 0.505),

@@ -1,7 +1,7 @@
-// Tangent-space normal maps as glTF 2.0 has them: x along growing u, y along falling v (up in the image).
+// Tangent-space normal maps of glTF 2.0: x along growing u, y along falling v (up in the image).
 #include "shared/units.h"
 layout(binding = UNIT_NORMAL_MAP) uniform sampler2D normal_map;
-in vec3 uv_scale;  // of the normal texture; z: scale of its x and y
+in vec3 uv_scale;  // texture coordinates of the normal map; z: scale of its x and y
 #ifdef TANGENTS
 in vec3 tangent_ws;
 in vec3 bitangent_ws;
@@ -12,15 +12,16 @@ vec3 unit_or_zero(vec3 v) {
     return largest > 0.0 ? normalize(v / largest) : vec3(0.0);
 }
 
-/// The mapped normal. @param n unit, on the side that the camera sees; back: that is the triangle's back, where the
-/// bumps of the front are dents.
+/// Returns the mapped normal.
+/// @param n unit normal, towards the camera
+/// @param back the camera sees the triangle's back, where bumps are dents
 vec3 mapped_normal(vec3 n, bool back) {
     vec3 front = back ? -n : n;
 #ifdef TANGENTS
     vec3 t = unit_or_zero(tangent_ws), b = unit_or_zero(bitangent_ws);
 #else
-    // Without tangents: along dP/du within the triangle, which is what Mikkelsen's tangent space (Simulation of Wrinkled
-    // Surfaces Revisited, 2008) has before smoothing; from screen derivatives as in Schueler, Followup: Normal Mapping
+    // Without tangents: along dP/du in the triangle, as Mikkelsen's tangent space (Simulation of Wrinkled Surfaces
+    // Revisited, 2008) before smoothing; from screen derivatives as in Schueler, Followup: Normal Mapping
     // Without Precomputed Tangents, 2013.
     vec3 dx = dFdx(position_rel), dy = dFdy(position_rel);
     vec2 du = dFdx(uv_scale.xy), dv = dFdy(uv_scale.xy);

@@ -1,11 +1,11 @@
-// Kernels whose weights are a product of one along each axis, by bilinear comparisons that take two texels of a row and
-// two of a column each: placed between them, a comparison weighs the two as the kernel does. Castano, Shadow Mapping
-// Summary, on the shadows of The Witness, 2013. A kernel defines `float weight_of(float off)` of a texel whose centre
-// lies so many texels off, before it includes this.
+// Separable kernels by bilinear comparisons of 2x2 texels. The place of each comparison between its texels gives them the
+// kernel's weights. Castano, Shadow Mapping
+// Summary, on the shadows of The Witness, 2013. A kernel defines `float weight_of(float off)`, the weight of a
+// texel whose centre is `off` texels away, before it includes this file.
 
-const int PAIRS = KERNEL_SIZE / 2 + 1;  // of the KERNEL_SIZE + 1 texels that the kernel touches along an axis
+const int PAIRS = KERNEL_SIZE / 2 + 1;  // pairs of the KERNEL_SIZE + 1 texels along an axis
 
-/// Sums the comparisons with weights that are scaled to one.
+/// Returns the weighted mean of the comparisons.
 float paired_visibility(Receiver r) {
     float size = float(map_resolution), sum = 0.0;
     vec2 at = r.uvd_offset.xy * size, first = floor(at - 0.5 * float(KERNEL_SIZE)), all = vec2(0.0);

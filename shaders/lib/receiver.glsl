@@ -1,4 +1,4 @@
-// Everything that a kernel or an overlay can know about one fragment and one light.
+// Receiver: data of one fragment for one light, for kernels and overlays.
 #include "lib/frame.glsl"
 #include "lib/depth.glsl"
 #include "lib/shadow_map.glsl"
@@ -6,50 +6,52 @@
 #include "shared/facing.h"
 
 const int INSIDE = 0, OUTSIDE_SIDES = 1, OUTSIDE_FAR = 2, BEHIND = 3, NO_MAP = 4;
-const int OUTSIDE_CASTER_REGION = 5;  // where nothing can cast a shadow, as the light's fit has found
+const int OUTSIDE_CASTER_REGION = 5;  // outside the caster region of the light's fit: always lit
 
-/// The surface under the pixel, whichever light.
+/// Visible surface at a pixel, independent of lights.
 struct Surface {
     vec3 position;   // relative to the frame's origin, metres
-    vec3 geometric;  // unit normal of the triangle, on the side that the camera sees
+    vec3 geometric;  // unit normal of the triangle, towards the camera
     vec3 vertex;     // unit interpolated normal, same side
-    vec3 shading;    // the same with its normal map
+    vec3 shading;    // interpolated normal with the normal map
     vec3 to_eye;     // unit
-    vec2 pixel;      // of the picture, its centre
+    vec2 pixel;      // centre of the pixel, in the picture
     bool receives;
 #if BIAS_BY_DERIVATIVES
-    vec3 step_x, step_y;  // by which the position differs from the next pixel's to the right and above, metres
+    vec3 step_x, step_y;  // change of position to the next pixel to the right and above, metres
 #endif
 };
 
+/// One look-up: surface, light, place in the map, bias and compared depth.
 struct Receiver {
     Surface surface;
     int light;
-    int layer;          // of the shadow map array
-    int other_layer;    // whose visibility is blended in,
-    float blend;        // by this share
+    int layer;          // layer of the shadow map array
+    int other_layer;    // layer whose visibility is blended in
+    float blend;        // weight of other_layer
     vec3 to_light;      // unit
-    float distance_m;   // to a spot or point light
-    float n_dot_l;      // of the normal that bias.normal_source chooses
+    float distance_m;   // distance to a spot or point light; 0 for a directional light
+    float n_dot_l;      // cosine between the light and the normal of bias.normal_source
     float geometric_n_dot_l;
     vec3 uvd;           // map coordinates, depth without bias
-    vec3 uvd_offset;    // the same after the normal offset
+    vec3 uvd_offset;    // map coordinates and depth after the normal offset
     float w;
     float texel_m;      // world size of a texel here, along its longest direction
-    float texel_short_m;  // along its shortest: another where LIGHT_WARPED
-    float relative_dw_per_m;   // what a metre across the rays changes w by, as a share of w; 0 elsewhere
-    mat2 disk;          // of LIGHT_WARPED: a disk in the map, in texel_short_m, from one across the rays
-    float z;            // metres along the axis from a perspective light, kept above 0; else 1
+    float texel_short_m;  // size along the shortest direction; differs from texel_m if LIGHT_WARPED
+    float relative_dw_per_m;   // relative change of w per metre across the rays if LIGHT_WARPED; else 0
+    mat2 disk;          // if LIGHT_WARPED: maps a disk across the rays to the map, in texel_short_m
+    float z;            // distance along the axis from a perspective light, metres above 0; else 1
     float depth_per_m;  // |d depth / d metres along the axis| here
-    float bias_depth;   // applied, in depth-buffer units, >= 0 brings the fragment nearer to the light
-    float reference;    // the depth that is compared; where BIAS_PER_TEXEL that at uvd_offset
+    float bias_depth;   // applied depth bias, depth-buffer units; >= 0 shifts towards the light
+    float reference;    // compared depth; with BIAS_PER_TEXEL the one at uvd_offset
 #if BIAS_PER_TEXEL
-    vec2 reference_slope;  // by how much that grows over the map, per map width
+    vec2 reference_slope;  // change of the compared depth per map width
 #endif
     int where;
 };
 
-float away(float depth_distance) {
+/// Signs a depth distance away from the light: negative under reversed depth.
+float away_from_light(float depth_distance) {
 #if map_reversed_z
     return -depth_distance;
 #else
@@ -57,7 +59,7 @@ float away(float depth_distance) {
 #endif
 }
 
-/// Unit vector to the light; the distance is 0 for directional lights.
+/// Returns the unit vector to the light, and the distance: 0 for directional lights.
 vec3 direction_to(int index, vec3 position, out float distance_m) {
     LightBlock light = light_of(index);
     int type = LIGHT_TYPE[index];
@@ -77,20 +79,19 @@ bool faces_light(Surface s, int light) {
     return faces_light(s, direction_to(light, s.position, distance_m));
 }
 
-const float NEAREST_SHARE = 1e-3;  // of the near plane: nothing is taken to be nearer to a perspective light
+const float NEAREST_SHARE = 1e-3;  // least distance from a perspective light, as a share of the near plane's
 
-/// By how much the depth of a point at z changes when it comes that many metres along the axis nearer to a light:
-/// DepthCurve::depth_change_towards_light(), where the slope at a receiver is not enough, as depth rises faster towards a perspective
-/// light.
-/// @param nearest metres along the axis: nothing comes nearer
-/// @param own_z of the receiver whose slope is depth_per_m
+/// Converts a shift towards the light along the axis, metres, of a point at z to a change of depth;
+/// DepthCurve::depth_change_towards_light(). The slope at the receiver is not enough, since depth rises faster near a perspective light.
+/// @param nearest least distance along the axis, metres
+/// @param own_z distance of the receiver with slope depth_per_m
 float depth_change_towards_light(bool perspective, float nearest, float own_z, float depth_per_m, float z, float metres) {
     float moved = perspective ? min(metres, z - nearest) : metres;
     float steeper = perspective ? (own_z / z) * (own_z / (z - moved)) : 1.0;
     return moved * depth_per_m * steeper;
 }
 
-/// Metres along the light's axis at which a map holds a surface, or nothing, at a place of r's map.
+/// Converts a depth at a place of r's map to metres along the light's axis.
 float metres_at(Receiver r, vec2 at, float depth) {
     if (LIGHT_WARPED[r.light] != 0)
         return metres_in_row(depth, view_of(r.layer).warp, at.y, map_reversed_z != 0);
@@ -98,19 +99,19 @@ float metres_at(Receiver r, vec2 at, float depth) {
     return metres_from_depth(depth, curve.x, curve.y, LIGHT_PERSPECTIVE[r.light] != 0);
 }
 
-/// Metres along the axis at which the map begins there.
-float begins_m(Receiver r, vec2 at) {
+/// Returns the distance of the map's near plane along the axis at a place of the map, metres.
+float near_plane_m(Receiver r, vec2 at) {
     return LIGHT_WARPED[r.light] != 0 ? metres_at(r, at, float(map_reversed_z)) : view_of(r.layer).curve.x;
 }
 
 float nearest_z(Receiver r) { return NEAREST_SHARE * view_of(r.layer).curve.x; }
 
-/// The same of r's light.
+/// Converts a shift of a point at z towards r's light, metres, to a change of depth.
 float depth_change_towards_light(Receiver r, float z, float metres) {
     return depth_change_towards_light(LIGHT_PERSPECTIVE[r.light] != 0, nearest_z(r), r.z, r.depth_per_m, z, metres);
 }
 
-/// The inverse at r: metres along the axis; see DepthCurve::metres_towards_light().
+/// Converts a change of depth at r to a shift towards the light along the axis, metres; DepthCurve::metres_towards_light().
 float metres_towards_light(Receiver r, float depth) {
     float by_slope = depth / r.depth_per_m;
     if (LIGHT_PERSPECTIVE[r.light] == 0) return by_slope;
@@ -118,10 +119,10 @@ float metres_towards_light(Receiver r, float depth) {
     return left > 0.0 ? by_slope / left : -uintBitsToFloat(0x7f800000u);
 }
 
-/// The same in texels, as bias.unit counts them.
+/// Converts a change of depth at r to a shift towards the light in texels (bias.unit).
 float texels_nearer(Receiver r, float depth) { return metres_towards_light(r, depth) / r.texel_m; }
 
-/// The unit normal that bias.normal_source chooses.
+/// Returns the unit normal of bias.normal_source.
 vec3 bias_normal_of(Surface s) {
 #if bias_normal_source == bias_normal_source_mapped
     return s.shading;
@@ -135,15 +136,16 @@ vec3 bias_normal_of(Surface s) {
 #include "lib/bias.glsl"
 #include "biases/normal_offset.glsl"
 
+/// Returns homogeneous map coordinates and depth of a position relative to the frame's origin.
 vec4 uvd_from_world(ViewBlock view, vec3 position) { return view.uvd_from_relative * vec4(position, 1.0); }
 
-/// The same by the texture matrix T from eye space. Everitt, Rege, Cebenoyan, Hardware Shadow Mapping, 2001.
+/// Returns homogeneous map coordinates and depth by the texture matrix T from eye space. Everitt, Rege, Cebenoyan, Hardware Shadow Mapping, 2001.
 vec4 uvd_from_eye(ViewBlock view, vec3 position) {
     mat4 t = view.uvd_from_relative * frame.relative_from_eye;
     return t * (frame.eye_from_relative * vec4(position, 1.0));
 }
 
-/// Of a warped view: how map coordinates and depth change about the point, by the quotient rule on its matrix.
+/// Fills texel sizes, disk and slopes of a receiver in a warped view, by the quotient rule on the view's matrix;
 /// LightView::texel_size_at() and relative_dw_per_m().
 void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
     mat4 m = transpose(view.uvd_from_relative);
@@ -158,7 +160,8 @@ void find_warped_texel(inout Receiver r, vec4 h, ViewBlock view) {
     r.depth_per_m = abs(dot(m[2].xyz, r.to_light)) / h.w;
 }
 
-/// @param layer of the view that it is looked up in
+/// Returns the receiver of a surface in one view of a light.
+/// @param layer layer of the view in the shadow map array
 Receiver receiver_in(Surface s, int index, int layer) {
     Receiver r;
     r.surface = s;
@@ -177,7 +180,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     vec4 h = uvd_from_world(view, s.position);
 #endif
     bool divides = LIGHT_PERSPECTIVE[index] != 0 || LIGHT_WARPED[index] != 0;
-    if (!divides) h.w = 1.0;  // known, so the division below costs nothing
+    if (!divides) h.w = 1.0;  // constant, so that the division below is removed
     r.w = h.w;
     float near = view.curve.x, far = view.curve.y;
     bool perspective = LIGHT_PERSPECTIVE[index] != 0;
@@ -200,12 +203,12 @@ Receiver receiver_in(Surface s, int index, int layer) {
     r.uvd_offset = o.xyz / o.w;
     BiasInput b = bias_input(r, r.n_dot_l, offset_z);
     r.bias_depth = depth_bias(b);
-    r.reference = r.uvd_offset.z - away(r.bias_depth);
+    r.reference = r.uvd_offset.z - away_from_light(r.bias_depth);
 #if BIAS_PER_TEXEL
     r.reference_slope = reference_slope(b);
 #endif
 
-    float texel = LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w;  // of the map's width
+    float texel = LIGHT_CHOICE[index] == CHOICE_ONE ? view.span.x : view.curve.w;  // share of the map's width
     if (LIGHT_CASTS[index] == 0)
         r.where = NO_MAP;
     else if (!(h.w > 0.0) || !(o.w > 0.0))
@@ -213,7 +216,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     else if (LIGHT_CLOSED[index] != 0 && (any(lessThan(r.uvd.xy, vec2(texel))) ||
                                           any(greaterThan(r.uvd.xy, vec2(1.0 - texel)))))
         r.where = OUTSIDE_CASTER_REGION;
-    else if (away(r.uvd.z) > away(1.0 - float(map_reversed_z)))
+    else if (away_from_light(r.uvd.z) > away_from_light(1.0 - float(map_reversed_z)))
         r.where = OUTSIDE_FAR;
     else if (any(lessThan(r.uvd.xy, vec2(0.0))) || any(greaterThan(r.uvd.xy, vec2(1.0))))
         r.where = OUTSIDE_SIDES;
@@ -222,7 +225,7 @@ Receiver receiver_in(Surface s, int index, int layer) {
     return r;
 }
 
-/// In the view that choose_view() names, or the coarser one whose page stands for its own.
+/// Returns the receiver of a surface in the view of choose_view(), or in a coarser view if its page replaces a missing one.
 Receiver make_receiver(Surface s, int index) {
     ViewPick pick = choose_view(index, s.position);
 #if MAP_PAGED && !defined(MARK_PAGES)

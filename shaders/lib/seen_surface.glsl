@@ -1,4 +1,4 @@
-// The surface that the camera sees at a pixel, from what passes/seen_surfaces.frag.glsl kept: in every bit as drawn.
+// Visible surface at a pixel, as stored by passes/seen_surfaces.frag.glsl, equal in every bit to the drawn one.
 #include "shared/units.h"
 #include "lib/receiver.glsl"
 layout(binding = UNIT_SEEN_SURFACES) uniform sampler2D seen_position_map;   // relative to the frame's origin, metres; A: receives
@@ -11,7 +11,8 @@ layout(binding = UNIT_SEEN_SURFACES + 3) uniform sampler2D seen_step_x_map;
 layout(binding = UNIT_SEEN_SURFACES + 4) uniform sampler2D seen_step_y_map;
 #endif
 
-/// Of the interpolated normals only that which bias.normal_source chooses is known; the direction to the eye is not.
+/// Returns the visible surface at a pixel. Among interpolated normals only the one of bias.normal_source is known. The
+/// direction to the eye is not known.
 Surface seen_surface(ivec2 at) {
     vec4 position = texelFetch(seen_position_map, at, 0);
     Surface s;

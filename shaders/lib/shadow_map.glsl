@@ -1,4 +1,4 @@
-// The shadow maps: one picture is a plain texture, several are the layers of an array.
+// Access to shadow maps. One map is a plain texture, several are the layers of an array.
 #include "shared/units.h"
 #include "lib/depth.glsl"
 #include "lib/frame.glsl"
@@ -11,7 +11,7 @@ float sampler_compare(vec2 at, int layer, float own) { return 0.0; }  // compare
 #define MAP_TEXEL(map, texel, layer) paged_texel(map, texel, layer)
 #elif MAP_LAYERS > 1
 #define MAPS sampler2DArray
-layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DArrayShadow shadow_map_compare; // comparison as map_compare has it
+layout(binding = UNIT_SHADOW_MAP_COMPARE) uniform sampler2DArrayShadow shadow_map_compare; // comparison by map_compare
 float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map_compare, vec4(at, layer, own)); }
 #define IN_LAYER(at, layer) vec3(at, layer)
 #define MAP_TEXEL(map, texel, layer) texelFetch(map, ivec3(texel, layer), 0).r
@@ -29,12 +29,12 @@ float sampler_compare(vec2 at, int layer, float own) { return texture(shadow_map
 layout(binding = UNIT_SHADOW_MAP) uniform MAPS shadow_map;  // nearest, no comparison
 
 #if MAP_HOLDS_DISTANCES
-/// Depths of stored shares of a view's range: see DepthCurve::depth_at_fraction().
+/// Converts stored shares of a view's range to depths; DepthCurve::depth_at_fraction().
 vec4 depth_of_stored(vec4 share, int layer) {
     ViewBlock view = view_of(layer);
     if (!is_perspective(view)) return share;
     float near = view.curve.x, far = view.curve.y;
-    // As stored at both ends, and where there is no page.
+    // Both ends, and texels without a page, stay as stored.
     bvec4 between = bvec4(ivec4(greaterThan(share, vec4(0.0))) * ivec4(lessThan(share, vec4(1.0))));
 #if map_reversed_z
     return mix(share, near * share / (far - share * (far - near)), between);
@@ -47,27 +47,27 @@ vec4 depth_of_stored(vec4 depth, int layer) { return depth; }
 #endif
 float depth_of_stored(float stored, int layer) { return depth_of_stored(vec4(stored), layer).x; }
 
-/// A texel as it is stored.
-float kept_texel(ivec2 texel, int layer) { return MAP_TEXEL(shadow_map, texel, layer); }
-float stored_texel(ivec2 texel, int layer) { return depth_of_stored(kept_texel(texel, layer), layer); }
+/// Returns a texel as stored.
+float raw_texel(ivec2 texel, int layer) { return MAP_TEXEL(shadow_map, texel, layer); }
+float stored_texel(ivec2 texel, int layer) { return depth_of_stored(raw_texel(texel, layer), layer); }
 float stored_depth(vec2 at, int layer) { return depth_of_stored(MAP_AT(shadow_map, at, layer), layer); }
 vec4 stored_gather(vec2 at, int layer) { return depth_of_stored(MAP_GATHER(shadow_map, at, layer), layer); }
 
-/// A depth that every comparison finds lit, or dark.
+/// Returns a depth that every comparison finds lit, or dark.
 float depth_of(bool lit) { return lit == (map_reversed_z == 0) ? 3e38 : -3e38; }
 
 #ifdef MAP_TRIALS
-// The same kernels on another map, and with an answer in place of what lies beyond the map's sides.
+// Trials run the same kernels on the unfiltered map, or with a fixed visibility for taps outside the map.
 layout(binding = UNIT_UNFILTERED_MAP) uniform MAPS unfiltered_map;
 bool map_is_unfiltered = false;
-float beyond_answer = -1.0;  // visibility of taps beyond the sides; below 0: as map.wrap has it
+float beyond_answer = -1.0;  // visibility of taps outside the map; below 0: by map.wrap
 
-vec4 answered(vec4 depth, vec4 u, vec4 v) {
+vec4 with_trial_answer(vec4 depth, vec4 u, vec4 v) {
 #if !SEAM_TRIALS
     return depth;
 #endif
     if (beyond_answer < 0.0) return depth;
-    // Beyond every depth on the side that answers.
+    // A depth beyond all others gives the wanted comparison.
     float always = depth_of(beyond_answer > 0.5);
     bvec4 inside = bvec4(ivec4(greaterThanEqual(u, vec4(0.0))) * ivec4(lessThanEqual(u, vec4(1.0))) *
                          ivec4(greaterThanEqual(v, vec4(0.0))) * ivec4(lessThanEqual(v, vec4(1.0))));
@@ -77,37 +77,38 @@ vec4 answered(vec4 depth, vec4 u, vec4 v) {
 float map_depth(vec2 at, int layer) {
     float depth =
         map_is_unfiltered ? depth_of_stored(MAP_AT(unfiltered_map, at, layer), layer) : stored_depth(at, layer);
-    return answered(vec4(depth), at.xxxx, at.yyyy).x;
+    return with_trial_answer(vec4(depth), at.xxxx, at.yyyy).x;
 }
 
-/// @param at where four texels meet
+/// Returns four depths in textureGather order.
+/// @param at common corner of four texels
 vec4 map_gather(vec2 at, int layer) {
     vec4 depth =
         map_is_unfiltered ? depth_of_stored(MAP_GATHER(unfiltered_map, at, layer), layer) : stored_gather(at, layer);
     vec2 half_texel = vec2(0.5 / float(map_resolution));
     vec4 u = at.x + vec4(-1.0, 1.0, 1.0, -1.0) * half_texel.x, v = at.y + vec4(1.0, 1.0, -1.0, -1.0) * half_texel.y;
-    return answered(depth, u, v);
+    return with_trial_answer(depth, u, v);
 }
 #elif defined(RECORD_TAPS)
-// One of the texels that a kernel reads, and what it weighs: the kernel's result where it alone is lit.
+// Record of one texel that a kernel reads. The kernel's result, with this texel alone lit, is the texel's weight.
 int tap_wanted = 0, taps_read = 0;
 vec3 tap_found = vec3(0.0);  // texel, stored depth
 
-float recorded(vec2 texel, float stored) {
+float record_tap(vec2 texel, float stored) {
     bool wanted = taps_read++ == tap_wanted;
     if (wanted) tap_found = vec3(texel, stored);
     return depth_of(wanted);
 }
 
-float map_depth(vec2 at, int layer) { return recorded(floor(at * float(map_resolution)), stored_depth(at, layer)); }
+float map_depth(vec2 at, int layer) { return record_tap(floor(at * float(map_resolution)), stored_depth(at, layer)); }
 
 vec4 map_gather(vec2 at, int layer) {
     vec2 texel = round(at * float(map_resolution)) - 1.0;
     vec4 stored = stored_gather(at, layer);
-    stored.x = recorded(texel + vec2(0.0, 1.0), stored.x);
-    stored.y = recorded(texel + vec2(1.0, 1.0), stored.y);
-    stored.z = recorded(texel + vec2(1.0, 0.0), stored.z);
-    stored.w = recorded(texel, stored.w);
+    stored.x = record_tap(texel + vec2(0.0, 1.0), stored.x);
+    stored.y = record_tap(texel + vec2(1.0, 1.0), stored.y);
+    stored.z = record_tap(texel + vec2(1.0, 0.0), stored.z);
+    stored.w = record_tap(texel, stored.w);
     return stored;
 }
 #elif defined(MARK_TEXELS)
@@ -133,7 +134,7 @@ float map_depth(vec2 at, int layer) { return stored_depth(at, layer); }
 vec4 map_gather(vec2 at, int layer) { return stored_gather(at, layer); }
 #endif
 
-/// A stored depth that decides where or how a kernel compares, and is no comparison itself.
+/// Returns a stored depth of a blocker search, which is not compared and not recorded as a tap.
 float searched_depth(vec2 at, int layer) {
 #ifdef RECORD_TAPS
     return stored_depth(at, layer);
@@ -142,7 +143,7 @@ float searched_depth(vec2 at, int layer) {
 #endif
 }
 
-/// One comparison as the shadow sampler of the kernel's row makes it: with the nearest texel, or bilinearly with 2x2.
+/// Returns one comparison as by the kernel's shadow sampler: with the nearest texel, or bilinear over 2x2 texels.
 float map_compare_at(vec2 at, int layer, float own) {
 #if !COMPARE_BY_HAND
     return sampler_compare(at, layer, own);

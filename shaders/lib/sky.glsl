@@ -1,6 +1,8 @@
-// The sky: colours at the zenith, the horizon and below, and a glow about the sun.
+// Sky: colours at the zenith, the horizon and below, and a glow around the sun.
 
-/// @param way unit, from the eye @param sun xyz unit, to the sun; w: brightness of the glow
+/// Returns the colour of the sky in a direction.
+/// @param way unit vector from the eye
+/// @param sun xyz: unit vector to the sun; w: brightness of the glow
 vec3 sky_colour(vec3 way, vec3 zenith, vec3 horizon, vec3 below, vec4 sun) {
     float level = 1.0 - abs(way.y), level2 = level * level, level6 = level2 * level2 * level2;
     bool above = way.y > 0.0;

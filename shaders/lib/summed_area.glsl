@@ -1,5 +1,5 @@
-// Means over any rectangle of the map by tables that hold, at each texel, the sum of all before it: sixteen fetches
-// whatever the rectangle's size. Crow, Summed-Area Tables for Texture Mapping, SIGGRAPH 1984.
+// Means over any rectangle of the map by summed-area tables, whose texels hold the sum of all before them: sixteen fetches
+// for any size. Crow, Summed-Area Tables for Texture Mapping, SIGGRAPH 1984.
 #include "lib/moments.glsl"
 
 #if filter_sums == filter_sums_integer
@@ -16,7 +16,7 @@ layout(binding = UNIT_MOMENTS) uniform MAPS sums_map;
 const float SUMS_UNIT = 1.0;
 #endif
 
-/// Of all texels before a corner, along both axes.
+/// Returns the sum of all texels before a corner, along both axes.
 SUMS sum_before(ivec2 corner, int layer) {
     if (any(lessThan(corner, ivec2(1)))) return SUMS(0);
     ivec2 texel = min(corner, ivec2(map_resolution)) - 1;
@@ -30,8 +30,8 @@ SUMS sum_before(ivec2 corner, int layer) {
 #endif
 }
 
-/// The moments over a rectangle about a place of the map, each texel by how much of it lies inside.
-/// @param size of the rectangle, in texels
+/// Returns the mean moments over a rectangle around a place of the map, texels weighted by their covered area.
+/// @param size width and height of the rectangle, texels
 vec4 summed_moments(Receiver r, vec2 at, vec2 size) {
     vec4 moments;
     if (trial_moments(r, at, moments)) return moments;
@@ -42,13 +42,13 @@ vec4 summed_moments(Receiver r, vec2 at, vec2 size) {
 #else
     at = clamp(at, 0.0, 1.0);
 #endif
-    // Near the map's sides on both sides of the place, so that a plane's mean stays the depth of its middle.
+    // Near the map's sides the rectangle shrinks on both sides, so that a plane's mean stays the depth at its middle.
     float count = float(map_resolution);
     at = clamp(at * count, 0.5, count - 0.5);
     vec2 reach = min(0.5 * size, min(at, count - at)), lo = at - reach, hi = at + reach;
     ivec2 first = ivec2(floor(lo)), last = ivec2(floor(hi));
     vec2 cut = lo - vec2(first), held = hi - vec2(last);
-    // Sums from the first corner on: near together, so that what tables of integers have wrapped comes back.
+    // Sums relative to the first corner are small, so that wrapped integers give the right difference.
     int xs[3] = int[](first.x + 1, last.x, last.x + 1), ys[3] = int[](first.y + 1, last.y, last.y + 1);
     float wx[3] = float[](-cut.x, 1.0 - held.x, held.x), wy[3] = float[](-cut.y, 1.0 - held.y, held.y);
     SUMS origin = sum_before(first, r.layer);
@@ -62,7 +62,7 @@ vec4 summed_moments(Receiver r, vec2 at, vec2 size) {
     return vec4(sum * SUMS_UNIT / (4.0 * reach.x * reach.y), 0.0, 0.0);
 }
 
-/// Texels across the window of filter.window, widened to the pixel's footprint where filter.footprint asks for it.
+/// Returns the window in texels: filter.window, widened to the pixel's footprint with filter.footprint.
 vec2 summed_window(Receiver r) {
     vec2 size = vec2(filter_window);
 #if filter_footprint

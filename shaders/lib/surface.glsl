@@ -1,4 +1,4 @@
-// The surface under the fragment, from the scene vertex shader's outputs.
+// Surface of the fragment, from the outputs of passes/scene.vert.glsl.
 #include "shared/units.h"
 #include "lib/receiver.glsl"
 #include "lib/alpha.glsl"
@@ -12,8 +12,8 @@ flat in vec3 face_normal;
 
 Surface make_surface() {
     Surface s;
-    // Seen edge-on a triangle covers a pixel by rounding alone, and a rasteriser may find no place for it: then any,
-    // so that all that follows is a number, and the same one in every pass.
+    // A triangle edge-on to the camera covers a pixel by rounding alone, and its interpolated position may be invalid. Any
+    // position will then do that gives finite numbers, equal in every pass.
     s.position = abs(position_rel.x) < 1e30 ? position_rel : face_normal;
     s.pixel = gl_FragCoord.xy + frame_pixel().xy;
 #ifdef SURFACE_FLAGS

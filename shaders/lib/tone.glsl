@@ -1,8 +1,7 @@
-// From light to what is shown.
+// Conversion of light to picture colours.
 
-/// Encoded as sRGB (IEC 61966-2-1), within a tenth of one of 255 steps: above the linear part the curve is 1.055 s^(5/6) - 0.055 of
-/// the root s, of which a polynomial of fifth degree has the least largest error; it
-/// rises beyond 1, where what is drawn into holds it.
+/// Encodes light as sRGB (IEC 61966-2-1), within a tenth of one of 255 steps. Above the linear part the curve is
+/// 1.055 s^(5/6) - 0.055 of the root s, here a minimax polynomial of fifth degree. Values above 1 stay above 1.
 vec3 srgb(vec3 c) {
     c = max(c, 0.0);
     vec3 s = sqrt(c);
@@ -10,8 +9,8 @@ vec3 srgb(vec3 c) {
     return mix(12.92 * c, curve, greaterThan(c, vec3(0.0031308)));
 }
 
-/// Encoded by shading.curve. Filmic: a toe and a shoulder by the quotient of two squares, encoding included (the form is
-/// Hejl and Burgess-Dawson's, 2010), scaled so that light of 4 is white; 0.18 stays where sRGB has it.
+/// Encodes light by shading.curve. Filmic: a toe and a shoulder by a quotient of quadratics, sRGB included (form of Hejl and
+/// Burgess-Dawson, 2010), scaled so that light of 4 is white and 0.18 is as in sRGB.
 vec3 toned(vec3 c) {
 #if CURVE_FILMIC
     vec3 x = max(0.8 * c - 0.004, 0.0);

@@ -1,4 +1,4 @@
-// Visibility of one light from one surface point: the guards, then the chosen kernel.
+// Visibility of one light from one surface point: guards outside the map, then the chosen kernel.
 #include "lib/receiver.glsl"
 #include "lib/compare.glsl"
 #include "lib/map_bounds.glsl"
@@ -6,23 +6,23 @@
 
 #define UNKNOWN uintBitsToFloat(0x7fc00000u)
 
-/// What a kernel learns besides visibility; NaN where it does not say.
+/// Further results of a kernel besides visibility; NaN if not given.
 struct Filtered {
-    float blocker_m;        // how far along the axis what it took for the occluder lies before the receiver
-    float penumbra_texels;  // width of the penumbra that it made
+    float blocker_m;        // mean distance from casters to the receiver along the axis, metres
+    float penumbra_texels;  // width of the penumbra
     float taps;             // texels fetched
-    float variance;         // of the depths, in squares of the map's range
-    vec4 moments;           // that it read, as moments_of() counts them
-    float mean;             // the depth that they say, as a share of the map's range
-    float margin;           // below 0: no distribution of depths has them
-    float own;              // the depth that it compared, as a share of the range
-    float bound;            // the most that can be lit by them, before light-bleed reduction
+    float variance;         // variance of depths, in squares of the map's range
+    vec4 moments;           // moments read, as in moments_of()
+    float mean;             // mean depth by the moments, as a share of the map's range
+    float margin;           // below 0: no distribution of depths has these moments
+    float own;              // compared depth, as a share of the range
+    float bound;            // upper bound of visibility before light-bleed reduction
 };
 Filtered found = Filtered(UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN, vec4(UNKNOWN), UNKNOWN, UNKNOWN, UNKNOWN, UNKNOWN);
 
 #include FILTER_FILE
 
-/// Of what lies where the map says nothing.
+/// Returns the visibility outside the map, by map.outside.
 float outside_visibility() {
 #if map_outside == map_outside_lit
     return 1.0;
@@ -31,7 +31,7 @@ float outside_visibility() {
 #endif
 }
 
-/// Whether the look-up is answered without the map, by guarded_visibility().
+/// Returns true when guarded_visibility() answers the look-up without the map.
 bool is_guarded(Receiver r) {
     bool guarded = r.where == BEHIND || r.where == OUTSIDE_CASTER_REGION;
 #if map_far_guard
@@ -43,18 +43,19 @@ bool is_guarded(Receiver r) {
     return guarded;
 }
 
+/// Returns the visibility of a guarded look-up.
 float guarded_visibility(Receiver r) {
-    // Lit by construction, whatever map.wrap and map.outside say of the map's sides.
+    // Outside the caster region all is lit, independent of map.wrap and map.outside.
     return r.where == OUTSIDE_CASTER_REGION ? 1.0 : outside_visibility();
 }
 
-/// What the map says of a receiver in front of the guards' backs: 1 lit, 0 in shadow.
+/// Returns the visibility by guards, bounds or kernel: 1 lit, 0 in shadow. Ignores the side that faces away from the light.
 float map_visibility(Receiver r) {
     if (is_guarded(r)) return guarded_visibility(r);
 #if !BIAS_PER_TEXEL
     r.reference = reference_of(r.reference);
 #endif
-#if ASKS_BOUNDS
+#if USES_BOUNDS
     float answer = bounded_visibility(r);
     if (answer >= 0.0) {
         found.taps = 0.0;
@@ -64,10 +65,11 @@ float map_visibility(Receiver r) {
     return filter_visibility(r);
 }
 
+/// Returns the visibility of a light at a surface, 1 lit to 0 in shadow; blends two views if needed.
 float light_visibility(Surface s, int light) {
     if (LIGHT_CASTS[light] == 0 || !s.receives) return 1.0;
     Receiver r = make_receiver(s, light);
-    // A surface turned away from the light shadows itself; no tap can say it better.
+    // A surface that faces away from the light shadows itself.
     float facing = float(faces_light(r));
 #if SKIPS_UNLIT
     if (facing == 0.0) return 0.0;
@@ -81,7 +83,8 @@ float light_visibility(Surface s, int light) {
     return facing > 0.0 ? v : 0.0;
 }
 
-/// Whether the map holds the surface, or need not, and if so, whether the normal offset leads the look-up out of it.
+/// Returns the place of a surface relative to the map: PLACE_INSIDE also if no map is needed, PLACE_OFFSET_OUTSIDE if only
+/// the normal offset leaves the map.
 int place_in_map(Receiver r) {
     if (r.where == NO_MAP || r.where == OUTSIDE_CASTER_REGION) return PLACE_INSIDE;
     if (r.where != INSIDE) return PLACE_OUTSIDE;

@@ -1,4 +1,4 @@
-// What is wrong with each pixel, by colour.
+// Cause of each wrong pixel, as a colour.
 #include "lib/truth.glsl"
 const vec3 COLOURS[] = ARTEFACT_COLOURS;
 vec4 overlay(Receiver r) {

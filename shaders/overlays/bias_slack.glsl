@@ -1,4 +1,4 @@
-// What the bias is worth against acne, less what is needed, in texels.
+// Equivalent depth bias minus the needed bias, in texels.
 #include "lib/least_bias.glsl"
 
 vec4 overlay(Receiver r) {

@@ -1,4 +1,4 @@
-// Which of the light's views a fragment is looked up in, mixed where another one is blended in.
+// View of the light in which a fragment is looked up, with mixed colours where two views are blended.
 #include "shared/colours.h"
 
 vec4 overlay(Receiver r) {

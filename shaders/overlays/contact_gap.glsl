@@ -1,5 +1,5 @@
-// Width in metres of the lit strip on this surface beside a caster that touches it: what the bias is worth along the light's
-// ray, times the sine of the ray's angle to the normal.
+// Width in metres of the lit strip on this surface beside a caster that touches it: equivalent depth bias along the light
+// ray, times the sine of the angle between ray and normal.
 #include "lib/least_bias.glsl"
 #include "lib/bias_along_ray.glsl"
 

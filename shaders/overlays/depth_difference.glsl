@@ -1,4 +1,4 @@
-// Own minus stored distance along the light's ray, metres: above zero something lies before the fragment.
+// Own minus stored distance along the light's ray, metres. Above zero a caster is before the fragment.
 #include "lib/bias_along_ray.glsl"
 
 vec4 overlay(Receiver r) {

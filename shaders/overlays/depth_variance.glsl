@@ -1,4 +1,4 @@
-// The variance of depths about the fragment by the map's moments; below zero rounding has eaten it.
+// Variance of depths around the fragment by the map's moments. Below zero it is rounding error.
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND || !faces_light(r)) return vec4(NOTHING);
     map_visibility(r);

@@ -1,5 +1,5 @@
-// Where the moments that the kernel read are those of no distribution (red: rounding has left a variance or determinant
-// below zero), or no numbers (magenta): an exponent has overflowed.
+// Invalid moments that the kernel read. Red: moments of no distribution, with a variance or determinant below zero by
+// rounding. Magenta: no numbers, since an exponential has overflowed.
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND || !faces_light(r)) return vec4(0.0);
     map_visibility(r);

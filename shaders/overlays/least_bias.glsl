@@ -1,4 +1,4 @@
-// The least bias under which the triangle's plane does not shadow itself, in texels.
+// Least bias without self-shadowing of the triangle's plane, in texels.
 #include "lib/least_bias.glsl"
 
 vec4 overlay(Receiver r) {

@@ -1,4 +1,4 @@
-// Fragments that the light's map does not hold: beyond its sides (orange), beyond its far plane (blue), behind the
+// Fragments outside the light's map: beyond its sides (orange), beyond its far plane (blue), behind the
 // light (magenta).
 vec4 overlay(Receiver r) {
     if (r.where == OUTSIDE_SIDES) return vec4(0.90, 0.55, 0.10, 1.0);

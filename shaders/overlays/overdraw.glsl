@@ -1,2 +1,2 @@
-// One for each fragment; blending adds them up.
+// Value 1 for each fragment; blending sums them.
 vec4 overlay(Receiver r) { return vec4(1.0); }

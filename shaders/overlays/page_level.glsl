@@ -1,4 +1,4 @@
-// The clip level that a fragment is looked up in, and the page of it as a checkerboard. With map.virtual only.
+// Clip level in which a fragment is looked up, with its pages as a checkerboard. With map.virtual only.
 #include "lib/pages.glsl"
 #include "shared/colours.h"
 

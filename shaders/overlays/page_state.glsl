@@ -1,5 +1,4 @@
-// What became of the page that a fragment is looked up in: drawn, kept, or given up for a coarser one. With map.virtual
-// only.
+// State of the fragment's page: drawn, cached, or replaced by a coarser one. With map.virtual only.
 #include "lib/pages.glsl"
 #include "shared/colours.h"
 

@@ -1,4 +1,4 @@
-// The width of the penumbra that the kernel made of the occluder's distance and the light's size.
+// Width of the kernel's penumbra in texels, from the caster's distance and the light's size.
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND || !faces_light(r)) return vec4(NOTHING);
     map_visibility(r);

@@ -1,4 +1,4 @@
-// Pixels that one shadow texel spans along its longest direction in the picture. Above 1 its texels show.
+// Pixels that one shadow texel spans along its longest direction in the picture. Above 1 the map's texels show.
 #include "lib/texel_density.glsl"
 
 vec4 overlay(Receiver r) {

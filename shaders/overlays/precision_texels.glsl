@@ -1,3 +1,3 @@
-// How far from its place in double precision each fragment is looked up, in texels.
+// Distance of each fragment's look-up from its place in double precision, in texels.
 #include "lib/precision.glsl"
-vec4 overlay(Receiver r) { return vec4(found_or_nothing(precision_here().x)); }
+vec4 overlay(Receiver r) { return vec4(value_or_nothing(precision_here().x)); }

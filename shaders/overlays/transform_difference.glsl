@@ -1,4 +1,4 @@
-// How far apart the two ways to a surface's place in the map lie in single precision, in texels.
+// Difference in texels between map coordinates from world space and from eye space, in single precision.
 vec4 overlay(Receiver r) {
     if (r.where >= BEHIND) return vec4(NOTHING);
     vec4 world = uvd_from_world(view_of(r.layer), r.surface.position);

@@ -1,4 +1,4 @@
-// The map's visibility minus the true one, where pixels count.
+// Drawn visibility minus the reference, at counted pixels.
 #include "lib/truth.glsl"
 vec4 overlay(Receiver r) {
     vec4 reference = reference_here();

@@ -1,2 +1,2 @@
-// What the kernel found, 1 lit and 0 in shadow.
+// Drawn visibility: 1 lit, 0 in shadow.
 vec4 overlay(Receiver r) { return vec4(pixel_visibility(r)); }

@@ -1,4 +1,4 @@
-// How much light one caster's blob leaves on the surface seen.
+// Visibility of the visible surface under one caster's blob.
 #include "lib/seen_surface.glsl"
 #include "lib/blob.glsl"
 
@@ -7,7 +7,7 @@ uniform vec4 blob;  // softness, opacity, reach (radii, 0: endless)
 
 layout(location = 0) out float lit_out;
 
-const float BEGINS_RADII = 0.25;  // below the caster's middle: it does not darken its own lit side
+const float BEGINS_RADII = 0.25;  // start below the caster's middle, so that the caster's lit side stays lit
 
 void main() {
     Surface s = seen_surface();

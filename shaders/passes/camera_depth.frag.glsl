@@ -1,4 +1,4 @@
-// The camera's depth alone; nothing is written but what the rasteriser writes.
+// Depth pass of the camera: the rasteriser writes depth, and there is no colour.
 #ifdef MASKED
 #include "lib/alpha.glsl"
 #endif

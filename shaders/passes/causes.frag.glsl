@@ -1,11 +1,11 @@
-// Why pixels are wrong that should be dark (FOR_FALSE_LIGHT), or lit (FOR_FALSE_SHADOW).
+// Causes of wrong pixels that should be dark (FOR_FALSE_LIGHT) or lit (FOR_FALSE_SHADOW).
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
 #include "lib/cause.glsl"
 #include "lib/drawn_visibility.glsl"
 
-layout(location = 0) out vec2 classified_out;  // judgement()
+layout(location = 0) out vec2 classified_out;  // classification()
 
 void main() {
     vec4 reference = reference_here(), more = more_reference_here();

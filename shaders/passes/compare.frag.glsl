@@ -1,10 +1,11 @@
-// Each pixel's visibility held against the truth: which are wrong. Why, passes/causes.frag.glsl finds for those alone.
+// Comparison of each pixel's visibility with the ray-traced reference. passes/causes.frag.glsl finds the causes of wrong
+// pixels.
 #include "lib/truth.glsl"
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/drawn_visibility.glsl"
 
-layout(location = 0) out vec2 classified_out;  // judgement()
+layout(location = 0) out vec2 classified_out;  // classification()
 
 void main() {
     vec4 reference = reference_here();

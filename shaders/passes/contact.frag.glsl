@@ -1,4 +1,4 @@
-// Contact shadows: from each surface a ray is marched towards the light through the depths that the camera sees.
+// Contact shadows: from each surface a ray is marched towards the light through the camera's depth buffer.
 // Sousa, Kasyan, Schulz, Secrets of CryENGINE 3 Graphics Technology, SIGGRAPH 2011 (screen-space directional occlusion);
 // Karis and others, contact shadows in Unreal Engine 4.14, 2016.
 #include "lib/seen_surface.glsl"
@@ -10,17 +10,18 @@ uniform int steps;
 
 layout(location = 0) out float lit_out;
 
-const float RISES_PIXELS = 0.25;  // above its own plane: less is the plane itself
+const float RISES_PIXELS = 0.25;  // least height of a blocker above the surface's plane, in pixels
 
-/// Metres along the camera's axis.
+/// Converts camera depth to metres along the camera's axis.
 float camera_z(float depth) {
     return frame_eye().w > 0.5 ? frame.lens.w - depth * frame.lens.z : 1.0 / (depth * frame.lens.z + frame.lens.w);
 }
 
-/// What one unit of the picture's half width and height is at a distance along the axis, metres.
+/// Returns half the picture's width and height at a distance along the camera's axis, metres.
 vec2 half_picture_m(float z) { return frame.lens.xy * (frame_eye().w > 0.5 ? 1.0 : z); }
 
-bool meets(Surface s, vec3 p) {
+/// Returns true when a visible surface blocks the ray of `s` at the point `p`.
+bool is_blocked_at(Surface s, vec3 p) {
     vec3 eye = (frame.eye_from_relative * vec4(p, 1.0)).xyz;
     float z = -eye.z;
     if (!(z > 0.0)) return false;
@@ -46,7 +47,7 @@ void main() {
     float reach_m = LIGHT_TYPE[LIGHT_INDEX] == LIGHT_DIRECTIONAL ? length_m : min(length_m, distance_m);
     float first = pixel_angle(s.pixel) / 6.28318531;
     for (int i = 0; i < steps; ++i)
-        if (meets(s, s.position + to_light * (reach_m * (float(i) + first) / float(steps)))) {
+        if (is_blocked_at(s, s.position + to_light * (reach_m * (float(i) + first) / float(steps)))) {
             lit_out = 0.0;
             return;
         }

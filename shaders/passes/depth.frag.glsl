@@ -1,3 +1,4 @@
+// Depth pass of the light: stored depth or distance of colour formats, and the alpha mask.
 #ifdef MASKED
 #include "lib/alpha.glsl"
 #endif
@@ -13,16 +14,16 @@ void main() {
     if (masked_out()) discard;
 #endif
 #if DROPS_STRAYS
-    // Seen edge-on a triangle covers texels by rounding alone, with depths of its plane from far beyond it.
+    // A triangle edge-on to the light covers texels by rounding alone, with depths of its plane far outside the triangle.
     if (abs(gl_FragCoord.z - 0.5) > 0.50001) discard;
 #endif
 #if MAP_IS_COLOUR
-    stored_out = clamp(gl_FragCoord.z, 0.0, 1.0);  // as a depth buffer does
+    stored_out = clamp(gl_FragCoord.z, 0.0, 1.0);  // same range as a depth buffer
 #endif
 #if MAP_HOLDS_DISTANCES
-    // 1 / w is what the rasteriser interpolates: of a depth the far part of the range would have lost its last bits.
+    // The rasteriser interpolates 1 / w exactly. Depth would lose its last bits in the far part of the range.
     float z = 1.0 / gl_FragCoord.w;
-    // What a near plane flattens lies before it.
+    // Flattened casters (near plane) are before the range and are clamped.
     if (curve.z > 0.5) stored_out = clamp((curve.w > 0.5 ? curve.y - z : z - curve.x) / (curve.y - curve.x), 0.0, 1.0);
 #endif
 }

@@ -1,4 +1,4 @@
-// The light's depth pass: positions only, uv where a mask needs them.
+// Depth pass of the light: positions, and uv for masked materials.
 layout(location = 0) in vec3 position_os;
 #ifdef MASKED
 layout(location = 2) in vec2 uv_in;

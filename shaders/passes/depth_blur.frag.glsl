@@ -1,4 +1,4 @@
-// One axis of a box blur of stored depth: the mean of the 2 radius + 1 texels about each that lie in the map.
+// One axis of a box blur of stored depth: the mean of the 2 radius + 1 texels around each, without those outside the map.
 #include "shared/units.h"
 #if BLUR_COLUMNS
 layout(binding = UNIT_BLURRED_ROWS) uniform sampler2D rows;  // blurred along x
@@ -6,7 +6,7 @@ float stored(ivec2 at) { return texelFetch(rows, at, 0).r; }
 #else
 #include "lib/shadow_map.glsl"
 uniform int layer;
-float stored(ivec2 at) { return kept_texel(at, layer); }
+float stored(ivec2 at) { return raw_texel(at, layer); }
 #endif
 #include "lib/blur_axis.glsl"
 

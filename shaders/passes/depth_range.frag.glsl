@@ -1,4 +1,4 @@
-// Smallest and largest drawn depth of one block of a depth image; the far plane's clear value is not drawn.
+// Smallest and largest drawn depth of one block of a depth image. The clear value (far plane) is left out.
 #include "lib/depth.glsl"
 #include "lib/shown_depth.glsl"
 uniform ivec2 blocks;

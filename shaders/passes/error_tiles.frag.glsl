@@ -1,11 +1,12 @@
-// What is wrong within each tile of TILE x TILE pixels of the truth, counted and summed; the CPU adds the tiles.
+// Counts and sums of wrong pixels in each tile of TILE x TILE reference pixels. The CPU adds the tiles.
 #include "lib/truth.glsl"
-layout(location = TILE_DARK) out vec4 dark_out[ARTEFACT_LAYERS];      // false shadow, a number for each artefact
+layout(location = TILE_DARK) out vec4 dark_out[ARTEFACT_LAYERS];      // false shadow: a count for each artefact
 layout(location = TILE_BRIGHT) out vec4 bright_out[ARTEFACT_LAYERS];  // false light
-layout(location = TILE_NOTED) out vec4 noted_out;  // outside of the map, any acne, within noise; in shadow by either
-layout(location = TILE_SUMS) out vec4 sums_out;    // |d|, d^2, d; in shadow both by map and truth
+layout(location = TILE_NOTED) out vec4 noted_out;  // counts: outside the map, any acne, within noise, in shadow by either
+layout(location = TILE_SUMS) out vec4 sums_out;    // sums of |d|, d^2, d; count in shadow by both map and reference
 
-/// Some share a number with a kind that pixels are never wrong by in the same way.
+/// Returns the channel that counts an artefact. Two artefacts share a channel if one is always false light and the other
+/// false shadow.
 int tile_number(int artefact) {
     return artefact == ARTEFACT_NO_MAP ? ARTEFACT_NONE
            : artefact == ARTEFACT_PETER_PANNING_RASTER ? ARTEFACT_ACNE

@@ -1,4 +1,4 @@
-// All trials of every pixel, whether it is wrong or not: renderer/frame/causes.h has the names in the same order.
+// Results of all trials of every pixel, right or wrong, in the order of CauseEvidence (renderer/frame/causes.h).
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
@@ -13,12 +13,12 @@ layout(location = 5) out vec4 out_5;
 layout(location = 6) out vec4 out_6;
 layout(location = 7) out vec4 out_7;
 
-/// The least worth of bias at which the pixel is lit, up to that of the trial for bent surfaces.
+/// Returns the least equivalent depth bias at which the pixel is lit, at most Evidence::bent.
 float curing_bias(Receiver r, Evidence e) {
     float lo = e.worth, hi = max(e.bent, e.worth);
-    for (int i = 0; i < kept_loop(12); ++i) {
+    for (int i = 0; i < opaque_count(12); ++i) {
         float middle = 0.5 * (lo + hi);
-        if (look(r, true, e.own + middle - e.worth) >= 0.5)
+        if (trial_visibility(r, true, e.own + middle - e.worth) >= 0.5)
             hi = middle;
         else
             lo = middle;

@@ -1,11 +1,11 @@
-// Acne of pixels that are less than wholly lit and yet not wrong.
+// Acne of pixels that are slightly darkened without being wrong.
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 #include "lib/truth.glsl"
 #include "lib/cause.glsl"
 #include "lib/drawn_visibility.glsl"
 
-layout(location = 0) out vec2 classified_out;  // judgement()
+layout(location = 0) out vec2 classified_out;  // classification()
 
 void main() {
     vec4 reference = reference_here();

@@ -1,3 +1,4 @@
+// One triangle that covers the whole picture.
 out vec2 picture_uv;
 
 void main() {

@@ -1,4 +1,4 @@
-// Where each pixel's surface lies in the shown light's map, before any bias and offset.
+// Map coordinates and depth of each pixel's surface in the shown light's map, before bias and offset.
 #include "lib/surface.glsl"
 layout(location = 0) out vec4 look_up_out;  // u, v, depth, 1 + the layer among the light's views; 0: none
 

@@ -1,12 +1,11 @@
-// One of the numbers that the kernel reads in place of depths, for the map viewer: as it is, or as the depth that alone
-// would have it.
+// One moment of the map for the map viewer: the stored number, or the depth whose moment it is.
 #include "lib/visibility.glsl"
 layout(location = 0) out float channel_out;
 uniform int layer, channel, mip;
 uniform bool as_share;
 
 #if MOMENTS_SUMMED
-// As stored, the sum of all texels up to this one; that texel's own by the table's differences.
+// The table stores the sum of all texels up to this one. Differences of the table give the texel's own moment.
 float number_at(ivec2 at) {
     ivec2 end = at + 1;
     SUMS sum = sum_before(end, layer);
@@ -28,7 +27,7 @@ void main() {
     float number = number_at(ivec2(gl_FragCoord.xy));
     channel_out = number;
     if (!as_share) return;
-    // Every moment rises or falls with depth: the depth that has it lies where halving the range ends.
+    // Every moment is monotonic in depth, so bisection finds the depth.
     bool rises = moments_of(1.0)[channel] > moments_of(0.0)[channel];
     float lo = 0.0, hi = 1.0;
     for (int i = 0; i < 24; ++i) {

@@ -1,7 +1,8 @@
-// Where in the shown light's map the kernel of each pixel is centred, and whether it reads a texel there.
+// Centre of each pixel's kernel in the shown light's map, and whether the kernel reads a texel.
 #include "lib/surface.glsl"
 layout(location = 0) out vec4 coordinates_out;  // u, v, layer among the light's views, 1: reads
 
+/// Returns true when the kernel reads any texel of the map.
 bool reads_map(Receiver r) {
     if (!r.surface.receives || !faces_light(r) || r.where >= BEHIND) return false;
 #if map_far_guard
@@ -11,7 +12,7 @@ bool reads_map(Receiver r) {
 #if map_wrap == map_wrap_range
     return !any(lessThan(at, vec2(0.0))) && !any(greaterThan(at, vec2(1.0)));
 #elif map_wrap == map_wrap_border
-    // A kernel centred outside still reads the texels that it reaches.
+    // A kernel centred outside the map still reads texels in its reach.
     vec2 reach = vec2(light_of(r.light).kernel.w / float(map_resolution));
     return all(greaterThan(at, -reach)) && all(lessThan(at, 1.0 + reach));
 #else

@@ -1,4 +1,4 @@
-// A depth image as a person looks at it: as stored, linear in metres, or in bands.
+// Depth image of the map viewer: as stored, linear in metres, or in bands.
 #include "lib/depth.glsl"
 #include "lib/shown_depth.glsl"
 #include "shared/colours.h"
@@ -11,7 +11,7 @@ layout(location = 0) out vec4 colour_out;
 
 void main() {
     float stored = shown_depth(ivec2(picture_uv * vec2(shown_size())));
-    if (isnan(stored)) {  // a page that nobody asked for
+    if (isnan(stored)) {  // a page that was not requested
         colour_out = vec4(PAGE_NOT_THERE, 1.0);
         return;
     }
@@ -23,7 +23,7 @@ void main() {
         value = (shown_metres(stored, picture_uv.y) - near) / (far - near);
 #endif
     if (mode == 2) {
-        // Thresholds are on standard depth, 0 near and 1 far.
+        // Thresholds count in standard depth, 0 near and 1 far.
         if (reversed) stored = 1.0 - stored;
         colour_out = vec4(stored < range.z ? BAND_NEAR * (0.35 + 0.65 * stored / max(range.z, 1e-6))
                           : stored < range.w ? BAND_MIDDLE

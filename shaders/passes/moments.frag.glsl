@@ -1,6 +1,6 @@
-// What a kernel stores in place of depths (moments_of() in its file), averaged along one axis; first of the maps' depths
-// or of all samples of each texel, then of what that leaves. Near the map's sides windows shrink on both sides of their
-// texel, so that a plane's mean stays the depth of its middle.
+// Moments of a kernel (moments_of() in its file), averaged along one axis. The first pass reads the map's depths or all
+// samples of each texel, and the second pass the result of the first. Near the map's sides windows shrink on both sides,
+// so that the mean over a plane stays the depth at the window's middle.
 #include "shared/units.h"
 #include "lib/visibility.glsl"
 #include "lib/moments.glsl"
@@ -49,7 +49,7 @@ void main() {
     float weights = 0.0;
     for (int i = -radius; i <= radius; ++i) weights += abs(i) <= reach ? weight_of(i) : 0.0;
     vec4 mean = vec4(0.0);
-    // Each by its share: a sum of numbers as large as floats hold would overflow.
+    // Each term is weighted before the sum, which would else overflow for large exponentials.
     for (int i = -radius; i <= radius; ++i) {
         vec4 share = moments_at(centre + clamp(i, -reach, reach) * BLUR_AXIS) * (weight_of(i) / weights);
         mean += abs(i) <= reach ? share : vec4(0.0);

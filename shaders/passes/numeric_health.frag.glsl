@@ -1,21 +1,21 @@
-// Numbers of an image that are none, or lie where none can: for each kind of fault how many there are, the first, the
-// worst and what stands there. First of each tile of a layer, then of all its tiles.
+// Search for invalid numbers in an image (NaN, infinite, out of range). The result for each kind of fault is the count, the
+// first place, the worst place and its value. The first pass handles tiles of a layer, the second pass joins the tiles.
 #include "shared/units.h"
 layout(location = 0) out uvec4 faults_out[HEALTH_FAULTS];  // count, first and worst as x | y << 16, bits of the worst
 
 const uint NOWHERE = 0xffffffffu;
 
-/// By how much a fault is worse than another of its kind.
+/// Returns the severity of a fault, for comparison with others of its kind.
 float amount_of(int fault, float value) {
     return fault == FAULT_OUTSIDE_RANGE ? max(-value, value - 1.0) : fault == FAULT_NEGATIVE_VARIANCE ? -value : 0.0;
 }
 
 uint place_of(ivec2 at) { return uint(at.x) | uint(at.y) << 16; }
 
-/// Adds what was found before in reading order to what comes after it.
+/// Merges the faults `more` into `sum`, which comes before in reading order.
 void add(inout uvec4 sum, uvec4 more, int fault) {
     if (more.x == 0u) return;
-    // By rows from the first, as y is the upper half of a place.
+    // Equal faults are ordered by place, rows first, since y is the upper half of a place.
     bool worse = sum.x == 0u || amount_of(fault, uintBitsToFloat(more.w)) > amount_of(fault, uintBitsToFloat(sum.w)) ||
                  (amount_of(fault, uintBitsToFloat(more.w)) == amount_of(fault, uintBitsToFloat(sum.w)) && more.z < sum.z);
     sum.x += more.x;
@@ -35,7 +35,7 @@ uniform int layer, level;
 uniform ivec2 size;    // texels of the level
 uniform int tile;      // texels along a tile's side
 uniform int from_top;  // rows count from the top
-uniform vec2 slack;    // what rounding makes of a value; relative to a mean square, and in absolute numbers
+uniform vec2 slack;    // rounding tolerance: relative to a mean square, and absolute
 
 #if HEALTH_QUANTISED
 #include "shared/moments.h"
@@ -46,7 +46,7 @@ vec4 numbers_at(ivec2 at) {
 vec4 numbers_at(ivec2 at) { return SEARCHED_TEXEL(at); }
 #endif
 
-// By bits, as a compiler may take floats for numbers.
+// Tests of bits, since a compiler may assume that floats are numbers.
 bool is_nan(float v) { return (floatBitsToUint(v) & 0x7fffffffu) > 0x7f800000u; }
 bool is_infinite(float v) { return (floatBitsToUint(v) & 0x7fffffffu) == 0x7f800000u; }
 
@@ -55,7 +55,7 @@ void find(inout uvec4 found[HEALTH_FAULTS], int fault, float value, ivec2 at) {
     add(found[fault], uvec4(1u, place, place, floatBitsToUint(value)), fault);
 }
 
-/// Of one mean and mean square.
+/// Records a negative variance of a mean and a mean square. Returns true when there is one.
 bool find_variance(inout uvec4 found[HEALTH_FAULTS], vec2 moments, ivec2 at) {
     float variance = moments.y - moments.x * moments.x;
     if (!(variance < -(slack.x * moments.y + slack.y))) return false;
@@ -72,7 +72,7 @@ void search(inout uvec4 found[HEALTH_FAULTS], ivec2 at) {
             return;
         }
 #if HEALTH_WARPED
-        // A power of e is never 0.
+        // An exponential is never 0, so 0 means underflow.
         if (is_infinite(numbers[i]) || numbers[i] == 0.0) {
             find(found, FAULT_OVERFLOW, numbers[i], at);
             return;

@@ -1,4 +1,4 @@
-// A plane that fills the viewport: its depth in the middle is plane.z, and plane.xy more at the right and upper edge.
+// Plane that fills the viewport. Depth in the middle is plane.z; at the right and upper edge it is larger by plane.xy.
 uniform vec3 plane;
 
 void main() {

@@ -1,15 +1,15 @@
-// One overlay's raw value at each fragment; the colour scale comes later.
+// Raw value of one overlay at each fragment. passes/compose.frag.glsl applies the colour scale.
 #include "shared/units.h"
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 
-#define NOTHING uintBitsToFloat(0x7fc00000u)  // drawn as no value; compilers differ on whether it is a constant
+#define NOTHING uintBitsToFloat(0x7fc00000u)  // NaN, drawn as "no value"; not all compilers accept it as a constant
 
 #ifdef SEPARATE_VISIBILITY
 layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 
-/// The visibility of this pixel: from its texture where that was made.
+/// Returns the visibility of this pixel, from the visibility texture if there is one.
 float pixel_visibility(Receiver r) {
 #ifdef SEPARATE_VISIBILITY
     return texelFetch(visibility_map, ivec3(gl_FragCoord.xy, r.light), 0).r;

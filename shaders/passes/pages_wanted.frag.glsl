@@ -1,8 +1,8 @@
-// Marks the pages of the maps that look-ups of a surface may read: within the kernel's reach of where it is looked up,
-// with its normal offset and, as trials do, without. Whatever the kernel, and whatever the maps hold.
+// Marks the pages of the maps that look-ups of a surface may read: all pages in the kernel's reach around the look-up, with
+// and without the normal offset (trials omit the offset). Marks do not depend on the maps' content.
 #include "lib/receiver.glsl"
 #ifdef FROM_SCENE
-layout(early_fragment_tests) in;  // what is hidden reads nothing
+layout(early_fragment_tests) in;  // hidden surfaces read no pages
 #include "lib/surface.glsl"
 #else
 #include "lib/seen_surface.glsl"
@@ -10,8 +10,9 @@ layout(early_fragment_tests) in;  // what is hidden reads nothing
 layout(binding = IMAGE_PAGES_WANTED, r8ui) uniform writeonly uimage2DArray pages_wanted;
 layout(location = 0) out float nothing_out;
 
-/// @param lo, hi texels
-void want_texels(vec2 lo, vec2 hi, int layer) {
+/// Requests the pages of a rectangle of texels.
+/// @param lo, hi first and last texel
+void request_texels(vec2 lo, vec2 hi, int layer) {
     float last = float(map_resolution) - 1.0;
 #if map_wrap == map_wrap_border || map_wrap == map_wrap_range
     if (any(greaterThan(lo, vec2(last))) || any(lessThan(hi, vec2(0.0)))) return;
@@ -22,7 +23,7 @@ void want_texels(vec2 lo, vec2 hi, int layer) {
         for (int x = first_page.x; x <= last_page.x; ++x) imageStore(pages_wanted, ivec3(x, y, layer), uvec4(1u));
 }
 
-void want_pages(Receiver r) {
+void request_pages(Receiver r) {
     if (r.where >= BEHIND) return;
 #if map_far_guard
     if (r.where == OUTSIDE_FAR) return;
@@ -31,31 +32,31 @@ void want_pages(Receiver r) {
     vec2 lo = floor(min(r.uvd.xy, r.uvd_offset.xy) * size - reach);
     vec2 hi = floor(max(r.uvd.xy, r.uvd_offset.xy) * size + reach);
 #if map_wrap == map_wrap_repeat
-    // The same place in this tile and those after it that it reaches into.
+    // The rectangle is split among the repeated tiles that it overlaps.
     vec2 moved = floor(lo / size) * size;
     lo -= moved, hi -= moved;
     for (int tile = 0; tile < 4; ++tile) {
         vec2 from = vec2(tile & 1, tile >> 1) * size;
-        if (all(greaterThanEqual(hi, from))) want_texels(max(lo - from, vec2(0.0)), hi - from, r.layer);
+        if (all(greaterThanEqual(hi, from))) request_texels(max(lo - from, vec2(0.0)), hi - from, r.layer);
     }
 #else
-    want_texels(lo, hi, r.layer);
+    request_texels(lo, hi, r.layer);
 #endif
 }
 
-void want_pages(Surface s, int light) {
+void request_pages(Surface s, int light) {
     if (LIGHT_CASTS[light] == 0 || !s.receives) return;
     Receiver r = make_receiver(s, light);
     if (!faces_light(r)) return;
-    want_pages(r);
-    if (r.blend > 0.0) want_pages(receiver_in(s, light, r.other_layer));
+    request_pages(r);
+    if (r.blend > 0.0) request_pages(receiver_in(s, light, r.other_layer));
     if (LIGHT_CHOICE[light] < CHOICE_INTERVAL) return;
-    // Where the rounding of another program may choose the view beside.
+    // Near the end of a view another program's rounding may choose the neighbouring view, so both are requested.
     int first = LIGHT_FIRST_VIEW[light], view = r.layer - first;
     for (int i = max(view - 1, 0); i <= min(view, LIGHT_VIEWS[light] - 2); ++i) {
         float ends = view_of(first + i).span.x;
         if (abs(along_span(light, first + i, s.position) - ends) < 1e-5 * abs(ends))
-            want_pages(receiver_in(s, light, first + (i < view ? i : view + 1)));
+            request_pages(receiver_in(s, light, first + (i < view ? i : view + 1)));
     }
 }
 
@@ -65,7 +66,7 @@ void main() {
 #else
     Surface s = seen_surface();
 #endif
-#define WANT_PAGES(light) want_pages(s, light);
-    EACH_LIGHT(WANT_PAGES)
+#define REQUEST_PAGES(light) request_pages(s, light);
+    EACH_LIGHT(REQUEST_PAGES)
     nothing_out = 0.0;
 }

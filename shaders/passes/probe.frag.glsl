@@ -1,4 +1,4 @@
-// One pixel's surface and visibility as numbers.
+// Surface and visibility of one pixel, as numbers for the probe.
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 

@@ -1,4 +1,4 @@
-// Every pass that draws the scene from the camera; equal input gives equal positions in each.
+// Vertex shader of all passes that draw the scene from the camera. Equal input gives equal positions in each pass.
 #include "lib/frame.glsl"
 
 layout(location = 0) in vec3 position_os;
@@ -27,7 +27,7 @@ out vec3 bitangent_ws;
 #endif
 out vec3 uv_scale;
 #endif
-layout(location = 14) in vec3 face_os;  // of the triangle that this vertex is the last corner of
+layout(location = 14) in vec3 face_os;  // normal of the triangle that has this vertex as its last corner
 
 out vec3 position_rel;
 flat out vec3 face_normal;  // unit, on the side that the camera sees
@@ -40,8 +40,8 @@ flat out vec4 surface;
 #endif
 invariant gl_Position;
 
-/// The triangle's own normal, not that of screen derivatives: of those, single precision leaves a tenth of a degree.
-/// The last corner's, which all fragments get, so that none of them has to find it.
+/// Returns the triangle's normal, turned to the camera. Screen derivatives would be off by a tenth of a degree in single
+/// precision. The value of the last corner applies to all fragments (flat).
 vec3 seen_face_normal(vec3 normal, vec3 position) {
 #if CAMERA_PARALLEL
     vec3 to_eye = -frame.forward.xyz;

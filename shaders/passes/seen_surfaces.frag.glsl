@@ -1,4 +1,4 @@
-// The surface under each pixel, as lib/seen_surface.glsl reads it.
+// Visible surface of each pixel, stored for lib/seen_surface.glsl.
 #include "lib/surface.glsl"
 layout(location = 0) out vec4 position_out;
 layout(location = 1) out vec4 geometric_out;

@@ -1,4 +1,4 @@
-// Blinn-Phong: (ambient + visibility * (diffuse + specular)) * colour; the ambient part is never shadowed.
+// Shading by Blinn-Phong: (ambient + visibility * (diffuse + specular)) * colour; the ambient part is never shadowed.
 // Blinn, Models of Light Reflection for Computer Synthesized Pictures, SIGGRAPH 1977.
 #include "shared/units.h"
 #include "lib/surface.glsl"
@@ -14,8 +14,8 @@ layout(binding = UNIT_VISIBILITY) uniform sampler2DArray visibility_map;
 #endif
 layout(location = 0) out vec4 colour_out;
 
-/// Of the highlight: the cosine to the half vector, to the power of the shininess. By squarings where that is a power of
-/// two: those spare the root, too, as the half vector's length squared is 2 + 2 l.v.
+/// Returns the highlight: the cosine to the half vector, to the power of the shininess. A power of two is computed by
+/// squarings, which also avoids the root, since the half vector's squared length is 2 + 2 l.v.
 float highlight(Surface s, vec3 l, float n_dot_l) {
 #if !SHADES_HIGHLIGHT
     return 0.0;
@@ -30,19 +30,19 @@ float highlight(Surface s, vec3 l, float n_dot_l) {
 }
 
 #if shading_composition == shading_composition_dim_lit
-const float LIT = 0.99;  // of the alpha test
+const float LIT = 0.99;  // threshold of the alpha test
 #ifdef LIT_PASS
 bool any_lit = false;
 #endif
 #endif
 
-/// 1 lit, 0 in shadow.
+/// Returns the visibility of a light: 1 lit, 0 in shadow. Lights with an empty map need no look-up.
 float visibility_of(int light, Surface s, vec3 to_light) {
     if (LIGHT_EMPTY[light] != 0) return float(!s.receives || faces_light(s, to_light));
     return light_visibility(s, light);
 }
 
-/// One light's share: visibility * (diffuse + specular).
+/// Returns the reflected light of one light: visibility * (diffuse + specular) * radiance.
 vec3 light_share(int i, Surface s) {
     float distance_m;
     vec3 l = direction_to(i, s.position, distance_m);
@@ -62,7 +62,7 @@ vec3 light_share(int i, Surface s) {
 #endif
     float bright = shading_diffuse * n_dot_l + shading_specular * highlight(s, l, n_dot_l);
     float reflected = n_dot_l > 0.0 ? bright : 0.0;
-    return (visibility * reflected) * arriving(i, l, distance_m);
+    return (visibility * reflected) * unshadowed_radiance(i, l, distance_m);
 }
 
 void main() {
@@ -73,7 +73,8 @@ void main() {
     Surface s = make_surface();
 #if SKY_LIGHTS
     vec4 ambient = frame_ambient();
-    // The axis points to where the sky is brightest: each number that is read is read anew for a few pixels.
+    // The axis points to the brightest part of the sky. Few values are read, since CPU drivers read each one again for
+    // every few pixels.
     vec3 sum = ambient.rgb * (1.0 + dot(s.shading, frame_ambient_rise().xyz));
 #else
     vec3 sum = vec3(shading_ambient);
@@ -95,7 +96,7 @@ void main() {
     if (surface.z > 0.5) colour = srgb(base.rgb);
 #endif
 #ifdef GROUND
-    // A disc under a model ends in what lies behind it.
+    // The ground disc under a model fades into the background.
     float out_there = smoothstep(0.5, 1.0, distance(s.position.xz, frame_ground().xz) * frame_ground().w);
 #if SKY_LIGHTS
     colour = mix(colour, toned(sky_colour(-s.to_eye, frame_sky_zenith().rgb, frame_sky_horizon().rgb, frame_sky_below().rgb,

@@ -1,4 +1,4 @@
-// The sky where nothing was drawn.
+// Sky at pixels without geometry.
 #include "lib/sky.glsl"
 #include "lib/tone.glsl"
 in vec3 way;

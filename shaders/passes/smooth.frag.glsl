@@ -1,4 +1,4 @@
-// Pictures are summed up, and their mean is taken.
+// Weighted copy of a picture, for the mean of several pictures.
 #include "shared/units.h"
 layout(binding = UNIT_SHADED) uniform sampler2D picture;
 uniform float scale;

@@ -1,5 +1,5 @@
-// One step of a summed-area table along one axis: up to eight sums of neighbouring runs, each `run` texels long, become
-// one of eight times the length. Hensley and others, Fast Summed-Area Table Generation, Eurographics 2005.
+// One step of a summed-area table along one axis: joins up to eight sums of neighbouring runs of `run` texels into one sum
+// of eight times the length. Hensley and others, Fast Summed-Area Table Generation, Eurographics 2005.
 #include "shared/units.h"
 #include "lib/blur_axis.glsl"
 uniform int run;

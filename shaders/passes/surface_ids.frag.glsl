@@ -1,4 +1,4 @@
-// Which triangle each pixel shows.
+// Object and triangle numbers of each pixel.
 #include "lib/alpha.glsl"
 
 layout(location = 0) out uvec2 ids_out;  // 1 + object number, triangle within its draw

@@ -1,4 +1,5 @@
-// The texels that the kernel of one pixel reads, one a fragment, each with its weight; or what else the kernel found.
+// Texels that the kernel of one pixel reads, one per fragment, with their weights (RECORD_TAPS). Otherwise further results
+// of the kernel.
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 layout(location = 0) out vec4 tap_out;  // texel (x to the right, y up, before map.wrap), stored depth, weight; below 0: none

@@ -1,4 +1,4 @@
-// Runs the kernel of every pixel, which marks each texel that it fetches from the map of layer MARK_TEXELS.
+// Run of every pixel's kernel that marks each fetched texel of the map in layer MARK_TEXELS.
 #include "lib/seen_surface.glsl"
 #include "lib/visibility.glsl"
 layout(location = 0) out float nothing_out;

@@ -1,4 +1,4 @@
-// Visibility of one light as a picture of its own, from its source.
+// Visibility of one light as a separate picture, from the light's source.
 #include "lib/surface.glsl"
 #include "lib/visibility.glsl"
 

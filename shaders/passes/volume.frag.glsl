@@ -1,2 +1,2 @@
-// Faces of shadow volumes leave nothing but their mark in the stencil buffer, which the rasteriser makes.
+// Empty fragment shader: faces of shadow volumes only count in the stencil buffer.
 void main() {}

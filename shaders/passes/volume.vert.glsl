@@ -1,5 +1,5 @@
-// Corners of shadow volumes: of the scene's triangles, where the camera's passes place them in every bit, and of their
-// copies far away from the light: infinitely far (w = 0), but VOLUME_FINITE.
+// Corners of shadow volumes: the scene's triangles, bit for bit at the positions of the camera's passes, and their copies
+// away from the light. Copies are infinitely far (w = 0), or at a distance with VOLUME_FINITE.
 #include "lib/frame.glsl"
 
 layout(location = 0) in vec4 corner_os;  // w: 1 infinitely far away

@@ -1,4 +1,4 @@
-// The camera's depth again, bit by bit, in a buffer that has a stencil beside it.
+// Exact copy of the camera's depth into a buffer that also has a stencil.
 #include "shared/units.h"
 layout(binding = UNIT_CAMERA_DEPTH) uniform sampler2D camera_depth_map;
 

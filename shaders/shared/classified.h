@@ -1,4 +1,4 @@
-// What a frame notes of each pixel that it holds against the truth, for C++ and GLSL alike.
+// Classification of each pixel compared with the ray-traced reference, shared by C++ and GLSL.
 #ifndef SI_SHARED_CLASSIFIED_H
 #define SI_SHARED_CLASSIFIED_H
 
@@ -6,21 +6,21 @@
 namespace si::shared {
 #endif
 
-// Bits; renderer/reference/metrics.h says what they mean.
+// Bits of a pixel's classification; meaning in renderer/reference/metrics.h.
 const int FALSE_SHADOW = 1, FALSE_LIGHT = 2, OUTSIDE = 4, ANY_ACNE = 8;
 const int WITHIN_NOISE = 16, FAINT = 32, COUNTS = 64, SEAM = 128;
-// What also takes part, as bits 1 << artefact from here on.
+// First bit of further causes, bits 1 << artefact.
 const int ALSO_SHIFT = 8;
-// The artefact and, above it, the bits are kept as one number, which single precision holds.
+// Bits for the artefact. The classification bits are above, in one number that fits single precision.
 const int ARTEFACT_BITS = 4;
 
-// Depths by which each kind of pixel is picked out.
+// Depth values that select each kind of pixel by the depth test.
 const float MARK_FALSE_LIGHT = 0.25, MARK_FALSE_SHADOW = 0.5, MARK_FAINT = 0.75, MARK_NONE = 1.0;
 
-// Whether the map holds a surface, and if so, whether the normal offset leads the look-up out of it.
+// Place of a surface relative to the map. OFFSET_OUTSIDE: only the normal offset leaves the map.
 const int PLACE_INSIDE = 0, PLACE_OUTSIDE = 1, PLACE_OFFSET_OUTSIDE = 2;
 
-// Layers of the sums over tiles, four numbers each; of wrong pixels one number for each artefact.
+// Layers of the sums over tiles, four numbers each. Wrong pixels have one number for each artefact.
 const int TILE_DARK = 0, TILE_BRIGHT = 3, TILE_NOTED = 6, TILE_SUMS = 7, TILE_LAYERS = 8;
 const int ARTEFACT_LAYERS = 3;
 

@@ -1,4 +1,4 @@
-// When a surface faces a light, for C++ and GLSL alike.
+// Limit of the angle at which a surface faces a light, shared by C++ and GLSL.
 #ifndef SI_SHARED_FACING_H
 #define SI_SHARED_FACING_H
 
@@ -6,8 +6,8 @@
 namespace si::shared {
 #endif
 
-// The cosine between its normal and the direction to the light up to which a surface faces away. What that leaves out
-// is below a millionth of the light, and single precision cannot tell it from a surface parallel to the light.
+// Cosine between normal and light direction up to which a surface faces away. The omitted light is below a millionth,
+// and single precision cannot distinguish such a surface from one parallel to the light.
 const float FACES_AWAY_COSINE = 1e-6;
 
 #ifdef __cplusplus

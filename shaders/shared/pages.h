@@ -1,5 +1,5 @@
-// A texel of the page table, for C++ and GLSL alike: x, y of the page in the pool, in pages; z: which part of it, where
-// it is of a coarser level, x | y << 8; w: its state | levels coarser << 8.
+// Texel of the page table, shared by C++ and GLSL. x, y: place of the page in the pool, in pages; z: part of a coarser
+// page, x | y << 8; w: state | levels coarser << 8.
 #ifndef SI_SHARED_PAGES_H
 #define SI_SHARED_PAGES_H
 
@@ -7,9 +7,9 @@
 namespace si::shared {
 #endif
 
-const int PAGE_ABSENT = 0;  // nobody asked for it
-const int PAGE_CACHED = 1;    // drawn before the pages last changed
-const int PAGE_DRAWN = 2;   // drawn then
+const int PAGE_ABSENT = 0;  // not requested
+const int PAGE_CACHED = 1;  // drawn before the last update of pages
+const int PAGE_DRAWN = 2;   // drawn in the last update of pages
 
 #ifdef __cplusplus
 }  // namespace si::shared

@@ -1,4 +1,5 @@
-// Where shaders find textures, images and uniform blocks, for C++ and GLSL alike. Each of the first has a unit of its own.
+// Binding points of textures, images, storage and uniform blocks, shared by C++ and GLSL. Each texture has its own
+// unit.
 #ifndef SI_SHARED_UNITS_H
 #define SI_SHARED_UNITS_H
 
@@ -19,21 +20,21 @@ const int UNIT_CLASSIFIED = 9;
 const int UNIT_UNFILTERED_MAP = 10;
 const int UNIT_MAP_BOUNDS = 12;
 const int UNIT_PRECISION = 13;
-const int UNIT_SEARCHED = 21;        // whose numbers are searched for what is none
+const int UNIT_SEARCHED = 21;  // image searched for invalid numbers
 const int UNIT_MOMENTS = 14;
 const int UNIT_LIGHT_MAP = 11;
 const int UNIT_VOLUMES = 15;
 const int UNIT_CAMERA_DEPTH = 16;
-const int UNIT_BLURRED_ROWS = 17;  // what a blur has summed along x
-const int UNIT_MAP_SAMPLES = 18;   // of a multisampled map
-const int UNIT_MAP_CHANNEL = 19;   // what the map viewer shows in place of depth
+const int UNIT_BLURRED_ROWS = 17;  // result of a blur along x
+const int UNIT_MAP_SAMPLES = 18;   // samples of a multisampled map
+const int UNIT_MAP_CHANNEL = 19;   // moment in the map viewer
 const int UNIT_PAGE_TABLE = 20;
 const int UNIT_BLOBS = 23;
 const int UNIT_SEEN_SURFACES = 24;  // and four after it
 
 const int IMAGE_TEXELS_READ = 0;
 const int IMAGE_PAGES_WANTED = 1;
-const int IMAGE_FRAME_BLOCK = 2;  // the blocks below
+const int IMAGE_FRAME_BLOCK = 2;  // frame and settings block as images
 const int IMAGE_SETTINGS_BLOCK = 3;
 const int IMAGE_DISK_PLACES = 4;
 

@@ -1,4 +1,4 @@
-// What blobs leave of the light, as renderer/passes/blobs.cpp drew them at this pixel. Blinn, Me and My (Fake) Shadow, IEEE
+// Visibility under blob shadows, as renderer/passes/blobs.cpp drew it at this pixel. Blinn, Me and My (Fake) Shadow, IEEE
 // Computer Graphics and Applications 8(1), 1988.
 #include "shared/units.h"
 layout(binding = UNIT_BLOBS) uniform sampler2DArray blobs_map;  // a layer a light

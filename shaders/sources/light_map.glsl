@@ -1,25 +1,25 @@
-// The light map that rays were baked into (renderer/reference/light_map.h), by the triangle that the pixel shows. Arvo,
+// Visibility from the baked light map (renderer/reference/light_map.h), found by the pixel's triangle. Arvo,
 // Backward Ray Tracing, SIGGRAPH 1986 course notes; Abrash, Quake's Lighting Model, 1997.
 #include "shared/units.h"
-layout(binding = UNIT_LIGHT_MAP) uniform sampler2DArray light_map;  // LIGHT_MAP_LAYER of it is the light's
+layout(binding = UNIT_LIGHT_MAP) uniform sampler2DArray light_map;  // the light uses layer LIGHT_MAP_LAYER
 
 struct LightMapChart {
-    vec4 u, v;   // texels a metre across the atlas and up it; w: where the scene's centre lies in it, texels
-    vec4 reach;  // least and greatest texel coordinates of its look-ups
+    vec4 u, v;   // texels per metre across and up the atlas; w: place of the scene's centre in the atlas, texels
+    vec4 reach;  // range of texel coordinates of look-ups
 };
 layout(std430, binding = STORAGE_LIGHT_MAP_OBJECTS) readonly buffer LightMapObjects {
-    vec4 light_map_origin;      // xyz: the frame's origin as the scene's centre sees it, metres
-    uvec2 light_map_objects[];  // first of its triangles among all, and how many
+    vec4 light_map_origin;      // xyz: the frame's origin relative to the scene's centre, metres
+    uvec2 light_map_objects[];  // of each object: index of the first triangle, number of triangles
 };
 layout(std430, binding = STORAGE_LIGHT_MAP_TRIANGLES) readonly buffer LightMapTriangles { uint light_map_charts_of[]; };
 layout(std430, binding = STORAGE_LIGHT_MAP_CHARTS) readonly buffer LightMapCharts { LightMapChart light_map_charts[]; };
 
 float source_visibility(Surface s, int light) {
     if (!s.receives) return 1.0;
-    // Texels hold what the side of the surface sees that is towards the light.
+    // Texels store visibility for the side towards the light.
     if (!faces_light(s, light)) return 0.0;
     uvec2 part = light_map_objects[uint(surface.w)];
-    // Drivers may count on through the instances of a draw.
+    // Drivers may continue gl_PrimitiveID through the instances of a draw.
     uint chart_of = light_map_charts_of[part.x + uint(gl_PrimitiveID) % max(part.y, 1u)];
     if (chart_of == 0xffffffffu) return 1.0;  // a triangle without area
     LightMapChart chart = light_map_charts[chart_of];

@@ -88,7 +88,7 @@ std::vector<SizedKernel> square_kernels() {
         if (!row.square) continue;
         for (const bool point : {false, true})
             for (const int size : {2, 3, 8})
-                if ((size == 3 || owns(row, "filter.size")) && (!point || owns(row, "filter.point")))
+                if ((size == 3 || owns_setting(row, "filter.size")) && (!point || owns_setting(row, "filter.point")))
                     out.push_back({std::string(row.key), size, point});
     }
     return out;

@@ -336,7 +336,7 @@ std::vector<SizedKernel> square_kernels() {
         if (!row.square) continue;
         for (const int size : {3, 4, 5})
             for (const bool point : {false, true})
-                if ((size == 3 || owns(row, "filter.size")) && (!point || owns(row, "filter.point")))
+                if ((size == 3 || owns_setting(row, "filter.size")) && (!point || owns_setting(row, "filter.point")))
                     out.push_back({std::string(row.key), size, point});
     }
     return out;

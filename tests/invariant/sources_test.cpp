@@ -94,7 +94,7 @@ protected:
 };
 
 TEST_P(EachSource, LightsAPlaneAndDarkensWhatIsCovered) {
-    if (!row.stands_for.empty()) return;  // it has a closed form of its own
+    if (!row.approximation.empty()) return;  // it has a closed form of its own
     const Scene half = scene(true);
     const Shot shot = draw_shot(half, settings());
     // A texel of the map by which a source that is one may miss an edge; else what single precision leaves of a place.

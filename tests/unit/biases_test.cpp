@@ -34,7 +34,10 @@ TEST(Biases, KindsAreTheRowsThatTheComparedDepthKnows) {
 }
 
 TEST(Biases, AmountsAreTheClosedForms) {
-    BiasInput b{.curve = {.perspective = false, .near = 2, .far = 10}, .texel_m = 0.05, .n_dot_l = 0.25, .rest = 1e-4};
+    BiasInput b{.curve = {.perspective = false, .near = 2, .far = 10},
+                .texel_m = 0.05,
+                .n_dot_l = 0.25,
+                .least_per_texel = 1e-4};
     Settings s;
     s.bias.constant = 2;
     s.bias.slope = 8;  // 6 at 1 - n.l = 3/4
@@ -49,7 +52,7 @@ TEST(Biases, AmountsAreTheClosedForms) {
     EXPECT_DOUBLE_EQ(amount("constant", BiasUnit::Metres), 2.0 / 8);
     EXPECT_DOUBLE_EQ(amount("receiver-plane", BiasUnit::Metres), 2.0 / 8 + 1e-4);
     b.per_texel = {0.02, -0.03};
-    b.least = 0.7;
+    b.least_common = 0.7;
     EXPECT_DOUBLE_EQ(amount("receiver-plane-derivatives", BiasUnit::Metres), 2.0 / 8 + 1e-4 + 0.05);
     EXPECT_DOUBLE_EQ(amount("adaptive", BiasUnit::Metres), 0.7);
     b.n_dot_l = -1;  // away from the light: as edge-on

@@ -90,13 +90,14 @@ TEST(SettingsTable, EachRowReachesAMemberOfItsOwn) {
                                      field);
         EXPECT_TRUE(members.insert(address).second) << p.key;
     }
-    EXPECT_EQ(members.size(),
-              rows::members<CameraSettings>() + rows::members<MapSettings>() + rows::members<CasterSettings>() +
-                  rows::members<BiasSettings>() + rows::members<FilterSettings>() + rows::members<LightSettings>() +
-                  rows::members<ShadingSettings>() + rows::members<ViewSettings>() + rows::members<ObjectSettings>() +
-                  rows::members<ReferenceSettings>() + rows::members<SceneSettings>() +
-                  rows::members<VolumeSettings>() + rows::members<ContactSettings>() + rows::members<BlobSettings>() +
-                  rows::members<LightMapSettings>() + 1 /* light.count */);
+    EXPECT_EQ(members.size(), rows::member_count<CameraSettings>() + rows::member_count<MapSettings>() +
+                                  rows::member_count<CasterSettings>() + rows::member_count<BiasSettings>() +
+                                  rows::member_count<FilterSettings>() + rows::member_count<LightSettings>() +
+                                  rows::member_count<ShadingSettings>() + rows::member_count<ViewSettings>() +
+                                  rows::member_count<ObjectSettings>() + rows::member_count<ReferenceSettings>() +
+                                  rows::member_count<SceneSettings>() + rows::member_count<VolumeSettings>() +
+                                  rows::member_count<ContactSettings>() + rows::member_count<BlobSettings>() +
+                                  rows::member_count<LightMapSettings>() + 1 /* light.count */);
 }
 
 TEST(SettingsTable, DefaultsLieInTheirRangesAndTakePartInNoRepair) {
