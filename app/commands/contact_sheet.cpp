@@ -146,7 +146,7 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
         const Session session = open_session({.scene = model.string()});
         FrameRequest request{.width = size.width, .height = size.height};
         FrameRequest rested = request;  // as the editor shows it once the view rests
-        if (session.settings.view.smooth) rested.smoothed = kSmoothedMost;
+        if (session.settings.view.smooth) rested.smoothed = kMaxSmoothedShadings;
         const FrameResult frame = renderer.render(session.scene, session.settings, rested);
         tile.picture = renderer.read_colour(frame.smooth.texture != 0 ? frame.smooth : frame.colour);
         tile.text = fmt::format("{} triangles", session.scene.triangle_count());

@@ -121,7 +121,7 @@ void run_measure(const MeasureOptions& options) {
     } else {
         print_error(classified.error, *classified.reference);
         print_time_and_cost(time, classified.cost);
-        if (classified.pages) fmt::print("{}\n", page_text(*classified.pages));
+        if (classified.pages) fmt::print("{}\n", page_facts_text(*classified.pages));
         if (fixes) print_fixes(*fixes, fixes->rows.size());
         if (health && health->sound()) fmt::print("{}\n", health_text(*health));
     }

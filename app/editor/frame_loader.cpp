@@ -225,7 +225,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
     progress_.set({}, 0, 0);
     draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
                          known = comparison ? std::optional(*comparison) : std::nullopt] {
-        const WatchPasses watch(progress_);
+        const PassProgressScope watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
         if (copies_) show_copies(shown);

@@ -44,7 +44,7 @@ public:
     /// Releases memory that only further drawing would need.
     void rest() {
         reference_.rest();
-        renderer_.give_back_memory();
+        renderer_.release_unused_memory();
     }
     FrameFacts facts() const;
 

@@ -55,7 +55,7 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
 
 void HeadlessEditor::smooth() {
     model_->smooths = true;
-    for (int i = 0; i <= kSmoothedMost; ++i) {
+    for (int i = 0; i <= kMaxSmoothedShadings; ++i) {
         frame();
         model_->finish_drawing();
     }

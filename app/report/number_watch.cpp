@@ -17,7 +17,7 @@ std::string set_options(const Settings& base, const Settings& settings) {
 NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)
     : renderer_(renderer), base_(std::move(base)), on_(on) {
     if (!on) return;
-    renderer_.watch_numbers([this](const Settings& settings, const NumericHealth& health) {
+    renderer_.set_number_watcher([this](const Settings& settings, const NumericHealth& health) {
         ++frames_;
         if (health.sound() || unsound_++ > 0) return;
         const std::string sets = set_options(base_, settings);
@@ -26,7 +26,7 @@ NumberWatch::NumberWatch(Renderer& renderer, Settings base, bool on)
 }
 
 NumberWatch::~NumberWatch() {
-    if (on_) renderer_.watch_numbers({});
+    if (on_) renderer_.set_number_watcher({});
 }
 
 void NumberWatch::require_sound() const {

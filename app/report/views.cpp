@@ -35,7 +35,7 @@ void write_depth(Renderer& renderer, const Settings& settings, const FrameResult
     FloatImage depth = renderer.read_map_view_depth(frame);
     if (frame.shown_map.channel == 0 && settings.view.map == MapView::Linear) {
         for (std::size_t i = 0; i < depth.data.size(); ++i) {
-            const double row = row_of_image(depth, int(i / std::size_t(depth.width)));
+            const double row = map_v_of_row(depth, int(i / std::size_t(depth.width)));
             depth.data[i] = float(frame.map_view_curve.at_row(row).distance(depth.data[i]));
         }
     }

@@ -36,8 +36,8 @@ struct Trial {
     std::optional<MapOfLight> map;
     std::shared_ptr<const Scene> scene;  ///< in place of the frame's; null: that one
     ComparedBy by = ComparedBy::Picture;
-    bool draws_into_maps = false;  ///< leaves out triangles
-    bool takes_map_time = false;   ///< may spare the maps' passes time
+    bool is_drawn_into_maps = false;  ///< leaves out triangles
+    bool takes_map_time = false;      ///< may spare the maps' passes time
 };
 
 std::uint64_t map_triangles(const FrameResult& frame) {
@@ -65,7 +65,7 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
             // Its contact shadows stay: they darken whatever the source.
             Trial& trial = out.emplace_back(fmt::format("pages of light {}", i), settings);
             set_setting(trial.settings, fmt::format("light.{}.source", i), "none");
-            trial.draws_into_maps = trial.takes_map_time = true;
+            trial.is_drawn_into_maps = trial.takes_map_time = true;
             continue;
         }
         for (std::size_t v = 0; v < light.views.size(); ++v) {
@@ -74,7 +74,7 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
             trial.settings.view.light = int(i);
             trial.settings.view.face = int(v);
             trial.map = MapOfLight{int(i), int(v)};
-            trial.draws_into_maps = trial.takes_map_time = true;
+            trial.is_drawn_into_maps = trial.takes_map_time = true;
         }
     }
     return out;
@@ -83,7 +83,7 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
 /// Whether some caster has a material of this kind.
 bool casts_with(const Scene& scene, const Settings& settings, AlphaMode alpha) {
     return std::ranges::any_of(scene.objects, [&](const Object& o) {
-        return material_of(scene, scene.meshes[std::size_t(o.mesh)]).alpha == alpha && casts_at_all(scene, settings, o);
+        return material_of(scene, scene.meshes[std::size_t(o.mesh)]).alpha == alpha && can_cast(scene, settings, o);
     });
 }
 
@@ -209,7 +209,7 @@ public:
         for (Trial& trial : trials) {
             if (report) report(double(waste.tried.size()) / double(trials.size()));
             try_it(trial);
-            some_map_needed_ |= trial.draws_into_maps && trial.about.changes;  // maps are tried first
+            some_map_needed_ |= trial.is_drawn_into_maps && trial.about.changes;  // maps are tried first
             if (timed && is_timed(trial)) trial.about.maps_ms = spared_ms(trial);
             waste.tried.push_back(std::move(trial.about));
         }
@@ -271,7 +271,7 @@ private:
         }
         const FrameResult frame = draw(trial, request_);
         trial.about.changes = pictures_of(frame) != (trial.by == ComparedBy::Shown ? shown_ : picture_);
-        if (trial.draws_into_maps) trial.about.triangles = triangles_ - std::min(map_triangles(frame), triangles_);
+        if (trial.is_drawn_into_maps) trial.about.triangles = triangles_ - std::min(map_triangles(frame), triangles_);
         if (trial.map) trial.about.read = share_read(trial);
     }
 
@@ -297,7 +297,7 @@ private:
     /// What is needed is needed whatever it takes, and a map that nothing is drawn into takes the same without. What is
     /// done to maps that are all waste is a part of their time, which counts once.
     bool is_timed(const Trial& trial) const {
-        const bool counts = trial.draws_into_maps ? trial.about.triangles > 0 : some_map_needed_;
+        const bool counts = trial.is_drawn_into_maps ? trial.about.triangles > 0 : some_map_needed_;
         return trial.takes_map_time && !trial.about.changes && counts;
     }
 

@@ -103,11 +103,11 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
 
 }  // namespace
 
-std::string blocks_text(bool as_images) {
+std::string blocks_glsl(bool as_images) {
     return fmt::format("#define BLOCKS_AS_IMAGES {}\n", int(as_images)) + settings_block_text(as_images);
 }
 
-shared::FrameBlock frame_block(const FrameState& f) {
+shared::FrameBlock make_frame_block(const FrameState& f) {
     shared::FrameBlock block{};
     block.clip_from_relative = glm::mat4(f.camera.clip_from_relative(f.origin));
     const glm::dmat3& axes = f.camera.axes;
@@ -145,7 +145,7 @@ shared::FrameBlock frame_block(const FrameState& f) {
     return block;
 }
 
-void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
+void replace_frame_block(const FrameState& f, const shared::FrameBlock& block) {
     TexelBuffer& frame = f.gl.blocks.frame;
     frame.put(std::as_bytes(std::span(&block, 1)));
     frame.bind_block(shared::BLOCK_FRAME);
@@ -154,7 +154,7 @@ void put_frame_block(const FrameState& f, const shared::FrameBlock& block) {
 
 void upload_blocks(const FrameState& f) {
     Blocks& blocks = f.gl.blocks;
-    put_frame_block(f, frame_block(f));
+    replace_frame_block(f, make_frame_block(f));
     blocks.settings.put(settings_block_bytes(f.settings));
     blocks.settings.bind_block(shared::BLOCK_SETTINGS);
     if (f.blocks_as_images()) blocks.settings.bind_image(shared::IMAGE_SETTINGS_BLOCK, GL_RGBA32UI);

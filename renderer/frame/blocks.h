@@ -10,14 +10,14 @@ namespace shared {
 struct FrameBlock;
 }
 /// What stands in the frame's block.
-shared::FrameBlock frame_block(const FrameState& f);
+shared::FrameBlock make_frame_block(const FrameState& f);
 /// Has shaders read another.
-void put_frame_block(const FrameState& f, const shared::FrameBlock& block);
+void replace_frame_block(const FrameState& f, const shared::FrameBlock& block);
 /// Uploads the frame's block, the settings' and places of the kernel's disks, and sets the samplers of the maps.
 void upload_blocks(const FrameState& f);
 
 /// How shaders read them, as GLSL text that stands before every shader.
 /// @param as_images by images where single numbers are read, else by uniform blocks; the bits are the same
-std::string blocks_text(bool as_images);
+std::string blocks_glsl(bool as_images);
 
 }  // namespace si

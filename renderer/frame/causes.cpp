@@ -72,12 +72,12 @@ Cause false_shadow(const CauseEvidence& e, const CauseContext& c) {
 
 }  // namespace
 
-bool is_wrong(double visibility, const TruePixel& reference) {
+bool is_wrong(double visibility, const ReferencePixel& reference) {
     return (visibility < 0.5) != (reference.visibility < 0.5) &&
            std::abs(visibility - reference.visibility) > 3 * reference.noise;
 }
 
-Cause cause_of(const CauseEvidence& e, const TruePixel& reference, const CauseContext& context) {
+Cause cause_of(const CauseEvidence& e, const ReferencePixel& reference, const CauseContext& context) {
     const float v = std::isnan(e.visibility) ? 0.f : e.visibility;  // NaN is drawn as no light
     if (is_wrong(v, reference)) {
         if (reference.hard_lit != dark(v)) return {Artefact::Penumbra};

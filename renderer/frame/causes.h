@@ -76,7 +76,7 @@ struct CauseContext {
 };
 
 /// Ray-traced reference of one pixel.
-struct TruePixel {
+struct ReferencePixel {
     double visibility = 1, noise = 0;  ///< noise: standard error of the visibility
     bool hard_lit = true;              ///< lit by the light without its size
 };
@@ -91,10 +91,10 @@ struct Cause {
 
 /// Returns true when a pixel's visibility is wrong: it and the reference are on different sides of 0.5, and differ by
 /// more than three times the reference's noise.
-bool is_wrong(double visibility, const TruePixel& reference);
+bool is_wrong(double visibility, const ReferencePixel& reference);
 
 /// Classifies a counted pixel by the cause of its error, from the results of its trials.
-Cause cause_of(const CauseEvidence& evidence, const TruePixel& reference, const CauseContext& context);
+Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, const CauseContext& context);
 
 /// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this.
 inline constexpr double kRightVisibility = 1e-3;

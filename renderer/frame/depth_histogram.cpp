@@ -13,7 +13,7 @@ bool is_drawn(float stored, const DepthCurve& curve) {
 
 }  // namespace
 
-double row_of_image(const FloatImage& depth, int y) {
+double map_v_of_row(const FloatImage& depth, int y) {
     return (depth.height - y - 0.5) / depth.height;
 }
 
@@ -48,7 +48,7 @@ DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curv
         s.stored_min = std::min(s.stored_min, lo);
         s.stored_max = std::max(s.stored_max, hi);
         // Depth grows or falls with distance, never both.
-        const DepthCurve row = curve.at_row(row_of_image(depth, y));
+        const DepthCurve row = curve.at_row(map_v_of_row(depth, y));
         const double a = row.distance(lo), b = row.distance(hi);
         s.metres_min = std::min({s.metres_min, a, b});
         s.metres_max = std::max({s.metres_max, a, b});
@@ -66,7 +66,7 @@ DepthHistogram depth_histogram(const FloatImage& depth, const DepthCurve& curve,
     for (std::size_t i = 0; i < depth.data.size(); ++i) {
         const float d = depth.data[i];
         if (!is_drawn(d, curve)) continue;
-        const double value = shown_depth(d, curve, view, row_of_image(depth, int(i / std::size_t(depth.width))));
+        const double value = shown_depth(d, curve, view, map_v_of_row(depth, int(i / std::size_t(depth.width))));
         if (value < lo) {
             ++h.below;
         } else if (value > hi) {

@@ -36,6 +36,6 @@ DepthHistogram depth_histogram(const FloatImage& depth, const DepthCurve& curve,
 double shown_depth(double stored, const DepthCurve& curve, MapView view, double row);
 
 /// Map coordinate v of a row of such an image, whose first is the map's top.
-double row_of_image(const FloatImage& depth, int y);
+double map_v_of_row(const FloatImage& depth, int y);
 
 }  // namespace si

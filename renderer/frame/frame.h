@@ -64,7 +64,7 @@ struct MapOfLight {
 };
 
 /// The most that FrameRequest::smoothed asks for.
-inline constexpr int kSmoothedMost = 8;
+inline constexpr int kMaxSmoothedShadings = 8;
 /// Name of the pass that makes it.
 inline constexpr std::string_view kSmoothingPass = "smoothing at rest";
 
@@ -152,7 +152,8 @@ struct LightMapNeed {
     bool from_disk = false;
 };
 
-/// What of a frame lies in the renderer's images, where a later frame may take its place: see Renderer::holds().
+/// What of a frame lies in the renderer's images, where a later frame may take its place: see
+/// Renderer::has_images_of().
 struct FrameContents {
     struct Part {
         Result of;

@@ -10,18 +10,18 @@ namespace si {
 
 /// In the order of savings() (renderer/optimisations/optimisations.h).
 enum class Optimisation {
-    Uncalled,   ///< passes and look-ups that the scene does not call for
-    Blockers,   ///< searches for what casts a penumbra, where none can open
-    EarlyOut,   ///< taps, where the depths about a look-up answer it
-    Facing,     ///< look-ups whose light does not reach the picture
-    Order,      ///< shading of what is hidden, by drawing what is near first and what is large last
-    InSight,    ///< objects that no pixel of the picture can show
-    Fused,      ///< visibility as a pass of its own, where nothing else reads it
-    BackFaces,  ///< of closed casters
-    Casters,    ///< of which nothing lies in a map
-    Views,      ///< maps, and casters into them, of which no look-up of the picture reads anything
-    Static,     ///< casters that did not move, where others did
-    Fragments,  ///< work on fragments of casters that have no stray ones
+    DeadPasses,           ///< passes and look-ups that the scene does not call for
+    BlockerSearch,        ///< searches for what casts a penumbra, where none can open
+    EarlyOut,             ///< taps, where the depths about a look-up answer it
+    BackFacingReceivers,  ///< look-ups whose light does not reach the picture
+    DrawOrder,            ///< shading of what is hidden, by drawing what is near first and what is large last
+    FrustumCulling,       ///< objects that no pixel of the picture can show
+    FusedVisibility,      ///< visibility as a pass of its own, where nothing else reads it
+    CasterBackFaces,      ///< of closed casters
+    CasterCulling,        ///< of which nothing lies in a map
+    UnreadViews,          ///< maps, and casters into them, of which no look-up of the picture reads anything
+    StaticCasterCache,    ///< casters that did not move, where others did
+    CasterFragments,      ///< work on fragments of casters that have no stray ones
     kCount
 };
 inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);

@@ -27,6 +27,6 @@ private:
 };
 
 /// "214 pages requested, 12 drawn, 202 cached; ..."
-std::string page_text(const PageFacts& facts);
+std::string page_facts_text(const PageFacts& facts);
 
 }  // namespace si

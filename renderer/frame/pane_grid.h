@@ -21,7 +21,7 @@ struct PaneGrid {
         glm::ivec2 pixel;  ///< of that pane
     };
     /// What lies at a pixel of the whole picture; nothing in a gap or outside.
-    std::optional<Place> at(glm::ivec2 pixel) const;
+    std::optional<Place> pane_at(glm::ivec2 pixel) const;
 };
 
 /// The grid of view.panes (a Panes value) in a picture of `width` x `height`. A pane is at least one pixel large.

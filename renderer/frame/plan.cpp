@@ -33,19 +33,19 @@ std::string_view result_name(Result result) {
             return "visibility";
         case Result::UnfilteredMap:
             return "unfiltered map";
-        case Result::SurfacesSeen:
+        case Result::VisibleSurfaces:
             return "surfaces seen";
         case Result::Reference:
             return "truth";
         case Result::Compared:
             return "compared pixels";
-        case Result::Judged:
+        case Result::Classified:
             return "judged pixels";
         case Result::Error:
             return "error";
         case Result::Evidence:
             return "evidence";
-        case Result::TruePicture:
+        case Result::ReferenceLitPicture:
             return "true picture";
         case Result::Precision:
             return "errors of single precision";
@@ -145,7 +145,7 @@ std::uint64_t Plan::key_of(const ResultRef& result) const {
     return key.value();
 }
 
-bool Plan::holds(const ResultRef& result) const {
+bool Plan::is_current(const ResultRef& result) const {
     return std::ranges::all_of(passes_, [&](const Pass& pass) {
         const bool writes = pass.unneeded.empty() && std::ranges::find(pass.writes, result) != pass.writes.end();
         return !writes || (pass.cached && *pass.cached == pass.key && !pass.lacks);

@@ -62,8 +62,8 @@ public:
     /// Of all that the passes added so far write into it, but aids.
     std::uint64_t key_of(const ResultRef& result) const;
     /// Whether images still hold what the passes added so far would write into it.
-    bool holds(const ResultRef& result) const;
-    void give_up_what_is_unused() const {
+    bool is_current(const ResultRef& result) const;
+    void run_releases() const {
         for (const auto& give_up : releases_) give_up();
     }
 

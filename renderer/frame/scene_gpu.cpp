@@ -77,7 +77,7 @@ GLenum wrap_mode(TextureWrap wrap) {
 SceneGpu::SceneGpu(const Scene& scene, bool anisotropy, std::unique_ptr<SceneGpu> before) : scene_id_(scene.id) {
     for (const Mesh& m : scene.meshes) meshes_as_uploaded_.emplace_back(scene, m);
     for (const Texture& t : scene.textures) textures_as_uploaded_.emplace_back(t);
-    find_bodies_of(scene, before.get());
+    find_watertight_meshes(scene, before.get());
     const bool same_textures = before && before->has_textures_of(scene);
     if (same_textures) textures_ = std::move(before->textures_);
     before.reset();
@@ -90,14 +90,14 @@ bool SceneGpu::has_textures_of(const Scene& scene) const {
                               [](const TextureIdentity& before, const Texture& now) { return before.is(now); });
 }
 
-bool SceneGpu::goes_on_with(const Scene& scene) {
+bool SceneGpu::adopt_if_compatible(const Scene& scene) {
     const auto same_mesh = [&](const MeshIdentity& before, const Mesh& now) { return before.is(scene, now); };
     if (!std::ranges::equal(meshes_as_uploaded_, scene.meshes, same_mesh) || !has_textures_of(scene)) return false;
     scene_id_ = scene.id;
     return true;
 }
 
-void SceneGpu::find_bodies_of(const Scene& scene, SceneGpu* before) {
+void SceneGpu::find_watertight_meshes(const Scene& scene, SceneGpu* before) {
     bodies_.assign(scene.meshes.size(), {});
     for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
         const Mesh& m = scene.meshes[i];
@@ -267,7 +267,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
     }
 }
 
-void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
+void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
     Key key;
     const bool blend_casts = settings.caster.blend == BlendCasters::Mask;
     key.add(scene.id).add(settings.shading.textures).add(blend_casts);
@@ -354,7 +354,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
     }
 }
 
-void SceneGpu::arrange_seen(std::span<const std::uint32_t> instances) {
+void SceneGpu::set_camera_instances(std::span<const std::uint32_t> instances) {
     Key key = arrangement_;
     key.add(instances.size());
     for (const std::uint32_t i : instances) key.add(i);
@@ -377,7 +377,7 @@ void SceneGpu::arrange_seen(std::span<const std::uint32_t> instances) {
     }
 }
 
-void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn) {
+void SceneGpu::bind_vertices(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn) {
     Slot& slot = slots_[std::size_t(drawn)];
     const bool seen = drawn == Drawn::Seen;
     const std::vector<std::uint32_t>& order = seen ? seen_order_ : order_;
@@ -412,7 +412,7 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
     glVertexArrayVertexBuffer(vao_.id(), 3, slot.buffer.id(), 0, sizeof(InstanceData));
 }
 
-void SceneGpu::lend_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
+void SceneGpu::bind_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
     for (GLuint row = 0; row < 3; ++row) {
         glEnableVertexArrayAttrib(vao, 4 + row);
         glVertexArrayAttribFormat(vao, 4 + row, 4, GL_FLOAT, GL_FALSE, row * 16);
@@ -422,7 +422,7 @@ void SceneGpu::lend_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
     glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(drawn)].buffer.id(), 0, sizeof(InstanceData));
 }
 
-void SceneGpu::draw(const Batch& b) const {
+void SceneGpu::draw_batch(const Batch& b) const {
     glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT,
                                                   reinterpret_cast<const void*>(b.first_index * 4), b.instances,
                                                   b.base_vertex, b.first_instance);

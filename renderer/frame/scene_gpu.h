@@ -43,14 +43,14 @@ public:
     std::uint64_t scene_id() const { return scene_id_; }
     /// Takes this for the scene from now on, where all that was handed to the driver is as it was: nodes and objects
     /// alone have changed. False: it needs another.
-    bool goes_on_with(const Scene& scene);
+    bool adopt_if_compatible(const Scene& scene);
 
     /// Sorts the objects into batches under the object settings, large meshes after small ones; cheap when nothing
     /// changed.
-    void arrange(const Scene& scene, const Settings& settings);
+    void update_batches(const Scene& scene, const Settings& settings);
     const std::vector<Batch>& batches() const { return batches_; }
     /// Has the camera draw some of the arranged instances, in another order. @param instances their numbers
-    void arrange_seen(std::span<const std::uint32_t> instances);
+    void set_camera_instances(std::span<const std::uint32_t> instances);
     const std::vector<Batch>& seen_batches() const { return seen_batches_; }
     /// Whether vertices bring colours (define VERTEX_COLOURS); else each object has one.
     bool coloured() const { return bool(colours_); }
@@ -61,14 +61,14 @@ public:
     /// lights and shadow volumes have all that are arranged, each from an origin of its own.
     enum class Drawn { Seen, Casters, Volumes };
     /// Binds the vertex array with instance transforms relative to `origin`.
-    void bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn);
-    void draw(const Batch& batch) const;
+    void bind_vertices(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn);
+    void draw_batch(const Batch& batch) const;
     /// The number in Scene::objects of each arranged instance.
     const std::vector<std::uint32_t>& instance_objects() const { return order_; }
     /// Of each arranged instance the number of its batch.
     const std::vector<std::uint32_t>& instance_batches() const { return batch_of_; }
-    /// Has another vertex array read transforms as bind() laid them out last: rows at locations 4 to 6.
-    void lend_transforms(GLuint vao, GLuint binding, Drawn drawn) const;
+    /// Has another vertex array read transforms as bind_vertices() laid them out last: rows at locations 4 to 6.
+    void bind_transforms(GLuint vao, GLuint binding, Drawn drawn) const;
 
 private:
     std::uint64_t scene_id_ = 0;
@@ -106,7 +106,7 @@ private:
     std::array<Slot, 3> slots_;  // by Drawn
 
     bool has_textures_of(const Scene& scene) const;
-    void find_bodies_of(const Scene& scene, SceneGpu* before);
+    void find_watertight_meshes(const Scene& scene, SceneGpu* before);
     void upload_geometry(const Scene& scene);
     void upload_normal_map_attributes(const Scene& scene, std::size_t vertex_count);
     void upload_textures(const Scene& scene, bool anisotropy);

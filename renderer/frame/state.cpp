@@ -32,7 +32,7 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     return gl.programs.get(wanted);
 }
 
-void FrameState::bind(std::span<const ResultRef> results) const {
+void FrameState::bind_results(std::span<const ResultRef> results) const {
     for (const ResultRef& r : results)
         for (const PlacedImage& image : plan.images(r)) {
             if (image.unit < 0 || !image.target->texture) continue;
@@ -57,16 +57,16 @@ GLenum FrameState::map_format() const {
     return map_internal_format(settings.map.format);
 }
 
-bool FrameState::shades_by(std::size_t light) const {
-    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Optimisation::Uncalled);
+bool FrameState::may_light_picture(std::size_t light) const {
+    return !shades_nothing(gl.fitted[light], settings) || request.forced.contains(Optimisation::DeadPasses);
 }
 
-bool FrameState::takes_for_lit(std::size_t light) const {
+bool FrameState::shades_as_lit(std::size_t light) const {
     return !separate_visibility && never_shadows(gl.fitted[light], settings) &&
-           !request.forced.contains(Optimisation::Uncalled);
+           !request.forced.contains(Optimisation::DeadPasses);
 }
 
-bool FrameState::draws_unfiltered() const {
+bool FrameState::needs_unfiltered_map() const {
     return offsets_polygons(settings) || mask_levels;
 }
 
@@ -141,7 +141,7 @@ void FrameState::bind_textures(const Batch& batch) const {
 
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
-    gl.scene->bind(scene, settings, origin, SceneGpu::Drawn::Seen);
+    gl.scene->bind_vertices(scene, settings, origin, SceneGpu::Drawn::Seen);
     const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->seen_batches()) {
         if (batch.blend) continue;
@@ -155,7 +155,7 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
             batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
         if (!previous) glCullFace(GL_BACK);
-        gl.scene->draw(batch);
+        gl.scene->draw_batch(batch);
         ++info.draws;
         info.triangles += batch.triangles();
         previous = &batch;
@@ -166,16 +166,16 @@ bool FrameState::blurs_depths() const {
     return settings.map.blur_texels > 0 && view_count > 0;
 }
 
-bool FrameState::has_contacts(std::size_t light) const {
+bool FrameState::has_contact_shadows(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
 
-ResultRef FrameState::picture_of(const ShownPane& pane) const {
+ResultRef FrameState::pane_picture_result(const ShownPane& pane) const {
     if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
     return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
 }
 
-ResultRef FrameState::values_of(const ShownPane& pane) const {
+ResultRef FrameState::pane_values_result(const ShownPane& pane) const {
     return ResultRef{Result::Overlay, pane.slot};
 }
 
@@ -189,7 +189,7 @@ int FrameState::shown_mip() const {
     return std::min(asked_mip(settings), gl::mip_levels(map_resolution) - 1);
 }
 
-bool FrameState::fits_greys() const {
+bool FrameState::fits_grey_range() const {
     return settings.view.map_fit && settings.view.map != MapView::Bands && shown_curve();
 }
 

@@ -87,12 +87,12 @@ struct FrameState {
     int map_resolution = 0;
     /// As gl::Target counts layers: 0 for a single view.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;                    ///< as OpenGL names it
-    bool blurs_depths() const;                    ///< map.blur_texels has maps to blur
-    bool has_contacts(std::size_t light) const;   ///< contact shadows darken the light
-    bool shades_by(std::size_t light) const;      ///< the light may change the picture: else shading leaves it out
-    bool takes_for_lit(std::size_t light) const;  ///< shading looks nothing up of it: see never_shadows()
-    bool paged = false;                           ///< the maps are drawn by pages: there are some, and map.virtual acts
+    GLenum map_format() const;                          ///< as OpenGL names it
+    bool blurs_depths() const;                          ///< map.blur_texels has maps to blur
+    bool has_contact_shadows(std::size_t light) const;  ///< contact shadows darken the light
+    bool may_light_picture(std::size_t light) const;  ///< the light may change the picture: else shading leaves it out
+    bool shades_as_lit(std::size_t light) const;      ///< shading looks nothing up of it: see never_shadows()
+    bool paged = false;  ///< the maps are drawn by pages: there are some, and map.virtual acts
     bool separate_visibility = false;
     glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
     std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
@@ -130,8 +130,10 @@ struct FrameState {
     /// An image of a result; one without a texture where nothing of the frame makes it.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
     /// Binds results to the texture units that they were placed at. Done before each pass for what it reads.
-    void bind(std::span<const ResultRef> results) const;
-    void bind(std::initializer_list<ResultRef> results) const { bind(std::span(results.begin(), results.size())); }
+    void bind_results(std::span<const ResultRef> results) const;
+    void bind_results(std::initializer_list<ResultRef> results) const {
+        bind_results(std::span(results.begin(), results.size()));
+    }
 
     /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
     const LightView* shown_view(int* layer = nullptr) const;
@@ -140,7 +142,7 @@ struct FrameState {
     /// The mip level of the moment that the map viewer shows.
     int shown_mip() const;
     /// Whether the map viewer's greys follow what is drawn (view.map_fit).
-    bool fits_greys() const;
+    bool fits_grey_range() const;
     /// Of the surfaces that the camera sees, in the size of the picture.
     Key surfaces_key() const;
     /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
@@ -150,12 +152,12 @@ struct FrameState {
     /// The same for the light shown.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
     /// The results that are a pane's finished picture and its overlay's values.
-    ResultRef picture_of(const ShownPane& pane) const;
-    ResultRef values_of(const ShownPane& pane) const;
+    ResultRef pane_picture_result(const ShownPane& pane) const;
+    ResultRef pane_values_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
     bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
     /// Whether the unfiltered map is not the map as drawn, but one of its own.
-    bool draws_unfiltered() const;
+    bool needs_unfiltered_map() const;
     bool surface_flags = false;  ///< some object or material needs the per-object flags
 
     /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name

@@ -239,9 +239,9 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
     effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
     const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
-    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
+    if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::FusedVisibility)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
-        effect.saving = Optimisation::Fused;
+        effect.saving = Optimisation::FusedVisibility;
     const bool waits_for_maps = pass.reason == kBoundsWaitForMaps;
     if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
         effect.saving = Optimisation::EarlyOut;
@@ -260,19 +260,19 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
 void add_static(const EffectFacts& f, int animation, Effects& out) {
     for (const PassInfo& pass : f.frame.passes)
         for (const PartInfo& part : pass.parts)
-            if (part.by == Optimisation::Static) return;
+            if (part.by == Optimisation::StaticCasterCache) return;
     const auto has_map = [](const FittedLight& light) { return light.casts; };
     std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
         why = "nothing moves here: maps are kept as they are, or drawn whole";
-    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::Static});
+    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::StaticCasterCache});
 }
 
 void count_casters(EffectFacts& f) {
     for (const Object& object : f.scene.objects) {
-        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        if (!can_cast(f.scene, f.settings, object)) continue;
         const int material = f.scene.meshes[std::size_t(object.mesh)].material;
         ++f.casters;
         f.masked_casters += material >= 0 && f.scene.materials[std::size_t(material)].alpha != AlphaMode::Opaque;

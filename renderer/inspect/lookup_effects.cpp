@@ -27,7 +27,7 @@ Search search_of(const Filter& row) {
     return owns(row, "filter.blocker_taps") ? Search::Places : Search::Taps;
 }
 
-/// Whether Saving::Blockers spares look-ups of a light anything.
+/// Whether Optimisation::BlockerSearch spares look-ups of a light anything.
 bool spares_search(const EffectFacts& f, const FittedLight& light) {
     const Search search = search_of(f.filter());
     return light.size <= 0 && (search == Search::Places || search == Search::Rays);
@@ -44,7 +44,7 @@ std::string no_size_text(std::span<const std::size_t> lights) {
 std::string search_text(const EffectFacts& f, const std::string& no_size) {
     const std::string kernel = f.kernel();
     const Search search = search_of(f.filter());
-    const bool forced = f.forced.contains(Optimisation::Blockers);
+    const bool forced = f.forced.contains(Optimisation::BlockerSearch);
     if (search == Search::None)
         return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
                            kernel);
@@ -87,7 +87,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
         opens && !sizeless.empty() ? ". " + no_size_text(sizeless) + ": no penumbra opens there" : "";
     const Search search = search_of(f.filter());
     const bool all_the_same =
-        search == Search::Rays || (search == Search::Places && f.forced.contains(Optimisation::Blockers));
+        search == Search::Rays || (search == Search::Places && f.forced.contains(Optimisation::BlockerSearch));
     add("blocker search", search != Search::None && (opens || all_the_same),
         search_text(f, no_size) + (search == Search::None ? "" : but));
     if (!f.filter().reads_light_size)
@@ -100,7 +100,7 @@ void search_parts(const EffectFacts& f, const PassInfo& pass, std::span<const st
 /// Why no texel of a light's maps is read, as what draws them found out; empty: some may be.
 std::string why_unread(const EffectFacts& f, const PassInfo& pass, std::size_t light) {
     // Forced, look-ups that cannot matter are made, and foreseen by nothing that leaves maps undrawn.
-    if (pass.state == PassState::Skipped || f.forced.contains(Optimisation::Facing)) return {};
+    if (pass.state == PassState::Skipped || f.forced.contains(Optimisation::BackFacingReceivers)) return {};
     std::string why;
     if (f.frame.pages && f.frame.pages->wanted == 0) why = "no pixel asks for a page";
     for (const PassInfo& map : f.frame.passes)
@@ -115,7 +115,7 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
         return fmt::format("kernel {} fetches {} texels at each place of each mip level that it reads", f.kernel(),
                            texels);
     if (search_of(f.filter()) == Search::Places && spares_search(f, light) &&
-        !f.forced.contains(Optimisation::Blockers))
+        !f.forced.contains(Optimisation::BlockerSearch))
         texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
     return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
 }
@@ -124,8 +124,8 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
 /// forced.
 Effect lit_everywhere(const EffectFacts& f, const PassInfo& pass, std::string name, std::string reason, bool separate) {
     if (!separate) return part_of(pass, std::move(name), false, reason);
-    const bool forced = f.forced.contains(Optimisation::Uncalled);
-    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Optimisation::Uncalled);
+    const bool forced = f.forced.contains(Optimisation::DeadPasses);
+    return part_of(pass, std::move(name), forced, forced ? "forced: " + reason : reason, Optimisation::DeadPasses);
 }
 
 /// Work that a saving spares within a pass which is done anyway.
@@ -145,12 +145,13 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         from_maps |= light.casts;
         const std::string name = fmt::format("look-ups of light {}", i);
         const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
-        const bool forced = f.forced.contains(Optimisation::Uncalled);
+        const bool forced = f.forced.contains(Optimisation::DeadPasses);
         if (!separate && light.shadowed && shades_nothing(light, f.settings)) {
-            out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Optimisation::Uncalled));
+            out.push_back(
+                part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Optimisation::DeadPasses));
             if (forced && light.casts) looked_up.push_back(i);
         } else if (!separate && !forced && never_shadows(light, f.settings)) {
-            out.push_back(part_of(pass, name, false, light.empty, Optimisation::Uncalled));
+            out.push_back(part_of(pass, name, false, light.empty, Optimisation::DeadPasses));
         } else if (!light.shadowed) {
             out.push_back(lit_everywhere(f, pass, name, light.reason + ": it is lit wherever it shines", separate));
         } else if (source.file.empty() && !source.needs.reference) {
@@ -165,7 +166,7 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
     }
     search_parts(f, pass, looked_up, out);
     if (!from_maps) return;
-    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Optimisation::Facing,
+    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Optimisation::BackFacingReceivers,
                               "what is turned away from a light, beyond its range or outside of its cone is dark, "
                               "whatever its map holds"));
     const char* spared = search_of(f.filter()) == Search::Rays
@@ -174,7 +175,7 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
     for (const std::size_t i : looked_up)
         if (spares_search(f, f.frame.lights[i]))
             out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i),
-                                      Optimisation::Blockers,
+                                      Optimisation::BlockerSearch,
                                       fmt::format("{} is 0: {}", light_key(i, "size"), spared)));
 }
 
@@ -230,7 +231,7 @@ void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) 
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
-        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::Order,
+        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::DrawOrder,
                                   "what is near is drawn before what it hides, large meshes after small ones that they "
                                   "touch: the depth test drops most of what would be shaded and hidden again"));
     look_parts(f, pass, out);

@@ -64,7 +64,10 @@ std::vector<SavedTime> saved_in_turns(std::span<const Optimisation> savings, int
 }
 
 KeptFrames::KeptFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving)
-    : scene_(scene), placement_(scene.placement), request_(request), time_goes_on_(saving == Optimisation::Static) {
+    : scene_(scene),
+      placement_(scene.placement),
+      request_(request),
+      time_goes_on_(saving == Optimisation::StaticCasterCache) {
     request_.force = false;
     const double aspect = double(request.width) / request.height;
     moments_ =
@@ -104,11 +107,11 @@ SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings&
     };
     std::vector<Optimisation> again, kept;
     for (const Optimisation saving : savings)
-        if (saving == Optimisation::Static || saving == Optimisation::EarlyOut)
+        if (saving == Optimisation::StaticCasterCache || saving == Optimisation::EarlyOut)
             kept.push_back(saving);
         else
             again.push_back(saving);
-    if (!is_animated(scene, settings.scene.animation)) std::erase(kept, Optimisation::Static);
+    if (!is_animated(scene, settings.scene.animation)) std::erase(kept, Optimisation::StaticCasterCache);
     const double parts = double(again.size() + kept.size());
     const auto report_part = [&](double from, double count, double share) {
         if (report) report(parts > 0 ? (from + count * share) / parts : share);

@@ -1,7 +1,7 @@
 // What savings are worth in milliseconds: frames that make them and frames that do the work after all, in turns.
 //
-//     SavedTimes saved = measure_saved(renderer, scene, settings, request, {Saving::Uncalled});
-//     saved.of(Saving::Uncalled)->median                // ms; its interval: median_low ... median_high
+//     SavedTimes saved = measure_saved(renderer, scene, settings, request, {Optimisation::DeadPasses});
+//     saved.of(Optimisation::DeadPasses)->median                // ms; its interval: median_low ... median_high
 #pragma once
 
 #include <functional>

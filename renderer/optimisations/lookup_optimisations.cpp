@@ -85,7 +85,7 @@ std::string why_no_bounds(const FrameState& f) {
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "how far the kernel reaches differs over a warped map";
     // Finding them takes a fifth to a third of a frame in which PCSS or 64 taps look up a map of 2048 texels a side.
-    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kBoundsWaitForMaps);
+    if (f.request.force || !f.plan.is_current(Result::ShadowMaps)) return std::string(kBoundsWaitForMaps);
     return {};
 }
 
@@ -95,8 +95,8 @@ std::vector<gl::Define> lookup_optimisation_defines(const FrameState& f) {
             {"DEPTHS_MARGIN", fmt::format("{:.9f}", depths_margin(f))},
             {"BOUNDS_BLOCK", std::to_string(kBoundsBlock)},
             {"BOUNDS_CELL", std::to_string(kBoundsCell)},
-            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::Blockers)},
-            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::Facing)}};
+            {"SKIPS_SEARCH", saved_or_not(f, Optimisation::BlockerSearch)},
+            {"SKIPS_UNLIT", saved_or_not(f, Optimisation::BackFacingReceivers)}};
 }
 
 void choose_taps(FrameState& f, bool asks_bounds) {

@@ -13,8 +13,8 @@ namespace si {
 inline constexpr std::string_view kBoundsWaitForMaps =
     "the maps are drawn anew: finding bounds would take longer than it spares";
 
-/// Why look-ups of the frame do not first ask for the map's bounds about them (Saving::EarlyOut), in words; empty: they
-/// do. Known once the passes that draw the maps are planned.
+/// Why look-ups of the frame do not first ask for the map's bounds about them (Optimisation::EarlyOut), in words;
+/// empty: they do. Known once the passes that draw the maps are planned.
 std::string why_no_bounds(const FrameState& f);
 
 /// Which of them the frame's look-ups make.

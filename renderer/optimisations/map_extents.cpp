@@ -25,7 +25,7 @@ const SeenBodies& bodies_seen(FrameState& f, SeenFromCamera& known) {
 }  // namespace
 
 bool reads_whole_maps(const FrameState& f) {
-    if (f.request.forced.contains(Optimisation::Views)) return true;
+    if (f.request.forced.contains(Optimisation::UnreadViews)) return true;
     Outputs more = f.request.outputs;
     more.colour = more.visibility = more.surface_ids = more.overlay = false;
     if (!(more == Outputs{.colour = false}) || f.slabs_shown) return true;
@@ -44,7 +44,7 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
     if (left_out == 0) return std::nullopt;
     PartInfo part{.name = std::move(name), .unit = "texels"};
     part.left_out = left_out;
-    part.by = Optimisation::Views;
+    part.by = Optimisation::UnreadViews;
     part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
                               100.0 * double(left_out) / double(each * f.layers_held.size()));
     return part;
@@ -53,7 +53,7 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
 NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps) {
     const FittedLight& fitted = f.gl.fitted[light];
     if (reads_whole_maps(f)) return {std::vector<MapCells>(fitted.views.size(), MapCells::whole()), {}};
-    if (f.takes_for_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
+    if (f.shades_as_lit(light)) return {std::vector<MapCells>(fitted.views.size()), fitted.empty};
     const Settings& s = f.settings;
     const LookupArea area{.resolution = f.map_resolution,
                           .reach_texels = reach_under(s, fitted, f.map_resolution).read + s.map.blur_texels,

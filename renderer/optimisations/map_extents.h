@@ -28,7 +28,7 @@ bool reads_whole_maps(const FrameState& f);
 /// maps' passes are planned.
 std::optional<PartInfo> unread_texels(const FrameState& f, std::string name);
 
-/// What of a casting light's maps the frame reads (Saving::Views). Kept until camera, scene or maps change.
+/// What of a casting light's maps the frame reads (Optimisation::UnreadViews). Kept until camera, scene or maps change.
 /// @param maps key of what is drawn into them
 NeededMaps needed_maps_of(FrameState& f, std::size_t light, std::uint64_t maps);
 

@@ -34,10 +34,10 @@ void SeenObjects::learn_boxes(const FrameState& f) {
 void SeenObjects::arrange(const FrameState& f) {
     SceneGpu& gpu = *f.gl.scene;
     learn_boxes(f);
-    const bool all = f.request.forced.contains(Optimisation::InSight);
+    const bool all = f.request.forced.contains(Optimisation::FrustumCulling);
     // Depths that crowd at the far plane would put into one place what lies far apart.
     const bool sorts =
-        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::Order);
+        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::DrawOrder);
     const std::uint64_t key = Key(gpu.key()).add(f.camera_key.value()).add(all).add(sorts).value();
     if (of_seen_ == key) return;
     of_seen_ = key;
@@ -57,13 +57,13 @@ void SeenObjects::arrange(const FrameState& f) {
         drawn[i].far_m = std::isfinite(far_m) ? far_m : std::numeric_limits<double>::max();
     }
     if (sorts) {
-        gpu.arrange_seen(nearest_first(drawn, *touching_));
+        gpu.set_camera_instances(nearest_first(drawn, *touching_));
         return;
     }
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < drawn.size(); ++i)
         if (drawn[i].seen) order.push_back(i);
-    gpu.arrange_seen(order);
+    gpu.set_camera_instances(order);
 }
 
 }  // namespace si

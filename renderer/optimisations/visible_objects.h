@@ -1,5 +1,5 @@
-// What the camera draws of the scene, and in what order (Saving::InSight, Saving::Order). Kept until camera or objects
-// change.
+// What the camera draws of the scene, and in what order (Optimisation::FrustumCulling, Optimisation::DrawOrder). Kept
+// until camera or objects change.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ struct FrameState;
 
 class SeenObjects {
 public:
-    /// Arranges what the frame's camera draws: see SceneGpu::arrange_seen().
+    /// Arranges what the frame's camera draws: see SceneGpu::set_camera_instances().
     void arrange(const FrameState& f);
     /// Objects that no pixel of the frame can show, and that are not drawn.
     std::size_t left_out() const { return left_out_; }

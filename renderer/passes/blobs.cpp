@@ -23,7 +23,7 @@ std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     std::vector<glm::vec4> out;
     const double widest = kWidest * f.scene.bounds.radius();
     for (const Object& object : f.scene.objects) {
-        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        if (!can_cast(f.scene, f.settings, object)) continue;
         const Bounds& local = f.scene.meshes[std::size_t(object.mesh)].bounds;
         const glm::dvec3 middle(object.world * glm::dvec4(local.centre(), 1));
         const glm::dvec3 axis =
@@ -98,7 +98,7 @@ void BlobPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "blobs";
     pass.category = PassCategory::Maps;
-    pass.reads = {Result::SurfacesSeen};
+    pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::Blobs};
     pass.idle_reason = "nothing reads visibility";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);

@@ -33,7 +33,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
     const Mesh& mesh = f.scene.meshes[number];
     std::uint64_t* known = &deformed[number];
     if (!mesh.deformer) {
-        RigidContent& rigid = f.gl.caster_findings->rigid_content.of(f.scene, number);
+        RigidMeshKeys& rigid = f.gl.caster_findings->rigid_content.of(f.scene, number);
         known = masked ? &rigid.masked : &rigid.opaque;
     }
     if (*known == 0) *known = content_of(mesh, masked);
@@ -43,7 +43,7 @@ std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool mask
 }  // namespace
 
 const CasterContent& caster_content(const FrameState& f) {
-    KnownContent& known = f.gl.caster_findings->content;
+    CasterContentCache& known = f.gl.caster_findings->content;
     CasterContent& casters = known.casters;
     const std::uint64_t key =
         Key().add(f.geometry_key).add(f.settings.caster.blend).add(f.settings.shading.textures).value();
@@ -56,7 +56,7 @@ const CasterContent& caster_content(const FrameState& f) {
     const auto& order = f.gl.scene->instance_objects();
     casters.of.assign(order.size(), 0);
     for (const Batch& batch : f.gl.scene->batches()) {
-        if (!draws_into_maps(f, batch)) continue;
+        if (!is_drawn_into_maps(f, batch)) continue;
         const bool masked = batch.masked || batch.blend;
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
             const Object& object = scene.objects[order[i]];

@@ -17,11 +17,11 @@ struct CasterContent {
 };
 
 /// Of a rigid mesh; 0: not found yet.
-struct RigidContent {
+struct RigidMeshKeys {
     std::uint64_t opaque = 0, masked = 0;
 };
 
-struct KnownContent {
+struct CasterContentCache {
     struct OfTexture {
         TextureIdentity texture;
         std::uint64_t content = 0;  ///< 0: not found yet

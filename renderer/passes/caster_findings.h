@@ -12,9 +12,9 @@ namespace si {
 /// Sides of meshes and keys of their content, each found when first needed. One object a renderer
 /// (Resources::caster_findings).
 struct CasterFindings {
-    OfMeshes<std::optional<SidesOfMesh>> sides;
-    OfMeshes<RigidContent> rigid_content;
-    KnownContent content;
+    OfMeshes<std::optional<MeshSides>> sides;
+    OfMeshes<RigidMeshKeys> rigid_content;
+    CasterContentCache content;
 };
 
 }  // namespace si

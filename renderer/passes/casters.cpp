@@ -68,7 +68,7 @@ constexpr double kBeforeShare = 1e-3;
 /// Around what a caster covers.
 constexpr double kCasterRoomTexels = 2;
 
-SidesOfMesh sides_of(const Mesh& mesh) {
+MeshSides sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, MeshSide> sides;
     double least_height = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i + 2 < mesh.indices.size() && sides.size() <= kMostSides; i += 3) {
@@ -81,14 +81,14 @@ SidesOfMesh sides_of(const Mesh& mesh) {
         const glm::ivec3 steps(glm::round(n / length * 1e5));
         sides.try_emplace({steps.x, steps.y, steps.z}, MeshSide{n / length, a});
     }
-    SidesOfMesh out;
+    MeshSides out;
     if (sides.size() > kMostSides) return out;
     out.least_height = least_height;
     for (const auto& [steps, side] : sides) out.sides.push_back(side);
     return out;
 }
 
-const SidesOfMesh& sides_of(FrameState& f, std::size_t mesh) {
+const MeshSides& sides_of(FrameState& f, std::size_t mesh) {
     auto& sides = f.gl.caster_findings->sides.of(f.scene, mesh);
     if (!sides) sides = sides_of(f.scene.meshes[mesh]);
     return *sides;
@@ -146,7 +146,8 @@ private:
 /// Draws the casters of one view, batch by batch.
 class CasterDrawer {
 public:
-    CasterDrawer(FrameState& f, const CasterView& view, const SeenOf& seen, CasterPrograms& programs, PassInfo& info)
+    CasterDrawer(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, CasterPrograms& programs,
+                 PassInfo& info)
         : f_(f),
           view_(view),
           which_(view.which),
@@ -156,9 +157,9 @@ public:
           sight_(view.clip_from_relative, view.origin, view.curve.convention, view.clamps_near, view.resolution),
           rays_from_(ray_source(view.clip_from_relative)),
           offset_(!view.unfiltered && offsets_polygons(f.settings)),
-          skips_(!seen && !f.request.forced.contains(Optimisation::Casters)),
+          skips_(!seen && !f.request.forced.contains(Optimisation::CasterCulling)),
           bares_(programs.drops() && !is_colour(f.settings.map.format) && !view.curve.perspective && !view.curve.warp &&
-                 !f.request.forced.contains(Optimisation::Fragments)),
+                 !f.request.forced.contains(Optimisation::CasterFragments)),
           uvd_from_relative_(uvd_from_clip(view.curve.convention) * view.clip_from_relative) {}
 
     void draw(const Batch& batch) {
@@ -180,7 +181,7 @@ private:
     FrameState& f_;
     const CasterView& view_;
     const CasterChoice& which_;
-    const SeenOf& seen_;
+    const InstancePartsQuery& seen_;
     CasterPrograms& programs_;
     PassInfo& info_;
     BoxSight sight_;
@@ -200,25 +201,27 @@ private:
             ++spared.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? needed_part_of(instance) : Seen::Whole;
-        if (what == Seen::Parts && parts_.empty()) {
+        const InstanceParts what = seen_           ? seen_(instance, parts_)
+                                   : which_.called ? needed_part_of(instance)
+                                                   : InstanceParts::Whole;
+        if (what == InstanceParts::Parts && parts_.empty()) {
             ++spared.unread;
             return finish(run);
         }
-        if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
+        if (which_.covered && what != InstanceParts::Nothing) note_covered(box_of(instance));
         const bool fronts_alone =
-            closed && what != Seen::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
-        const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
+            closed && what != InstanceParts::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
+        const bool bare = bares_ && !batch.masked && what != InstanceParts::Nothing && leaves_no_strays(instance);
         spared.closed += fronts_alone;
         spared.bare += bare;
-        if (what != Seen::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
+        if (what != InstanceParts::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
         run.fronts_alone = fronts_alone;
         run.bare = bare;
-        if (what == Seen::Whole) {
+        if (what == InstanceParts::Whole) {
             if (run.batch.instances++ == 0) run.batch.first_instance = instance;
             return;
         }
-        for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
+        for (const IndexRange& range : what == InstanceParts::Parts ? parts_ : std::vector<IndexRange>{}) {
             Run part{batch, fronts_alone, bare};
             part.batch.first_instance = instance;
             part.batch.instances = 1;
@@ -229,16 +232,17 @@ private:
     }
 
     /// Of an instance of which something is called for. Large meshes are drawn in runs.
-    Seen needed_part_of(GLuint instance) {
+    InstanceParts needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
-        if (runs.empty()) return Seen::Whole;
+        if (runs.empty()) return InstanceParts::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
         for (std::size_t k = 0; k < runs.size(); ++k)
             if (covers_needed({runs[k], object.world}))
-                add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
-        return Seen::Parts;
+                append_index_range(parts_,
+                                   {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+        return InstanceParts::Parts;
     }
 
     /// What it may cover; nothing: any texel.
@@ -287,7 +291,7 @@ private:
     bool leaves_no_strays(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
-        const SidesOfMesh& mesh = sides_of(f_, std::size_t(object.mesh));
+        const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
         if (mesh.sides.empty() || mesh.sides.size() > kMostFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
@@ -316,7 +320,7 @@ private:
         programs_.use(run.batch, run.bare);
         set_cull(run.fronts_alone ? Cull::Back : cull_of(f_, run.batch), run.batch.mirrored);
         draw_now(run.batch);
-        if (run.fronts_alone && f_.request.forced.contains(Optimisation::BackFaces)) draw_backs(run.batch);
+        if (run.fronts_alone && f_.request.forced.contains(Optimisation::CasterBackFaces)) draw_backs(run.batch);
         run.batch.instances = 0;
     }
 
@@ -332,7 +336,7 @@ private:
     }
 
     void draw_now(const Batch& batch) {
-        f_.gl.scene->draw(batch);
+        f_.gl.scene->draw_batch(batch);
         ++info_.draws;
         info_.triangles += batch.triangles();
     }
@@ -340,14 +344,14 @@ private:
 
 }  // namespace
 
-void add_part(std::vector<IndexRange>& parts, IndexRange next) {
+void append_index_range(std::vector<IndexRange>& parts, IndexRange next) {
     if (!parts.empty() && parts.back().first + std::size_t(parts.back().count) == next.first)
         parts.back().count += next.count;
     else
         parts.push_back(next);
 }
 
-bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object) {
+bool can_cast(const Scene& scene, const Settings& settings, const Object& object) {
     if (object.ground) return false;
     const int material = scene.meshes[std::size_t(object.mesh)].material;
     const bool blended = material >= 0 && scene.materials[std::size_t(material)].alpha == AlphaMode::Blend;
@@ -356,7 +360,7 @@ bool casts_at_all(const Scene& scene, const Settings& settings, const Object& ob
     return own == settings.objects.end() || own->second.cast;
 }
 
-bool draws_into_maps(const FrameState& f, const Batch& batch) {
+bool is_drawn_into_maps(const FrameState& f, const Batch& batch) {
     return batch.cast && (!batch.blend || f.settings.caster.blend == BlendCasters::Mask);
 }
 
@@ -370,7 +374,7 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
     }
 }
 
-SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info) {
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info) {
     const DepthConvention& convention = view.curve.convention;
     glClipControl(GL_LOWER_LEFT, convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
@@ -382,13 +386,13 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf&
     else
         set_raster_bias(f, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
-    f.gl.scene->bind(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
+    f.gl.scene->bind_vertices(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
     // Beyond the range lies what a near plane flattens, and what is moved there.
     const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
     CasterPrograms programs(f, view, strays);
     CasterDrawer drawer(f, view, seen, programs, info);
     for (const Batch& drawn : f.gl.scene->batches()) {
-        if (!draws_into_maps(f, drawn)) continue;
+        if (!is_drawn_into_maps(f, drawn)) continue;
         Batch batch = drawn;
         batch.masked |= batch.blend;
         drawer.draw(batch);

@@ -38,23 +38,23 @@ struct MeshSide {
     glm::dvec3 normal, corner;
 };
 /// Of a mesh, found when first asked for.
-struct SidesOfMesh {
+struct MeshSides {
     std::vector<MeshSide> sides;  ///< none: there are very many, all of them small
     double least_height = 0;      ///< of its triangles that have an area
 };
 
 /// Adds what follows in the mesh, to the last part where that ends there.
-void add_part(std::vector<IndexRange>& parts, IndexRange next);
+void append_index_range(std::vector<IndexRange>& parts, IndexRange next);
 
-enum class Seen { Nothing, Whole, Parts };
+enum class InstanceParts { Nothing, Whole, Parts };
 
 /// What can be seen of an instance, counted as SceneGpu orders them. @param[out] parts what to draw where it is Parts
-using SeenOf = std::function<Seen(std::size_t instance, std::vector<IndexRange>& parts)>;
+using InstancePartsQuery = std::function<InstanceParts(std::size_t instance, std::vector<IndexRange>& parts)>;
 
 /// Whether an object casts, whatever its masks and its triangles' sides; blended ones do only if asked.
-bool casts_at_all(const Scene& scene, const Settings& settings, const Object& object);
+bool can_cast(const Scene& scene, const Settings& settings, const Object& object);
 /// Whether a batch is drawn into maps, where blended materials can cast by their mask alone.
-bool draws_into_maps(const FrameState& f, const Batch& batch);
+bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 
 /// Empties the bound framebuffer, or what of it the scissor test leaves, to the far depth.
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
@@ -68,7 +68,7 @@ struct SkippedCasters {
 };
 
 /// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
-SkippedCasters draw_casters(FrameState& f, const CasterView& view, const SeenOf& seen, PassInfo& info);
+SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info);
 /// Draws what of a light's casters lies in its view into the framebuffer of a whole map.
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
                             const LightView& view, PassInfo& info, const CasterChoice& which = {});

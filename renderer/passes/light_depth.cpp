@@ -63,8 +63,8 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     part.triangles = info.triangles - triangles;
     part.left_out = spared.beside + spared.unread;
     part.unit = "casters";
-    if (spared.beside > 0) part.by = Optimisation::Casters;
-    if (spared.unread > 0) part.by = Optimisation::Views;
+    if (spared.beside > 0) part.by = Optimisation::CasterCulling;
+    if (spared.unread > 0) part.by = Optimisation::UnreadViews;
     const char* plural = spared.unread == 1 ? "" : "s";
     const char* cover = spared.unread == 1 ? "covers" : "cover";
     if (spared.unread == 0)
@@ -85,15 +85,15 @@ PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, boo
     part.state = kept ? PassState::Cached : PassState::Skipped;
     part.reason = kept ? "what is called for of it was drawn before"
                        : "nothing that the camera sees is looked up in it: it is not drawn";
-    if (!kept) part.by = Optimisation::Views;
+    if (!kept) part.by = Optimisation::UnreadViews;
     return part;
 }
 
 /// @param closed casters, each counted once a view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
     PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
-    const bool forced = f.request.forced.contains(Optimisation::BackFaces);
-    part.by = Optimisation::BackFaces;
+    const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
+    part.by = Optimisation::CasterBackFaces;
     part.state = forced ? PassState::Drawn : PassState::Skipped;
     part.reason =
         fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
@@ -104,7 +104,7 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
 /// @param bare casters, each counted once a view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
-    part.by = Optimisation::Fragments;
+    part.by = Optimisation::CasterFragments;
     part.left_out = bare;
     part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
                               bare == 1 ? " is" : "s are");
@@ -185,14 +185,14 @@ std::string why_none_rests(const FrameState& f) {
     return {};
 }
 
-StaticWork choose_static(const FrameState& f, std::size_t light, StaticOfLight& known) {
+StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
     using Draws = StaticCasters::Draws;
     StaticWork work;
     const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
-    if (f.request.forced.contains(Optimisation::Static))
+    if (f.request.forced.contains(Optimisation::StaticCasterCache))
         work.reason = "all are drawn, which is forced";
     else if (moved)
         work.reason = why_none_rests(f);
@@ -227,8 +227,8 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticOfLight& 
 PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
     using Draws = StaticCasters::Draws;
     PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
-    part.by = Optimisation::Static;
-    if (f.request.forced.contains(Optimisation::Static)) part.state = PassState::Drawn;
+    part.by = Optimisation::StaticCasterCache;
+    if (f.request.forced.contains(Optimisation::StaticCasterCache)) part.state = PassState::Drawn;
     part.reason = work.reason;
     if (work.draws == Draws::All) return part;
     part.state = work.draws == Draws::Anew ? PassState::Drawn : PassState::Cached;
@@ -272,7 +272,7 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
-    if (kept) part.by = Optimisation::Static;
+    if (kept) part.by = Optimisation::StaticCasterCache;
     part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
                   : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
                                     : "what rests in it is kept, and what moves is drawn over it";
@@ -297,11 +297,11 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         }
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    StaticOfLight rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
+    StaticMapState rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
     const StaticWork static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
     if (apart && ensure_maps(f, t.static_casters, "casters at rest")) {
-        for (StaticOfLight& other : t.at_rest) other.casters.views.clear();
+        for (StaticMapState& other : t.at_rest) other.casters.views.clear();
         rest.casters.views.clear();
     }
     std::vector<StaticView>& views = rest.casters.views;
@@ -400,7 +400,7 @@ void UnfilteredMapPass::declare(FrameState& f) {
     pass.writes = {Result::UnfilteredMap};
     pass.idle_reason = "nothing asks what is wrong";
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
-    const bool own = f.view_count > 0 && f.draws_unfiltered();
+    const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {

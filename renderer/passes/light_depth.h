@@ -17,7 +17,7 @@ class PagePasses;
 void place_compared_maps(FrameState& f, const gl::Target& maps);
 
 /// What of a light is drawn apart from what moves.
-struct StaticOfLight {
+struct StaticMapState {
     StaticCasters casters;
     std::uint64_t geometry = 0;  ///< that was drawn last
     std::uint64_t views = 0;     ///< key of that map but for its casters
@@ -30,7 +30,7 @@ struct DrawnMaps {
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
     /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
     std::array<std::vector<MapCells>, kMaxLights> held;
-    std::array<StaticOfLight, kMaxLights> at_rest;
+    std::array<StaticMapState, kMaxLights> at_rest;
 };
 
 /// Draws the scene's depth as each light sees it, a pass a light.

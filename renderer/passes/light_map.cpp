@@ -25,7 +25,7 @@ gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
     return buffer;
 }
 
-/// The first 16 bytes are the way from the frame's origin, which LightMapPass::bind() fills in.
+/// The first 16 bytes are the way from the frame's origin, which LightMapPass::bind_buffers() fills in.
 void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
     std::vector<glm::uvec2> objects(2);
     for (const auto& part : layout.objects) objects.emplace_back(part.first, part.count);
@@ -95,7 +95,7 @@ void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info)
     upload_layout(targets_, layout);
 }
 
-void LightMapPass::bind(const FrameState& f) const {
+void LightMapPass::bind_buffers(const FrameState& f) const {
     const Targets& t = targets_;
     glm::dvec3 centre(0);
     for (const LightMap* map : f.light_map_of_light)

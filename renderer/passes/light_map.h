@@ -20,7 +20,7 @@ public:
 
     void declare(FrameState& f) override;
     /// Binds the buffers by which shaders find a surface in the atlas.
-    void bind(const FrameState& f) const;
+    void bind_buffers(const FrameState& f) const;
 
 private:
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);

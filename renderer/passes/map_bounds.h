@@ -7,7 +7,7 @@
 namespace si {
 
 /// Finds between which planes the maps' depths lie within the kernel's reach of each block. Look-ups that find both on
-/// one side of their receiver fetch no taps (Saving::EarlyOut).
+/// one side of their receiver fetch no taps (Optimisation::EarlyOut).
 class MapBoundsPass : public FramePass {
 public:
     struct Targets {

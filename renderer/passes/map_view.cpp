@@ -70,7 +70,7 @@ Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int 
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::DepthRange};
-    if (!f.fits_greys()) pass.unneeded = "view.map_fit does not ask for it";
+    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit does not ask for it";
     pass.key = shown.value();
     pass.cached = &t.range.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
@@ -96,7 +96,7 @@ Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int 
 glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
     const glm::vec2 drawn = targets_.drawn;
     const ViewSettings& s = f.settings.view;
-    if (!f.fits_greys() || drawn.x > drawn.y) return {s.map_black, s.map_white};
+    if (!f.fits_grey_range() || drawn.x > drawn.y) return {s.map_black, s.map_white};
     // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const double row : {0.0, 1.0})
@@ -143,7 +143,7 @@ void MapViewPasses::declare(FrameState& f) {
     Pass range = range_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
-    if (f.fits_greys()) pass.reads.push_back(Result::DepthRange);
+    if (f.fits_grey_range()) pass.reads.push_back(Result::DepthRange);
     f.plan.add(std::move(range));
     pass.key = f.with_settings(shown, ReadBy::MapView).value();
     pass.cached = &t.picture.key;

@@ -178,7 +178,7 @@ std::string description(const FrameState& f) {
 
 }  // namespace
 
-std::vector<ResultRef> lookup_reads(const FrameState& f) {
+std::vector<ResultRef> kernel_inputs(const FrameState& f) {
     if (samples_moments(f)) return {Result::ShadowMaps, Result::Moments};
     return {Result::ShadowMaps, Result::MapBounds};
 }

@@ -9,7 +9,7 @@
 namespace si {
 
 /// Returns what a pass reads that evaluates the kernel.
-std::vector<ResultRef> lookup_reads(const FrameState& f);
+std::vector<ResultRef> kernel_inputs(const FrameState& f);
 
 /// Makes functions of the maps' depths, averaged about each texel, for kernels that read those in place of depths.
 class MomentsPass : public FramePass {

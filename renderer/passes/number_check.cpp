@@ -46,9 +46,9 @@ private:
 
 }  // namespace
 
-void check_blocks(const FrameState& f, NumericHealth& health) {
+void check_matrices_and_blocks(const FrameState& f, NumericHealth& health) {
     NumberCheck numbers(health);
-    const shared::FrameBlock block = frame_block(f);
+    const shared::FrameBlock block = make_frame_block(f);
     numbers.check(block.clip_from_relative, "camera's matrix to clip space");
     numbers.check(block.eye_from_relative, "camera's matrix to its axes");
     numbers.check(block.relative_from_eye, "camera's matrix from its axes");

@@ -6,6 +6,6 @@
 namespace si {
 
 /// Adds what is found in the camera's, the lights' and the objects' to `health`.
-void check_blocks(const FrameState& f, NumericHealth& health);
+void check_matrices_and_blocks(const FrameState& f, NumericHealth& health);
 
 }  // namespace si

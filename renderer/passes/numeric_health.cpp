@@ -21,8 +21,8 @@
 namespace si {
 namespace {
 
-constexpr int kLeastTile = 32;  ///< texels that one invocation searches along a side
-constexpr int kMostTiles = 64;  ///< along a side; larger images have larger tiles
+constexpr int kMinTileTexels = 32;    ///< texels that one invocation searches along a side
+constexpr int kMaxTilesPerSide = 64;  ///< along a side; larger images have larger tiles
 
 /// What shares of light may be off 0 to 1 by: the weights of kernels are rounded.
 constexpr double kLightSlack = 1e-5;
@@ -182,8 +182,8 @@ public:
     /// Finds the faults of each tile of a layer.
     glm::ivec2 search(const Searched& s, const SearchedLayer& layer, int tile) {
         const glm::ivec2 tiles = (layer.size + tile - 1) / tile;
-        t_.tiles.ensure("numeric health, tiles", GL_RGBA32UI, std::max(tiles.x, kMostTiles),
-                        std::max(tiles.y, kMostTiles), int(kNumberFaults));
+        t_.tiles.ensure("numeric health, tiles", GL_RGBA32UI, std::max(tiles.x, kMaxTilesPerSide),
+                        std::max(tiles.y, kMaxTilesPerSide), int(kNumberFaults));
         const gl::Framebuffer into = gl::make_layers_framebuffer("numeric health, tiles", t_.tiles);
         f_.begin_fullscreen_pass(into.id(), tiles.x, tiles.y);
         const GLuint id = program(search_defines(s));
@@ -246,7 +246,7 @@ std::vector<FaultRecord> records_of(const gl::Buffer& buffer, std::size_t count)
 }
 
 PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searched& s) {
-    const ReadPages read = pages.read();
+    const ReadPages read = pages.read_pages();
     PoolTiles out{.read_back = {}, .page = read.texels, .layers = {}};
     std::map<int, std::size_t> of_layer;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
@@ -267,7 +267,7 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
     t.so_far = {};
     t.places.clear();
     t.pool.reset();
-    check_blocks(f, t.so_far);
+    check_matrices_and_blocks(f, t.so_far);
     const std::vector<Searched> images = searched_images(f);
     std::vector<std::vector<SearchedLayer>> layers;
     for (const Searched& s : images) {
@@ -299,7 +299,8 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
             t.pool = std::move(pool);
         }
         for (const SearchedLayer& l : layers[i]) {
-            const int tile = std::max(kLeastTile, (std::max(l.size.x, l.size.y) + kMostTiles - 1) / kMostTiles);
+            const int tile =
+                std::max(kMinTileTexels, (std::max(l.size.x, l.size.y) + kMaxTilesPerSide - 1) / kMaxTilesPerSide);
             const glm::ivec2 tiles = search.search(s, l, tile);
             const gl::Framebuffer found = gl::make_layers_framebuffer("numeric health", t.found);
             search.add_up(found, column++, tiles);
@@ -355,7 +356,7 @@ void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<cons
 
 }  // namespace
 
-std::shared_ptr<const NumericHealth> NumericHealthPass::read(bool wait) {
+std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
     Targets& t = targets_;
     if (t.health || !t.done) return t.health;
     const GLenum state = glClientWaitSync(t.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);

@@ -60,7 +60,7 @@ public:
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}
     void declare(FrameState& f) override;
     /// Returns what the last run found; null while the driver is not through with it. @param wait for it
-    std::shared_ptr<const NumericHealth> read(bool wait);
+    std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:
     void run(const FrameState& f, PassInfo& info);

@@ -65,16 +65,16 @@ void PageCache::clear() {
     std::fill(slots_.begin(), slots_.end(), Slot{});
 }
 
-void PageCache::make_room(int pages) {
+void PageCache::grow_pool(int pages) {
     if (pages <= room()) return;
     side_ = int(std::ceil(std::sqrt(double(pages))));
     slots_.assign(std::size_t(side_) * std::size_t(side_), {});
     by_key_.clear();
 }
 
-PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted,
-                             int table_side, int most,
-                             const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of) {
+PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted,
+                                   int table_side, int most,
+                                   const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of) {
     PageChoice out;
     out.table_side = table_side;
     out.table.assign(wanted.size(), {});
@@ -96,7 +96,7 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
 
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();
-    make_room(int(std::max<std::size_t>(total, std::size_t(std::max(most, 1)))));
+    grow_pool(int(std::max<std::size_t>(total, std::size_t(std::max(most, 1)))));
     ++frames_;
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (const auto& [y, x] : pages[std::size_t(layer)]) {
@@ -159,7 +159,7 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
     return out;
 }
 
-std::string page_text(const PageFacts& p) {
+std::string page_facts_text(const PageFacts& p) {
     std::string out = fmt::format("{} pages requested, {} drawn, {} cached", p.wanted, p.drawn, p.kept);
     if (p.coarser > 0) out += fmt::format(", coarser ones for {}", p.coarser);
     if (p.evicted > 0) out += fmt::format(", {} evicted", p.evicted);

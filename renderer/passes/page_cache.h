@@ -54,9 +54,9 @@ public:
     /// more: pages of the finest level give way to the coarser ones that hold them, whatever is kept.
     /// @param wanted a byte a page, laid out as PageChoice::table; not 0: it is
     /// @param key_of of all that a page's contents depend on; equal keys are one page
-    PageChoice choose(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
-                      int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
-    /// Pages along the pool's side. Grows, which loses all pages, where choose() needs it.
+    PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
+                            int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
+    /// Pages along the pool's side. Grows, which loses all pages, where choose_pages() needs it.
     int side() const { return side_; }
     int held() const { return int(by_key_.size()); }
     int room() const { return int(slots_.size()); }
@@ -66,7 +66,7 @@ private:
     struct Slot {
         std::uint64_t key = 0, last_read = 0;
     };
-    void make_room(int pages);
+    void grow_pool(int pages);
     int side_ = 0;
     std::vector<Slot> slots_;
     std::unordered_map<std::uint64_t, std::size_t> by_key_;

@@ -46,15 +46,15 @@ struct Across {
             for (const Box& part : casters.parts[i]) parts[i].push_back(rect_of(part));
         }
     }
-    Seen seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
-        if (!whole[i].meets(by)) return Seen::Nothing;
-        if (parts[i].empty()) return Seen::Whole;
+    InstanceParts seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
+        if (!whole[i].meets(by)) return InstanceParts::Nothing;
+        if (parts[i].empty()) return InstanceParts::Whole;
         out.clear();
         for (std::size_t k = 0; k < parts[i].size(); ++k) {
             if (!parts[i][k].meets(by)) continue;
-            add_part(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+            append_index_range(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         }
-        return Seen::Parts;
+        return InstanceParts::Parts;
     }
 };
 
@@ -69,7 +69,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     casters.indices.assign(order.size(), 0);
     casters.parts.assign(order.size(), {});
     for (const Batch& batch : f.gl.scene->batches()) {
-        if (!draws_into_maps(f, batch)) continue;
+        if (!is_drawn_into_maps(f, batch)) continue;
         const std::vector<Bounds> parts =
             index_run_boxes(scene.meshes[std::size_t(scene.objects[order[batch.first_instance]].mesh)]);
         for (GLuint i = batch.first_instance; i < batch.first_instance + GLuint(batch.instances); ++i) {
@@ -253,7 +253,7 @@ void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
         glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/pages_wanted.frag.glsl",
                                      {{"MARK_PAGES", "1"}, {"FROM_SCENE", "1"}}, b, false));
         f.bind_textures(b);
-        f.gl.scene->draw(b);
+        f.gl.scene->draw_batch(b);
         ++info.draws;
         info.triangles += b.triangles();
     }
@@ -264,7 +264,7 @@ Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     Pass pass;
     pass.name = "pages requested";
     pass.category = PassCategory::Maps;
-    pass.reads = {Result::SurfacesSeen};
+    pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::PagesWanted};
     pass.idle_reason = "nothing samples a shadow map";
     pass.key = f.lighting_key().value();
@@ -397,14 +397,14 @@ void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
     std::vector<PageGrid> grids;
     for (const PagedLayer& layer : layers) grids.push_back(layer.grid);
-    t.choice = t.cache.choose(grids, wanted, side, most_pages(f),
-                              [&](int layer, glm::ivec2 at) { return layers[std::size_t(layer)].key_of(at); });
+    t.choice = t.cache.choose_pages(grids, wanted, side, most_pages(f),
+                                    [&](int layer, glm::ivec2 at) { return layers[std::size_t(layer)].key_of(at); });
     std::vector<const PlacedPage*> missing;
     for (const std::size_t i : t.choice.drawn) missing.push_back(&t.choice.read[i]);
     draw_into_pool(f, t, layers, t.pool, missing, false, info);
     upload_table(f, t);
     t.facts = facts_of(f, t, layers);
-    info.reason += "; " + page_text(t.facts);
+    info.reason += "; " + page_facts_text(t.facts);
 }
 
 Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
@@ -448,7 +448,7 @@ void PagePasses::declare(FrameState& f) {
 
 void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     Targets& t = targets_;
-    const bool own = f.draws_unfiltered();
+    const bool own = f.needs_unfiltered_map();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
@@ -476,11 +476,11 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     f.plan.add(std::move(pass));
 }
 
-ReadPages PagePasses::read() const {
+ReadPages PagePasses::read_pages() const {
     return {targets_.choice.read, targets_.page};
 }
 
-PageFacts PagePasses::facts(bool drawn) const {
+PageFacts PagePasses::page_facts(bool drawn) const {
     PageFacts facts = targets_.facts;
     if (!drawn) {
         facts.kept += facts.drawn;

@@ -49,9 +49,9 @@ public:
     /// Returns stored depths of a part of a layer of the maps, bottom row first, of the frame whose pages were chosen
     /// last. What no page was asked for is as deep as what was never drawn on.
     std::vector<float> read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const;
-    ReadPages read() const;
+    ReadPages read_pages() const;
     /// Returns facts about the frame's pages. @param drawn whether the frame drew any itself
-    PageFacts facts(bool drawn) const;
+    PageFacts page_facts(bool drawn) const;
 
 private:
     Targets targets_;

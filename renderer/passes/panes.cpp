@@ -68,10 +68,10 @@ private:
 Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     Pass pass;
     pass.name = slot_name("overlay values", pane);
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_reference)
-        pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Judged});
+        pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Classified});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
     pass.writes = {{Result::Overlay, pane.slot}};
     pass.idle_reason = "the overlay was not asked for";
@@ -125,7 +125,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
 }
 
 Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
-    Pass pass = slabs_.pass(f, pane);
+    Pass pass = slabs_.make_pass(f, pane);
     pass.name = slot_name("texel slabs", pane);
     pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};

@@ -40,7 +40,7 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
     };
     const auto finite = [](float v) { return std::isfinite(v) ? v : 3e38f; };
     for (std::size_t i = 0; i < n; ++i) {
-        const TruePixel t = true_pixel(reference, i);
+        const ReferencePixel t = true_pixel(reference, i);
         pixels[i] = {reference.visibility.data[i], metres(reference.nearest_m, i), float(reference.state[i]),
                      float(t.noise)};
         more[i] = {metres(reference.blocker_m, i), reference.hard().data[i], finite(traced.runs->edge_m.data[i]),
@@ -108,7 +108,7 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
+    pass.reads = {Result::Visibility, Result::VisibleSurfaces, Result::Reference};
     pass.writes = {Result::Compared};
     pass.idle_reason = "nothing asks what is wrong";
     pass.key = f.shown_light_key().value();
@@ -137,10 +137,10 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
-    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
+    pass.reads = kernel_inputs(f);
+    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::VisibleSurfaces,
                                          Result::UnfilteredMap, Result::Reference});
-    pass.writes = {Result::Judged};
+    pass.writes = {Result::Classified};
     pass.idle_reason = "nothing asks why it is wrong";
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
@@ -175,7 +175,7 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "trials of every pixel";
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.writes = {Result::Evidence};
@@ -230,7 +230,7 @@ Pass sums_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "errors summed up";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Judged, Result::Reference};
+    pass.reads = {Result::Classified, Result::Reference};
     pass.writes = {Result::Error};
     pass.idle_reason = "not needed: no number of the error is shown";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
@@ -280,7 +280,7 @@ void ReferencePasses::declare(FrameState& f) {
     f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
     f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
     f.plan.place(Result::Compared, {&t.classified});
-    f.plan.place(Result::Judged, {&t.classified, shared::UNIT_CLASSIFIED});
+    f.plan.place(Result::Classified, {&t.classified, shared::UNIT_CLASSIFIED});
     f.plan.place(Result::Error, {&t.error_tiles});
     for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};

@@ -8,11 +8,11 @@ namespace si {
 
 void SeenSurfacesPass::declare(FrameState& f) {
     for (int i = 0; i < kSeenImages; ++i)
-        f.plan.place(Result::SurfacesSeen, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
+        f.plan.place(Result::VisibleSurfaces, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
     Pass pass;
     pass.name = "surfaces seen";
     pass.category = PassCategory::Tool;
-    pass.writes = {Result::SurfacesSeen};
+    pass.writes = {Result::VisibleSurfaces};
     pass.idle_reason = "nothing evaluates pixels again";
     // There is an image more also where its normal is without effect.
     const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;

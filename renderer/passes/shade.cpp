@@ -28,7 +28,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         return glm::dot(a->centre_ws - f.camera.eye, forward) > glm::dot(b->centre_ws - f.camera.eye, forward);
     });
     defines.push_back({"BLEND", "1"});
-    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
+    f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
@@ -38,7 +38,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         glFrontFace(b->mirrored ? GL_CW : GL_CCW);
-        f.gl.scene->draw(*b);
+        f.gl.scene->draw_batch(*b);
         ++info.draws;
         info.triangles += b->triangles();
     }
@@ -94,8 +94,8 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 PartInfo beside_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.left_out();
     PartInfo part{
-        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::InSight};
-    if (f.request.forced.contains(Optimisation::InSight)) {
+        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::FrustumCulling};
+    if (f.request.forced.contains(Optimisation::FrustumCulling)) {
         part.state = PassState::Drawn;
         part.reason = "all objects are drawn, wherever they lie, which is forced";
     } else if (count == 0)
@@ -108,16 +108,17 @@ PartInfo beside_part(const FrameState& f) {
 using SmoothTargets = ShadePasses::SmoothTargets;
 
 /// Sixteenths of a pixel, as multisampling of 8 places them: each row and each column of eighths once.
-constexpr glm::ivec2 kPlaces[kSmoothedMost] = {{1, -3}, {-1, 3}, {5, 1}, {-3, -5}, {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+constexpr glm::ivec2 kPlaces[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
+                                                      {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
 /// One shading of a camera turned by part of a pixel, added to the sum.
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
-    shared::FrameBlock block = frame_block(f);
+    shared::FrameBlock block = make_frame_block(f);
     const glm::dvec2 ndc = 2.0 * part / glm::dvec2(f.request.width, f.request.height);
     for (int r = 0; r < 2; ++r)  // the block holds the matrix by rows
         block.clip_from_relative[r] += float(ndc[r]) * block.clip_from_relative[3];
-    put_frame_block(f, block);
+    replace_frame_block(f, block);
     {
         const gl::Framebuffer into = gl::make_framebuffer("one of a smooth picture", &t.one, &t.depth);
         f.begin_camera_pass(into.id());
@@ -126,7 +127,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
         glClearNamedFramebufferfv(into.id(), GL_DEPTH, 0, &far_depth);
         shade(f, false, info);
     }
-    put_frame_block(f, frame_block(f));
+    replace_frame_block(f, make_frame_block(f));
 }
 
 /// A picture times `scale` into another, which is replaced or added to.
@@ -160,19 +161,19 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
         blend_into(f, t.one, t.sum, 1, t.count > 0, info);
     }
     blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
-    info.reason += fmt::format("; {} of {} shadings are in it", count, kSmoothedMost);
+    info.reason += fmt::format("; {} of {} shadings are in it", count, kMaxSmoothedShadings);
 }
 
 }  // namespace
 
 void ReferenceShadePass::declare(FrameState& f) {
-    f.plan.place(Result::TruePicture, {&picture_});
+    f.plan.place(Result::ReferenceLitPicture, {&picture_});
     Pass pass;
     pass.name = "shading by the truth";
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::Visibility);
     pass.category = PassCategory::Tool;
-    pass.writes = {Result::TruePicture};
+    pass.writes = {Result::ReferenceLitPicture};
     pass.idle_reason = "not needed: the true picture is not shown";
     if (!f.reference.met) {
         pass.unneeded = "the truth about this frame is not traced";
@@ -191,7 +192,7 @@ void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
     visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
     glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                        GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
-    put_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
+    upload_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
     glBindTextureUnit(shared::UNIT_VISIBILITY, visibility.texture.id());
     draw_picture(f, picture_, true, info);
 }
@@ -200,7 +201,7 @@ void ShadePasses::declare(FrameState& f) {
     f.plan.place(Result::Shaded, {&picture_, shared::UNIT_SHADED});
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     pass.writes = {Result::Shaded};
     pass.idle_reason = "the picture was not asked for";
@@ -224,13 +225,13 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     Pass pass;
     pass.name = kSmoothingPass;
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.writes = {Result::Smooth};
     pass.idle_reason = "not needed: the view moves, or no smooth picture is called for";
-    const int count = std::min(f.request.smoothed, kSmoothedMost);
+    const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
     bool fused = true;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        fused &= !f.has_contacts(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
+        fused &= !f.has_contact_shadows(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
     if (!fused) pass.unneeded = "visibility is drawn apart, of the picture's own pixels";
     pass.key = Key().add(of).add(count).value();
     pass.cached = &t.mean.key;

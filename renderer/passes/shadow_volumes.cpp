@@ -41,7 +41,7 @@ bool reaches_beyond_far(const FrameState& f) {
 
 }  // namespace
 
-void ShadowVolumes::learn_meshes(const FrameState& f) {
+void ShadowVolumes::build_volume_meshes(const FrameState& f) {
     if (scene_ == f.scene.id) return;
     scene_ = f.scene.id;
     corners_uploaded_ = false;
@@ -50,7 +50,7 @@ void ShadowVolumes::learn_meshes(const FrameState& f) {
     for (Light& light : lights_) light.shape = 0;
 }
 
-void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
+void ShadowVolumes::build_volume_triangles(const FrameState& f, std::size_t number, const VolumeLight& source) {
     Light& light = lights_[number];
     light.parts.clear();
     light.indices.clear();
@@ -59,7 +59,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     VolumeTriangles found;
     for (std::uint32_t instance = 0; instance < objects.size(); ++instance) {
         const Object& object = f.scene.objects[objects[instance]];
-        if (!casts_at_all(f.scene, f.settings, object)) continue;
+        if (!can_cast(f.scene, f.settings, object)) continue;
         auto& mesh = meshes_[std::size_t(object.mesh)];
         if (!mesh) {
             mesh = std::make_unique<VolumeMesh>(f.scene.meshes[std::size_t(object.mesh)]);
@@ -80,7 +80,7 @@ void ShadowVolumes::find_triangles(const FrameState& f, std::size_t number, cons
     light.index_count = light.indices.size();
 }
 
-std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, const VolumeLight& source) const {
+std::string ShadowVolumes::describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const {
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
     double pixels = 0;
     const std::size_t samples = std::max<std::size_t>(kEstimated / std::max<std::size_t>(light.parts.size(), 1), 1);
@@ -106,9 +106,9 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
                        pixels / (double(f.request.width) * f.request.height));
 }
 
-void ShadowVolumes::arrange(const FrameState& f) {
+void ShadowVolumes::prepare(const FrameState& f) {
     const std::vector<FittedLight>& fitted = f.gl.fitted;
-    learn_meshes(f);
+    build_volume_meshes(f);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
@@ -119,18 +119,18 @@ void ShadowVolumes::arrange(const FrameState& f) {
         Key shape = f.geometry_key;
         shape.add(ends_are_finite(f)).add(source.parallel).add(source.parallel ? source.to_light : source.position_ws);
         if (light.shape != shape.value()) {
-            find_triangles(f, i, source);
+            build_volume_triangles(f, i, source);
             light.shape = shape.value();
         }
-        if (light.open_triangles > kMostOpen && !f.settings.volumes.allow_large)
+        if (light.open_triangles > kMaxOpenTriangles && !f.settings.volumes.allow_large)
             light.refusal = fmt::format(
                 "light {}: its shadow volumes are not drawn unasked, as {} triangles of its casters, above {}, are not "
                 "of closed surfaces: {}; volumes.allow_large draws them",
-                i, light.open_triangles, kMostOpen, estimate(f, light, source));
+                i, light.open_triangles, kMaxOpenTriangles, describe_cost(f, light, source));
     }
 }
 
-void ShadowVolumes::forget_unused() {
+void ShadowVolumes::release_unused() {
     for (Light& light : lights_)
         if (!light.used) light = {};
 }
@@ -188,7 +188,7 @@ void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo
     }
 }
 
-void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& info) {
+void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassInfo& info) {
     Light& light = lights_[number];
     upload_corners();
     if (light.uploaded != light.shape) {
@@ -197,8 +197,8 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
                         GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
         light.uploaded = light.shape;
     }
-    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
-    f.gl.scene->lend_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
+    f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
+    f.gl.scene->bind_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
     glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
     glBindVertexArray(vao_.id());
 
@@ -264,7 +264,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glDepthMask(GL_TRUE);
 }
 
-Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
+Pass ShadowVolumes::make_pass(FrameState& f, std::size_t number) {
     Light& light = lights_[number];
     Pass pass;
     pass.name = fmt::format("shadow volumes {}", number);
@@ -282,7 +282,7 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
         if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))
             for (Light& l : lights_) l.drawn = 0;
         copy_depth(f, info);
-        count(f, number, info);
+        count_volumes(f, number, info);
         const Light& l = lights_[number];
         info.reason += fmt::format("; {} triangles, {} of the casters' not of closed surfaces", l.index_count / 3,
                                    l.open_triangles);
@@ -298,12 +298,12 @@ void ShadowVolumePasses::declare(FrameState& f) {
         f.plan.release([this] { volumes_ = {}; });
         return;
     }
-    volumes_.arrange(f);
+    volumes_.prepare(f);
     f.plan.place(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
-    f.plan.release([this] { volumes_.forget_unused(); });
+    f.plan.release([this] { volumes_.release_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
-        f.plan.add(volumes_.pass(f, i));
+        f.plan.add(volumes_.make_pass(f, i));
         if (!volumes_.refusal(i).empty()) f.notes.push_back(volumes_.refusal(i));
     }
 }

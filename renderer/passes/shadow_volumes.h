@@ -29,20 +29,20 @@ class ShadowVolumes {
 public:
     /// Triangles of casters without a closed surface, instances counted, above which nothing is drawn unless
     /// volumes.allow_large: each brings sides of its own.
-    static constexpr std::size_t kMostOpen = 20'000;
+    static constexpr std::size_t kMaxOpenTriangles = 20'000;
 
     /// Finds the volumes of the frame's lights, unless they are known, and which are too large to be drawn unasked.
-    void arrange(const FrameState& f);
+    void prepare(const FrameState& f);
     /// Whether the light's volumes are drawn.
     bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
     /// Why not; empty: they are, or the light's source is another.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
     /// Volumes of a light into its layer of lit().
-    Pass pass(FrameState& f, std::size_t light);
+    Pass make_pass(FrameState& f, std::size_t light);
     /// R8, a layer a light: 1 where the surface that the camera sees lies in no volume.
     const gl::Target& lit() const { return lit_; }
     /// Gives up the geometry of lights that have no volumes now.
-    void forget_unused();
+    void release_unused();
 
 private:
     struct Part {
@@ -63,12 +63,12 @@ private:
         std::uint64_t drawn = 0;     ///< key of the layer
     };
 
-    void learn_meshes(const FrameState& f);
-    void find_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
-    std::string estimate(const FrameState& f, const Light& light, const VolumeLight& source) const;
+    void build_volume_meshes(const FrameState& f);
+    void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
+    std::string describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const;
     void upload_corners();
     void copy_depth(const FrameState& f, PassInfo& info);
-    void count(const FrameState& f, std::size_t light, PassInfo& info);
+    void count_volumes(const FrameState& f, std::size_t light, PassInfo& info);
     void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 
     std::uint64_t scene_ = 0, depth_copied_ = 0;

@@ -93,7 +93,7 @@ void draw_slabs(const FrameState& f, const SlabTargets& s, PassInfo& info) {
 
 }  // namespace
 
-Pass TexelSlabs::pass(FrameState& f, const FrameState::ShownPane& pane) {
+Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     Pass pass;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);

@@ -25,7 +25,7 @@ public:
 
     explicit TexelSlabs(const PagePasses& pages) : pages_(pages) {}
     /// Returns the pass of one pane, over its picture so far. The caller names it and what it reads and writes.
-    Pass pass(FrameState& f, const FrameState::ShownPane& pane);
+    Pass make_pass(FrameState& f, const FrameState::ShownPane& pane);
 
 private:
     Targets targets_;

@@ -9,8 +9,8 @@ void TexelsReadPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "texels read";
     pass.category = PassCategory::Tool;
-    pass.reads = lookup_reads(f);
-    pass.reads.push_back(Result::SurfacesSeen);
+    pass.reads = kernel_inputs(f);
+    pass.reads.push_back(Result::VisibleSurfaces);
     pass.writes = {Result::TexelsRead};
     pass.idle_reason = "not needed: nothing shows which texels are read";
     int layer = 0;

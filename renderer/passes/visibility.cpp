@@ -50,7 +50,7 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 
 }  // namespace
 
-void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
+void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
     const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
     const int width = visibility.width, height = visibility.height, step = reference.step;
     std::vector<float> pixels(std::size_t(width) * std::size_t(height));
@@ -61,7 +61,7 @@ void put_traced_visibility(const ReferencePicture& reference, const gl::Target& 
     glTextureSubImage3D(visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, pixels.data());
 }
 
-Image VisibilityPass::image_of(int light) {
+Image VisibilityPass::layer_image(int light) {
     Targets& t = targets_;
     const int layer = std::clamp(light, 0, t.visibility.layers - 1);
     if (t.view_layer != layer) {
@@ -80,7 +80,7 @@ std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t li
     if (source.needs.stencil && f.gl.fitted[light].shadowed && !volumes_.draws(light)) return {};
     const bool lit =
         !f.gl.fitted[light].shadowed || (source.file.empty() && !source.needs.reference) || lacks_light_map(f, light);
-    if (lit) return f.request.forced.contains(Optimisation::Uncalled) ? sources()[0].file : std::string_view();
+    if (lit) return f.request.forced.contains(Optimisation::DeadPasses) ? sources()[0].file : std::string_view();
     return source.file;
 }
 
@@ -88,14 +88,14 @@ void VisibilityPass::declare(FrameState& f) {
     f.plan.place(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
-    pass.reads = lookup_reads(f);
+    pass.reads = kernel_inputs(f);
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
     pass.writes = {Result::Visibility};
     pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        if (f.has_contacts(i)) {
-            pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::SurfacesSeen});
+        if (f.has_contact_shadows(i)) {
+            pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::VisibleSurfaces});
             key.add(i).add(f.settings.lights[i].contact);
         }
     pass.key = key.value();
@@ -115,14 +115,14 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
         const std::string_view file = source_file(f, std::size_t(light));
         if (!file.empty()) {
             std::vector<gl::Define> defines = source_defines(f, std::size_t(light));
-            if (!defines.empty()) light_maps_.bind(f);
+            if (!defines.empty()) light_maps_.bind_buffers(f);
             defines.push_back({"LIGHT_INDEX", std::to_string(light)});
             defines.push_back({"SOURCE_FILE", std::string(file)});
             CameraPass(f, "visibility", t.visibility, light)
                 .clear(glm::vec4(lit))
                 .draw("passes/visibility.frag.glsl", defines, info);
         } else if (const ReferencePicture* reference = traced_picture(f, std::size_t(light))) {
-            put_traced_visibility(*reference, t.visibility, light);
+            upload_traced_visibility(*reference, t.visibility, light);
             info.reason +=
                 fmt::format("; light {} by {} rays, traced before the frame", light, reference->traced.reference->rays);
         } else {
@@ -131,8 +131,8 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
                 info.reason += fmt::format("; light {} is lit everywhere: its light map is not baked yet", light);
             glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
         }
-        if (f.has_contacts(std::size_t(light))) {
-            f.bind({Result::CameraDepth, Result::SurfacesSeen});
+        if (f.has_contact_shadows(std::size_t(light))) {
+            f.bind_results({Result::CameraDepth, Result::VisibleSurfaces});
             draw_contacts(f, t.visibility, light, info);
         }
     }

@@ -22,7 +22,7 @@ public:
         : volumes_(volumes), light_maps_(light_maps) {}
     void declare(FrameState& f) override;
     /// Returns one light's layer as a plain texture.
-    Image image_of(int light);
+    Image layer_image(int light);
 
 private:
     void run(FrameState& f, PassInfo& info);
@@ -35,6 +35,6 @@ private:
 };
 
 /// Writes what rays found into a light's layer of a visibility texture of the frame's size.
-void put_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
+void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
 
 }  // namespace si

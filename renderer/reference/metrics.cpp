@@ -368,7 +368,7 @@ double distance_from_best(Better better, double value) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
-std::uint32_t compared_bits(float v, const TruePixel& reference, bool outside) {
+std::uint32_t compared_bits(float v, const ReferencePixel& reference, bool outside) {
     using J = ClassifiedPixel;
     const bool sides = (v < 0.5f) != (reference.visibility < 0.5), wrong = is_wrong(v, reference);
     const bool faint = reference.visibility == 1 && v >= 0.5f && v < float(1 - kRightVisibility);
@@ -380,8 +380,9 @@ std::uint32_t compared_bits(float v, const TruePixel& reference, bool outside) {
     return bits;
 }
 
-TruePixel true_pixel(const Reference& reference, std::size_t i) {
-    TruePixel p{.visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
+ReferencePixel true_pixel(const Reference& reference, std::size_t i) {
+    ReferencePixel p{
+        .visibility = reference.visibility.data[i], .noise = 0, .hard_lit = reference.hard().data[i] >= 0.5f};
     if (reference.is_area()) p.noise = reference.standard_error.data[i];
     // One sample gives no estimate of the error, which is at most 0.5: that of a fair coin.
     if (std::isnan(p.noise)) p.noise = 0.5;

@@ -38,10 +38,10 @@ struct ClassifiedPixel {
 
 /// Computes the flags of a counted pixel, except kAnyAcne and kSeam.
 /// @param visibility in the picture, not NaN @param outside the map does not cover the surface
-std::uint32_t compared_bits(float visibility, const TruePixel& reference, bool outside);
+std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, bool outside);
 
 /// Returns pixel `i` of a reference, for classification. @param i index, top row first
-TruePixel true_pixel(const Reference& reference, std::size_t i);
+ReferencePixel true_pixel(const Reference& reference, std::size_t i);
 
 /// Decodes classified pixels from the image FrameResult::judged.
 /// @param judged two channels, sampled at the reference's pixels

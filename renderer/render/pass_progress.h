@@ -31,12 +31,12 @@ private:
 };
 
 /// While it lives, frames drawn on its thread tell how far they are.
-class WatchPasses {
+class PassProgressScope {
 public:
-    explicit WatchPasses(PassProgress& progress) { current() = &progress; }
-    ~WatchPasses() { current() = nullptr; }
-    WatchPasses(const WatchPasses&) = delete;
-    WatchPasses& operator=(const WatchPasses&) = delete;
+    explicit PassProgressScope(PassProgress& progress) { current() = &progress; }
+    ~PassProgressScope() { current() = nullptr; }
+    PassProgressScope(const PassProgressScope&) = delete;
+    PassProgressScope& operator=(const PassProgressScope&) = delete;
     /// Of this thread; null: nobody watches.
     static PassProgress*& current() {
         thread_local PassProgress* watched = nullptr;

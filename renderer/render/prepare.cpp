@@ -192,7 +192,7 @@ std::string light_constants(const FrameState& f) {
     std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) {
         each += fmt::format(" DO({})", i);
-        if (f.shades_by(i)) shining += fmt::format(" DO({})", i);
+        if (f.may_light_picture(i)) shining += fmt::format(" DO({})", i);
     }
     each += shining;
     return each + "\n" + array("LIGHT_TYPE", [&](std::size_t i) { return index_of(lights[i].type); }) +
@@ -202,7 +202,7 @@ std::string light_constants(const FrameState& f) {
            array("LIGHT_VIEWS", [&](std::size_t i) { return lights[i].casts ? int(lights[i].views.size()) : 0; }) +
            array("LIGHT_CLOSED", [&](std::size_t i) { return int(lights[i].casts && lights[i].closed); }) +
            array("LIGHT_CHOICE", [&](std::size_t i) { return lights[i].casts ? int(lights[i].chooser.choice) : 0; }) +
-           array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.takes_for_lit(i)); }) +
+           array("LIGHT_EMPTY", [&](std::size_t i) { return int(f.shades_as_lit(i)); }) +
            array("LIGHT_WARPED", [&](std::size_t i) { return int(lights[i].casts && lights[i].is_warped()); }) +
            array("LIGHT_PERSPECTIVE",
                  [&](std::size_t i) { return int(lights[i].casts && lights[i].is_perspective()); });
@@ -280,7 +280,7 @@ void choose_kernel(FrameState& f) {
     f.defines.push_back({"BIAS_SLOPED", f.settings.bias.slope != 0 ? "1" : "0"});
     add_shading_defines(f);
     for (gl::Define& d : lookup_optimisation_defines(f)) f.defines.push_back(std::move(d));
-    f.preamble = blocks_text(f.blocks_as_images()) + light_constants(f);
+    f.preamble = blocks_glsl(f.blocks_as_images()) + light_constants(f);
     f.surface_flags = needs_surface_flags(f);
     const auto& batches = f.gl.scene->batches();
     f.mask_levels = std::any_of(batches.begin(), batches.end(), [&](const Batch& b) {
@@ -379,10 +379,11 @@ void arrange_panes(FrameState& f) {
     const Outputs& o = f.request.outputs;
     find_reference(f);
     f.separate_visibility = o.visibility || o.health || f.settings.shading.separate_visibility ||
-                            f.request.forced.contains(Optimisation::Fused) ||
+                            f.request.forced.contains(Optimisation::FusedVisibility) ||
                             (f.reference.met && (o.error || o.classified || o.true_colour));
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
-        f.separate_visibility |= f.has_contacts(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
+        f.separate_visibility |=
+            f.has_contact_shadows(i) || (f.gl.fitted[i].shadowed && !source_of(f.settings, int(i)).fused);
     std::vector<int> shown;
     for (const int overlay : chosen) {
         const bool lacks = overlay > 0 && overlays()[std::size_t(overlay - 1)].reads_reference && !f.reference.met;
@@ -426,8 +427,8 @@ void RendererImpl::calibrate_offset(MapFormat map_format) {
     if (!offset.measured) offset = measure_polygon_offset(map_format);
 }
 
-FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    FrameState f = derive(scene, settings, request);
+FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f = derive_frame_state(scene, settings, request);
     if (!any_fit_reads_depths(f.settings)) return f;
     if (request.map_camera) {
         if (!request.map_camera->seen_m)
@@ -448,13 +449,13 @@ FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, c
     upload_blocks(f);
     seen.span = measure_seen_depths(f, seen.info);
     seen.key = key;
-    FrameState measured = derive(scene, settings, request);
+    FrameState measured = derive_frame_state(scene, settings, request);
     measured.camera_depth_renewed = true;  // once a frame, also where it is forced
     measured.seen_m = seen.span;
     return measured;
 }
 
-FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (!repaired || !(repaired->given == settings)) {
         repaired = Repaired{settings, settings, {}};
         repaired->notes = sanitise(repaired->settings);
@@ -472,9 +473,9 @@ FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, co
     if (f.settings.camera.source == CameraSource::Light && resources.fitted.empty())
         f.notes.push_back("camera.source light: there is no light to look through; the automatic camera is used");
     f.origin = counted_from(f.settings, f.camera.origin());
-    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->goes_on_with(scene)))
+    if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->adopt_if_compatible(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
-    resources.scene->arrange(scene, f.settings);
+    resources.scene->update_batches(scene, f.settings);
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);

@@ -119,10 +119,10 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
 
 std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
     require(frame, impl_->number, impl_->resources, Result::Health);
-    return impl_->passes.numeric_health.read(wait);
+    return impl_->passes.numeric_health.read_result(wait);
 }
 
-bool Renderer::holds(const FrameResult& frame) const {
+bool Renderer::has_images_of(const FrameResult& frame) const {
     const auto there = [&](const FrameContents::Part& p) { return is_there(p, impl_->resources); };
     const auto& parts = frame.contents.parts;
     return frame.contents.renderer == impl_->number && std::all_of(parts.begin(), parts.end(), there);

@@ -28,7 +28,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
     const std::vector<Pass>& plan = f.plan.passes();
     std::vector<std::pair<std::size_t, std::size_t>> timed;
     if (clock) clock->reset();
-    PassProgress* const progress = WatchPasses::current();
+    PassProgress* const progress = PassProgressScope::current();
     const auto of = std::size_t(std::ranges::count(infos, PassState::Drawn, &PassInfo::state));
     std::size_t done = 0;
     for (std::size_t i = 0; i < plan.size(); ++i) {
@@ -38,7 +38,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
         if (clock) clock->begin();
         const auto start = std::chrono::steady_clock::now();
         if (plan[i].cached) *plan[i].cached = 0;
-        f.bind(plan[i].reads);
+        f.bind_results(plan[i].reads);
         plan[i].run(infos[i]);
         if (plan[i].cached) {
             *plan[i].cached = plan[i].key;
@@ -56,21 +56,21 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     std::vector<ResultRef> wanted;
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& pane : f.panes) {
-        if (o.colour) wanted.push_back(f.picture_of(pane));
-        if (o.overlay) wanted.push_back(f.values_of(pane));
+        if (o.colour) wanted.push_back(f.pane_picture_result(pane));
+        if (o.overlay) wanted.push_back(f.pane_values_result(pane));
     }
     if (o.colour && f.request.smoothed > 0) wanted.push_back(Result::Smooth);
     if (o.surface_ids) wanted.push_back(Result::SurfaceIds);
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
-    if (o.classified) wanted.push_back(Result::Judged);
+    if (o.classified) wanted.push_back(Result::Classified);
     if (o.unfiltered_map) {
         wanted.push_back(Result::UnfilteredMap);
-        for (const ResultRef& read : lookup_reads(f)) wanted.push_back(read);
+        for (const ResultRef& read : kernel_inputs(f)) wanted.push_back(read);
     }
     if (o.precision) wanted.push_back(Result::Precision);
     if (o.evidence) wanted.push_back(Result::Evidence);
-    if (o.true_colour) wanted.push_back(Result::TruePicture);
+    if (o.true_colour) wanted.push_back(Result::ReferenceLitPicture);
     if (o.map_coordinates) wanted.push_back(Result::MapCoordinates);
     if (o.texels_read) wanted.push_back(Result::TexelsRead);
     if (o.health) wanted.push_back(Result::Health);
@@ -88,7 +88,7 @@ Renderer::~Renderer() {
     glFinish();       // drivers with threads of their own crash when the process ends with work under way
 }
 
-void Renderer::watch_numbers(NumberWatcher watch) {
+void Renderer::set_number_watcher(NumberWatcher watch) {
     impl_->watch = std::move(watch);
 }
 
@@ -110,13 +110,13 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
                                 request.height, driver.max_texture_size));
     gl::check_context_alive();
     while (true) {
-        FrameState f = prepare(scene, settings, request);
+        FrameState f = prepare_frame(scene, settings, request);
         plan_frame(f);
         FrameResult result;
         try {
-            result = draw(f);
+            result = run_plan(f);
         } catch (const gl::OutOfMemory& e) {
-            if (!take_smaller_maps(settings, f, e.what())) throw;
+            if (!reduce_map_limit(settings, f, e.what())) throw;
             continue;
         }
         gl::check_context_alive();
@@ -126,7 +126,7 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
     }
 }
 
-bool RendererImpl::take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why) {
+bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why) {
     constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
     if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
     map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
@@ -134,7 +134,7 @@ bool RendererImpl::take_smaller_maps(const Settings& asked, const FrameState& f,
 }
 
 std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    FrameState f = impl_->prepare(scene, settings, request);
+    FrameState f = impl_->prepare_frame(scene, settings, request);
     Key key;
     // Not those of planning: whether look-ups ask for bounds changes with what is kept of the last frame, and who makes
     // programs makes both ways.
@@ -158,11 +158,11 @@ void RendererImpl::plan_frame(FrameState& f) {
     for (FramePass* pass : passes.in_order(f.paged)) pass->declare(f);
 }
 
-FrameResult RendererImpl::draw(FrameState& f) {
+FrameResult RendererImpl::run_plan(FrameState& f) {
     FrameResult result;
     result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
-                                f.request.forced.contains(Optimisation::Uncalled));
-    f.plan.give_up_what_is_unused();
+                                f.request.forced.contains(Optimisation::DeadPasses));
+    f.plan.run_releases();
     const bool draws = std::any_of(result.passes.begin(), result.passes.end(),
                                    [](const PassInfo& p) { return p.state == PassState::Drawn; });
     if (draws) upload_blocks(f);
@@ -191,7 +191,7 @@ const DriverInfo& Renderer::driver() const {
 std::vector<std::string> Renderer::take_gl_messages() {
     return impl_->messages.take_messages();
 }
-void Renderer::give_back_memory() {
+void Renderer::release_unused_memory() {
     if (impl_->driver.renderer.starts_with("llvmpipe")) gl::release_finished_images();
     trim_heap();
 }

@@ -34,7 +34,7 @@ public:
     /// Has every picture that is drawn or judged searched as Outputs::health asks for, but for those that are timed.
     /// @param watch is told what was found, soundness too; empty: no more
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
-    void watch_numbers(NumberWatcher watch);
+    void set_number_watcher(NumberWatcher watch);
 
     /// Names the programs that render() would draw this frame with: frames of one key need no others. Draws nothing but
     /// what fits go by.
@@ -45,7 +45,7 @@ public:
     SurfaceIds read_surface_ids(const Image& image);
     /// Whether all that the frame drew is still there. Frames share images: one that shows something else takes the
     /// place of those before it, and their images are to be drawn anew before they are shown or read.
-    bool holds(const FrameResult& frame) const;
+    bool has_images_of(const FrameResult& frame) const;
     /// The stored depth of a light's map of that frame, raw, in [0,1].
     /// @throws Error when the frame has no such map, did not ask for whole ones (FrameResult::maps_are_whole), or
     /// another one was drawn in its place
@@ -64,7 +64,7 @@ public:
     /// Errors and high-severity messages of the driver since the last call; tests demand none.
     std::vector<std::string> take_gl_messages();
     /// Gives back memory that is nobody's and costs some milliseconds to find: call while nothing is drawn for a while.
-    void give_back_memory();
+    void release_unused_memory();
     /// The last compile error of hot-reloaded shaders; empty when all compiled.
     std::string shader_log() const;
     /// True when a shader file on disk changed since the last frame (dev builds).

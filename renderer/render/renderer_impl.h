@@ -31,20 +31,20 @@ struct RendererImpl {
         std::string why;
     };
     std::optional<MapLimit> map_limit;
-    std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::watch_numbers()
+    std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
     explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
     /// After the driver refused memory: has maps be half as large. @returns whether that may help
-    bool take_smaller_maps(const Settings& asked, const FrameState& f, const std::string& why);
+    bool reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why);
     /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
     /// and read back first where a fit asks for them.
-    FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// As prepare(), with the depths that are known.
-    FrameState derive(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    /// As prepare_frame(), with the depths that are known.
+    FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// As Renderer::render(), unwatched.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
     /// Carries out the plan of a frame.
-    FrameResult draw(FrameState& f);
+    FrameResult run_plan(FrameState& f);
     /// Adds the passes of a frame to its plan.
     void plan_frame(FrameState& f);
     /// Fills in what the frame drew and found out; `result` has the passes already.

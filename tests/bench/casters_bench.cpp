@@ -95,7 +95,7 @@ void agreed_map(benchmark::State& state, const Settings& all) {
     FrameRequest request{.width = 16, .height = 9, .force = true};
     request.outputs = {.colour = false, .shadow_map = true};
     FrameRequest forced = request;
-    forced.forced = {Optimisation::Casters};
+    forced.forced = {Optimisation::CasterCulling};
     Settings both_sides = all;
     both_sides.bias.raster_units = 1e-30;  // closed meshes keep their back faces under an offset
     in_turn(
@@ -107,7 +107,7 @@ void seen_map(benchmark::State& state, const Scene& scene, Settings s) {
     HeadlessContext context;
     Renderer renderer;
     FrameRequest request{.width = 160, .height = 90}, whole = request;
-    whole.forced = {Optimisation::Views};
+    whole.forced = {Optimisation::UnreadViews};
     const auto turn = [&] { s.lights[0].azimuth += 0.5; };
     in_turn(
         state,
@@ -128,7 +128,7 @@ void among_objects(benchmark::State& state, const Scene& scene, Settings s) {
     Renderer renderer;
     s.lights[0].cast = false;
     FrameRequest request{.width = 160, .height = 90}, all = request;
-    all.forced = {Optimisation::InSight};
+    all.forced = {Optimisation::FrustumCulling};
     const auto turn = [&] { s.camera.azimuth += 0.5; };
     in_turn(
         state,
@@ -180,8 +180,8 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
     for (int i = 0; i < movers; ++i) add_object(scene, "Mover", -1, box);
     finalise(scene);
     FrameRequest request{.width = 16, .height = 9}, whole = request, nothing = request;
-    request.forced = {Optimisation::Views};  // the camera sees them whole
-    whole.forced = {Optimisation::Views, Optimisation::Static};
+    request.forced = {Optimisation::UnreadViews};  // the camera sees them whole
+    whole.forced = {Optimisation::UnreadViews, Optimisation::StaticCasterCache};
     nothing.outputs.colour = false;
     double turn = 0;
     int kept = 0;
@@ -191,7 +191,8 @@ void moving_boxes(benchmark::State& state, Scene scene, Settings s, int movers) 
         FrameResult frame;
         const double ms = finished_ms([&] { frame = by.render(scene, s, asked); });
         for (const PassInfo& pass : frame.passes)
-            for (const PartInfo& part : pass.parts) kept += part.by == Optimisation::Static && part.left_out > 0;
+            for (const PartInfo& part : pass.parts)
+                kept += part.by == Optimisation::StaticCasterCache && part.left_out > 0;
         return ms;
     };
     const auto move_on = [&] {

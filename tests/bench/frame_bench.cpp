@@ -254,7 +254,7 @@ void depth_pass(benchmark::State& state, const char* file) {
     FrameRequest map = match.request;
     map.outputs = {.colour = false, .unfiltered_map = true};  // maps alone
     FrameRequest forced = map;
-    forced.forced = {Optimisation::Fragments};
+    forced.forced = {Optimisation::CasterFragments};
     Renderer& renderer = match.machine.renderer;
     Rotation rotation;
     rotation.add_draw("ours", [&] { renderer.render(match.machine.scene, match.settings, map); });
@@ -268,7 +268,7 @@ void depth_pass(benchmark::State& state, const char* file) {
     const FrameResult drawn = renderer.render(match.machine.scene, match.settings, map);
     for (const PassInfo& pass : drawn.passes)
         for (const PartInfo& part : pass.parts)
-            if (part.by == Optimisation::Fragments) state.counters["not_looked_at"] += double(part.left_out);
+            if (part.by == Optimisation::CasterFragments) state.counters["not_looked_at"] += double(part.left_out);
 }
 
 /// The shadow sampler against gathers with own comparison, the same kernel and picture.

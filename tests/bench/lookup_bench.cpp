@@ -77,19 +77,19 @@ void register_lookup_benchmarks(int rounds) {
             cases.push_back({kernel, Optimisation::EarlyOut, {{"filter.size", size}}});
     cases.push_back({"smrt", Optimisation::EarlyOut, {}});
     cases.push_back({"smrt", Optimisation::EarlyOut, {{"filter.rays", "32"}}});
-    cases.push_back({"pcss", Optimisation::Blockers, {{"light.size", "0"}}});
-    cases.push_back({"hard", Optimisation::Facing, {}});
-    cases.push_back({"pcf3", Optimisation::Facing, {}});
+    cases.push_back({"pcss", Optimisation::BlockerSearch, {{"light.size", "0"}}});
+    cases.push_back({"hard", Optimisation::BackFacingReceivers, {}});
+    cases.push_back({"pcf3", Optimisation::BackFacingReceivers, {}});
     for (const char* kernel : {"hard", "pcf5"})  // one light of four shines
         cases.push_back({kernel,
-                         Optimisation::Uncalled,
+                         Optimisation::DeadPasses,
                          {{"light.count", "4"},
                           {"light.1.intensity", "0"},
                           {"light.2.intensity", "0"},
                           {"light.3.intensity", "0"}}});
     for (const char* kernel : {"hard", "pcf5"})  // below three of four lights nothing casts
         cases.push_back({kernel,
-                         Optimisation::Uncalled,
+                         Optimisation::DeadPasses,
                          {{"light.count", "4"},
                           {"light.1.type", "spot"},
                           {"light.2.type", "spot"},

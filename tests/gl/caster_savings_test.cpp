@@ -40,7 +40,8 @@ protected:
         Settings s = settings_for(scene, sets);
         s.map.resolution = std::min(s.map.resolution, 512);
         const std::vector<float> saved = texels(frame(scene, s));
-        for (const Optimisation by : {Optimisation::BackFaces, Optimisation::Casters, Optimisation::Fragments})
+        for (const Optimisation by :
+             {Optimisation::CasterBackFaces, Optimisation::CasterCulling, Optimisation::CasterFragments})
             EXPECT_EQ(differing(saved, texels(frame(scene, s, {by}))), 0u)
                 << what << (sets.empty() ? "" : ", " + sets[0].second) << ", " << row_of(by).key << " forced";
     }
@@ -131,12 +132,12 @@ TEST_F(CasterOptimisationsTest, CastersBesideAFaceAreNotDrawn) {
                                             {"light.elevation", "0"},
                                             {"light.distance", "1"}});
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
-    const PassInfo saved = map_pass(frame(scene, s)), forced = map_pass(frame(scene, s, {Optimisation::Casters}));
+    const PassInfo saved = map_pass(frame(scene, s)), forced = map_pass(frame(scene, s, {Optimisation::CasterCulling}));
     ASSERT_EQ(saved.parts.size(), 7u) << "six faces, and the back faces of what is closed";
     ASSERT_EQ(forced.parts.size(), 7u);
     EXPECT_EQ(saved.parts[0].name, "face +x of light 0");
     EXPECT_EQ(saved.parts[0].left_out, 1u) << "the far ball lies behind";
-    EXPECT_EQ(saved.parts[0].by, Optimisation::Casters);
+    EXPECT_EQ(saved.parts[0].by, Optimisation::CasterCulling);
     EXPECT_EQ(saved.parts[2].draws, 0u) << "nothing is above the light";
     EXPECT_EQ(saved.parts[2].left_out, 3u);
     EXPECT_LE(saved.triangles, 3 * ball + 6 * 2) << "a ball may reach into a next face";
@@ -152,9 +153,9 @@ TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
         return map_pass(frame(scene, settings_for(scene, sets), forced)).triangles;
     };
     EXPECT_EQ(triangles({}, {}), 2 * ball + 2);
-    EXPECT_EQ(triangles({}, {Optimisation::BackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
+    EXPECT_EQ(triangles({}, {Optimisation::CasterBackFaces}), 4 * ball + 2) << "the balls once more, by their backs";
     for (const auto& [key, value] : {std::pair{"caster.cull", "front"}, {"bias.raster_units", "3"}})
-        EXPECT_EQ(triangles({{key, value}}, {Optimisation::BackFaces}), 2 * ball + 2)
+        EXPECT_EQ(triangles({{key, value}}, {Optimisation::CasterBackFaces}), 2 * ball + 2)
             << key << ": both sides, or as asked";
 }
 
@@ -170,7 +171,7 @@ TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
         std::uint64_t count = 0;
         const FrameResult drawn = frame(scene, settings_for(scene, sets), forced);
         for (const PartInfo& part : map_pass(drawn).parts)
-            if (part.by == Optimisation::Fragments) count += part.left_out;
+            if (part.by == Optimisation::CasterFragments) count += part.left_out;
         return count;
     };
     const Sets slanted = {{"light.azimuth", "33"}, {"light.elevation", "40"}, {"light.fit", "scene"}};
@@ -183,7 +184,7 @@ TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
     const std::uint64_t well_seen = bare(slanted, {});
     EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
     EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
-    EXPECT_EQ(bare(slanted, {Optimisation::Fragments}), 0u);
+    EXPECT_EQ(bare(slanted, {Optimisation::CasterFragments}), 0u);
     EXPECT_EQ(bare(with("light.elevation", "90"), {}), 1u) << "the boxes' walls are seen edge-on";
     EXPECT_EQ(bare(with("light.azimuth", "90.001"), {}), well_seen - 1) << "two walls of the first box are nearly so";
     EXPECT_EQ(bare(with("map.format", "colour"), {}), 0u) << "a fragment shader writes the map";

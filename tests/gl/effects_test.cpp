@@ -201,10 +201,10 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     const std::vector<Effect> before = effects(scene, sets);
     ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
     EXPECT_EQ(spared->state, EffectState::NotNeeded);
-    EXPECT_EQ(spared->saving, Optimisation::Uncalled);
+    EXPECT_EQ(spared->saving, Optimisation::DeadPasses);
     const std::uint64_t draws = last.pass("visibility")->draws;
     FrameRequest request = small();
-    request.forced = {Optimisation::Uncalled};
+    request.forced = {Optimisation::DeadPasses};
     const std::vector<Effect> forced = effects(scene, sets, request);
     EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Drawn);
     EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
@@ -213,10 +213,11 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
 TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereTheyAreForced) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"filter.kernel", "pcss"}, {"light.size", "0"}};
-    const std::pair<const char*, Optimisation> all[] = {{"visibility texture", Optimisation::Fused},
-                                                        {"look-ups where light does not arrive", Optimisation::Facing},
-                                                        {"search for a penumbra of light 0", Optimisation::Blockers},
-                                                        {"shading of what is hidden", Optimisation::Order}};
+    const std::pair<const char*, Optimisation> all[] = {
+        {"visibility texture", Optimisation::FusedVisibility},
+        {"look-ups where light does not arrive", Optimisation::BackFacingReceivers},
+        {"search for a penumbra of light 0", Optimisation::BlockerSearch},
+        {"shading of what is hidden", Optimisation::DrawOrder}};
     const std::vector<Effect> before = effects(scene, sets);
     for (const auto& [name, saving] : all) {
         EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
@@ -250,9 +251,9 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const std::vector<Effect> spared = effects(scene, no_size);
     EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
+    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::BlockerSearch);
     FrameRequest request = small();
-    request.forced = {Optimisation::Blockers};
+    request.forced = {Optimisation::BlockerSearch};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
               EffectState::Drawn);
     EXPECT_EQ(
@@ -281,7 +282,7 @@ TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
     EXPECT_EQ(reason_of(effects(scene, no_size), "look-ups of light 0"),
               "Kernel PCSS fetches up to 21 texels a look-up.");
     FrameRequest request = small();
-    request.forced = {Optimisation::Blockers};
+    request.forced = {Optimisation::BlockerSearch};
     EXPECT_EQ(reason_of(effects(scene, no_size, request), "look-ups of light 0"),
               "Kernel PCSS fetches up to 30 texels a look-up.");
     EXPECT_EQ(reason_of(effects(scene, {{"filter.kernel", "hard"}}), "look-ups of light 0"),
@@ -301,10 +302,10 @@ TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
 }
 
 TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
-    const std::vector<Effect> all = {{.name = "a", .saving = Optimisation::Views},
+    const std::vector<Effect> all = {{.name = "a", .saving = Optimisation::UnreadViews},
                                      {.name = "b"},
-                                     {.name = "c", .saving = Optimisation::Casters},
-                                     {.name = "d", .saving = Optimisation::Views},
+                                     {.name = "c", .saving = Optimisation::CasterCulling},
+                                     {.name = "d", .saving = Optimisation::UnreadViews},
                                      {.name = "e"}};
     EXPECT_EQ(saved_together(all, all[0]), 2u);
     EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
@@ -337,13 +338,13 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
                           .reason = "they lie beside what the light reaches",
                           .left_out = 7,
                           .unit = "casters",
-                          .by = Optimisation::Uncalled});
+                          .by = Optimisation::DeadPasses});
     frame.passes.push_back(pass);
     const std::vector<Effect> all = frame_effects(scene, {}, frame);
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
     EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
-    EXPECT_EQ(part->saving, Optimisation::Uncalled);
+    EXPECT_EQ(part->saving, Optimisation::DeadPasses);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);
     EXPECT_EQ(part->state, EffectState::Drawn);

@@ -74,7 +74,7 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
     const auto heap_at_rest = [&](int resolution) {
         s.map.resolution = resolution;
         picture(scene, s);
-        renderer.give_back_memory();
+        renderer.release_unused_memory();
         return process_memory().heap;
     };
     const std::uint64_t before = heap_at_rest(32);

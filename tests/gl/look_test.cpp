@@ -50,7 +50,7 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
         FrameRequest request{.width = 96, .height = 54};
         request.outputs.visibility = true;
         FrameRequest smooth = request;
-        smooth.smoothed = kSmoothedMost;
+        smooth.smoothed = kMaxSmoothedShadings;
         const FrameResult drawn = renderer.render(scene, on, smooth);
         const FloatImage visibility = renderer.read_float(drawn.visibility, 1);
         const ByteImage picture = renderer.read_colour(drawn.colour);
@@ -105,11 +105,13 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
             const FrameResult frame = renderer.render(session.scene, s, request);
             return Drawn{renderer.read_float(frame.visibility, 1), renderer.read_surface_ids(frame.surface_ids)};
         };
-        const Drawn all = draw(with, true, kSmoothedMost), none = draw(without, false, 0);
+        const Drawn all = draw(with, true, kMaxSmoothedShadings), none = draw(without, false, 0);
         EXPECT_TRUE(draw(with, false, 0).visibility.data == all.visibility.data) << "sky, tone curve and smoothing";
         EXPECT_TRUE(draw(with, true, 0).visibility.data == all.visibility.data) << "smoothing";
-        EXPECT_TRUE(draw(with, false, kSmoothedMost).visibility.data == all.visibility.data) << "sky and tone curve";
-        EXPECT_TRUE(draw(without, true, kSmoothedMost).visibility.data == none.visibility.data) << "without a ground";
+        EXPECT_TRUE(draw(with, false, kMaxSmoothedShadings).visibility.data == all.visibility.data)
+            << "sky and tone curve";
+        EXPECT_TRUE(draw(without, true, kMaxSmoothedShadings).visibility.data == none.visibility.data)
+            << "without a ground";
         std::size_t own = 0, dark = 0, differ = 0;
         for (std::size_t i = 0; i < none.ids.data.size(); ++i) {
             if (none.ids.data[i].x == 0 || none.ids.data[i].x != all.ids.data[i].x) continue;
@@ -230,14 +232,14 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     const ByteImage as_drawn = renderer.read_colour(first.colour);
     EXPECT_EQ(first.smooth.texture, 0u) << "nobody asked";
     ByteImage one;
-    for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed) {
+    for (request.smoothed = 1; request.smoothed <= kMaxSmoothedShadings; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);
         for (const PassInfo& pass : frame.passes)
             EXPECT_EQ(pass.state == PassState::Drawn, pass.name == "smoothing at rest") << pass.name;
         EXPECT_TRUE(renderer.read_colour(frame.colour).data == as_drawn.data) << "the picture itself stays";
         if (request.smoothed == 1) one = renderer.read_colour(frame.smooth);
     }
-    request.smoothed = kSmoothedMost;
+    request.smoothed = kMaxSmoothedShadings;
     const ByteImage by_steps = renderer.read_colour(renderer.render(scene, s, request).smooth);
     request.force = true;
     const ByteImage at_once = renderer.read_colour(renderer.render(scene, s, request).smooth);
@@ -264,7 +266,7 @@ TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
         FrameRequest request{.width = 240, .height = 135};
         const ByteImage plain = renderer.read_colour(renderer.render(session.scene, session.settings, request).colour);
         FrameResult frame;
-        for (request.smoothed = 1; request.smoothed <= kSmoothedMost; ++request.smoothed)
+        for (request.smoothed = 1; request.smoothed <= kMaxSmoothedShadings; ++request.smoothed)
             frame = renderer.render(session.scene, session.settings, request);
         return mean_difference(plain, renderer.read_colour(frame.smooth));
     };
@@ -290,7 +292,7 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     EXPECT_TRUE(changed());
     EXPECT_FALSE(changed()) << "somebody still touches something";
     requests.at_rest = true;
-    for (int i = 0; i < kSmoothedMost; ++i) EXPECT_TRUE(changed()) << i;
+    for (int i = 0; i < kMaxSmoothedShadings; ++i) EXPECT_TRUE(changed()) << i;
     EXPECT_FALSE(changed()) << "it sleeps";
     EXPECT_TRUE(shows_smooth());
     state.settings.camera.source = CameraSource::Manual;

@@ -65,7 +65,8 @@ protected:
     }
 };
 
-const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::Blockers, Optimisation::Facing};
+const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::BlockerSearch,
+                                  Optimisation::BackFacingReceivers};
 
 /// A bare floor, all of it in the map, and taps beyond its sides as the floor goes on.
 Settings floor_settings(std::string_view kernel) {
@@ -127,15 +128,15 @@ TEST_F(LookupOptimisationsTest, ASearchWithoutAPenumbraLooksOnce) {
     s.filter.blocker_taps = 24;
     s.lights[0].size = 0;
     expect_taps(scene, s, {Optimisation::EarlyOut}, 1, "size 0");
-    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::Blockers}, 24, "size 0, forced");
+    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::BlockerSearch}, 24, "size 0, forced");
     s.lights[0].size = 0.5;
     expect_taps(scene, s, {Optimisation::EarlyOut}, 24, "a light of size");
     set_setting(s, "filter.kernel", "smrt");
     s.lights[0].size = 0;
     s.bias.normal = 3;
     expect_taps(scene, s, {Optimisation::EarlyOut}, 1, "rays, size 0");
-    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::Blockers}, float(1 + s.filter.rays * s.filter.steps),
-                "forced");
+    expect_taps(scene, s, {Optimisation::EarlyOut, Optimisation::BlockerSearch},
+                float(1 + s.filter.rays * s.filter.steps), "forced");
 }
 
 TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
@@ -151,7 +152,7 @@ TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     set_setting(s, "light.elevation", "40");
     for (const bool separate : {false, true}) {
         s.shading.separate_visibility = separate;
-        const std::vector<float> saved = taps(scene, s), forced = taps(scene, s, {Optimisation::Facing});
+        const std::vector<float> saved = taps(scene, s), forced = taps(scene, s, {Optimisation::BackFacingReceivers});
         const auto sum = [](const std::vector<float>& v) {
             return std::accumulate(v.begin(), v.end(), 0.0, [](double a, float b) { return a + std::max(b, 0.f); });
         };

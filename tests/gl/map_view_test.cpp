@@ -113,7 +113,7 @@ TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
                                 continue;
                             }
                             const double value = shown_depth(double(depth.at(x, y)), f.map_view_curve, s.view.map,
-                                                             row_of_image(depth, y));
+                                                             map_v_of_row(depth, y));
                             const double t = (value - f.map_black) / (f.map_white - f.map_black);
                             // Near the far plane of a perspective map a step of the float is a visible distance.
                             const double step = raw ? 1e-7 / (f.map_white - f.map_black) : 1e-4;

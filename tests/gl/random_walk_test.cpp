@@ -145,7 +145,8 @@ protected:
         Drawn out;
         const FrameResult frame = by.render(stop.scene, stop.settings, request);
         for (const PassInfo& pass : frame.passes)
-            for (const PartInfo& part : pass.parts) kept_apart += part.by == Optimisation::Static && part.left_out > 0;
+            for (const PartInfo& part : pass.parts)
+                kept_apart += part.by == Optimisation::StaticCasterCache && part.left_out > 0;
         out.picture = by.read_colour(frame.colour);
         if (frame.map_view.texture) out.map = by.read_colour(frame.map_view);
         request.outputs = {.colour = false, .visibility = true};

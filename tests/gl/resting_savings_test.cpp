@@ -91,7 +91,7 @@ protected:
         const FrameResult kept = renderer.render(scene, s, asked());
         const std::vector<float> texels_kept = texels(renderer, kept);
         const ByteImage picture = renderer.read_colour(kept.colour);
-        FrameRequest request = asked({Optimisation::Static});
+        FrameRequest request = asked({Optimisation::StaticCasterCache});
         const FrameResult all = whole.render(scene, s, request);
         const std::vector<float> texels_all = texels(whole, all);
         EXPECT_EQ(texels_kept.size(), texels_all.size());
@@ -154,7 +154,7 @@ TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
             if (i >= 3) {
                 ASSERT_TRUE(is_kept(f));
                 EXPECT_EQ(static_part(f)->left_out, 49u) << "the floor, 40 balls and the posts";
-                EXPECT_EQ(static_part(f)->by, Optimisation::Static);
+                EXPECT_EQ(static_part(f)->by, Optimisation::StaticCasterCache);
             }
         }
         EXPECT_EQ(drawn[0], all);
@@ -272,7 +272,7 @@ TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
         s.camera.elevation = 30;
         s.camera.target_y = 0.5;
         FrameRequest few{.width = 64, .height = 36}, all = few;
-        all.forced = {Optimisation::Static};
+        all.forced = {Optimisation::StaticCasterCache};
         int kept = 0;
         for (int i = 0; i < 12; ++i) {
             s.camera.azimuth += 25;
@@ -326,7 +326,7 @@ TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
     const Effect drawn = told(), kept = told();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
-    EXPECT_EQ(kept.saving, Optimisation::Static);
+    EXPECT_EQ(kept.saving, Optimisation::StaticCasterCache);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
@@ -350,10 +350,10 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
     s.scene.time = 0.9;  // over the end
-    KeptFrames frames(scene, s, asked(), Optimisation::Static);
+    KeptFrames frames(scene, s, asked(), Optimisation::StaticCasterCache);
     for (int i = 0; i < 4; ++i) {
         frames.draw({});
-        frames.draw({Optimisation::Static});
+        frames.draw({Optimisation::StaticCasterCache});
     }
     ByteImage before;
     for (int i = 0; i < 4; ++i) {
@@ -361,7 +361,7 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
         EXPECT_TRUE(is_kept(kept));
         const std::uint64_t triangles = map_pass(kept).triangles;
         const ByteImage picture = renderer.read_colour(kept.colour);
-        const FrameResult all = frames.draw({Optimisation::Static});
+        const FrameResult all = frames.draw({Optimisation::StaticCasterCache});
         EXPECT_GT(map_pass(all).triangles, 10 * triangles);
         EXPECT_EQ(different_pixels(picture, renderer.read_colour(all.colour)), 0u) << "they are of one moment";
         if (i > 0) {
@@ -377,12 +377,12 @@ TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
         Renderer again;  // that has seen nothing move
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
-        const auto told =
-            std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Optimisation::Static && !e.part; });
+        const auto told = std::ranges::find_if(
+            effects, [](const Effect& e) { return e.saving == Optimisation::StaticCasterCache && !e.part; });
         EXPECT_NE(told, effects.end());
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = named_optimisations(effects);
-        EXPECT_TRUE(std::ranges::count(named, Optimisation::Static) == 1);
+        EXPECT_TRUE(std::ranges::count(named, Optimisation::StaticCasterCache) == 1);
         const SavedTimes times = measure_saved(again, scene, s, asked(), named, 5);
         const Spread* ms = times.of(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);

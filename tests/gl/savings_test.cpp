@@ -86,9 +86,10 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
             expect_one_picture(scene, settings_for(scene, cases()[next]),
                                std::string(row.key) + ", " + cases()[next][0].second);
     }
-    expect_made({Optimisation::Uncalled, Optimisation::Blockers, Optimisation::EarlyOut, Optimisation::Facing,
-                 Optimisation::Order, Optimisation::InSight, Optimisation::Fused, Optimisation::BackFaces,
-                 Optimisation::Casters, Optimisation::Views, Optimisation::Fragments});
+    expect_made({Optimisation::DeadPasses, Optimisation::BlockerSearch, Optimisation::EarlyOut,
+                 Optimisation::BackFacingReceivers, Optimisation::DrawOrder, Optimisation::FrustumCulling,
+                 Optimisation::FusedVisibility, Optimisation::CasterBackFaces, Optimisation::CasterCulling,
+                 Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
 
 // All of them under all cases take an hour.
@@ -111,9 +112,9 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
             EXPECT_TRUE(model.may_be_refused) << e.what();
         }
     }
-    expect_made({Optimisation::Uncalled, Optimisation::Facing, Optimisation::Order, Optimisation::InSight,
-                 Optimisation::Fused, Optimisation::BackFaces, Optimisation::Casters, Optimisation::Views,
-                 Optimisation::Fragments});
+    expect_made({Optimisation::DeadPasses, Optimisation::BackFacingReceivers, Optimisation::DrawOrder,
+                 Optimisation::FrustumCulling, Optimisation::FusedVisibility, Optimisation::CasterBackFaces,
+                 Optimisation::CasterCulling, Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
 
 }  // namespace

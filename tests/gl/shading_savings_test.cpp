@@ -70,8 +70,8 @@ TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
     const std::uint64_t spared = written_fragments(far_first, s, {}),
-                        forced = written_fragments(far_first, s, {Optimisation::Order}),
-                        least = written_fragments(row_of_plates(8, true), s, {Optimisation::Order});
+                        forced = written_fragments(far_first, s, {Optimisation::DrawOrder}),
+                        least = written_fragments(row_of_plates(8, true), s, {Optimisation::DrawOrder});
     EXPECT_GT(least, 2000u);
     EXPECT_EQ(spared, least) << "each pixel is shaded once";
     EXPECT_GT(forced, 2 * spared);
@@ -91,7 +91,7 @@ TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
 TEST_F(ShadingOptimisationsTest, OrderLeavesThePictureAlone) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     FrameRequest forced = small();
-    forced.forced = {Optimisation::Order};
+    forced.forced = {Optimisation::DrawOrder};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }
@@ -146,13 +146,13 @@ TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
             const FrameResult saved = renderer.render(scene, s, request);
             const PassInfo shading = *saved.pass("shading (with visibility)");
             const ByteImage seen = renderer.read_colour(saved.colour);
-            request.forced = {Optimisation::InSight};
+            request.forced = {Optimisation::FrustumCulling};
             const FrameResult forced = renderer.render(scene, s, request);
             const std::string what = std::string(orthographic) + " " + target;
             EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << what;
             ASSERT_EQ(shading.parts.size(), 1u);
             const std::uint64_t left_out = shading.parts[0].left_out;
-            EXPECT_EQ(shading.parts[0].by, Optimisation::InSight);
+            EXPECT_EQ(shading.parts[0].by, Optimisation::FrustumCulling);
             EXPECT_GE(left_out, std::string(target) == "400" ? 41u : 20u) << what;
             EXPECT_LE(left_out, std::string(target) == "400" ? 41u : 38u) << what;
             const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
@@ -168,7 +168,7 @@ TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     const FrameResult fused = renderer.render(scene, s, request);
     EXPECT_EQ(fused.pass("visibility")->state, PassState::Skipped);
     EXPECT_EQ(fused.pass("visibility")->draws, 0);
-    request.forced = {Optimisation::Fused};
+    request.forced = {Optimisation::FusedVisibility};
     const FrameResult forced = renderer.render(scene, s, request);
     EXPECT_EQ(forced.pass("visibility")->state, PassState::Drawn);
     EXPECT_GT(forced.pass("visibility")->draws, 0);
@@ -208,12 +208,12 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
         for (const Effect& e : frame_effects(scene, s, saved))
             if (e.name == "look-ups of light 0") {
                 EXPECT_EQ(e.state, EffectState::NotNeeded);
-                EXPECT_EQ(e.saving, Optimisation::Uncalled);
+                EXPECT_EQ(e.saving, Optimisation::DeadPasses);
                 EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"),
                           std::string::npos)
                     << e.reason;
             }
-        request.forced = {Optimisation::Uncalled};
+        request.forced = {Optimisation::DeadPasses};
         const FrameResult forced = renderer.render(scene, s, request);
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(fetched, 0) << sets[0].first;
@@ -225,7 +225,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
                              Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
         const Settings s = settings_for(scene, sets);
         FrameRequest forced = small();
-        forced.forced = {Optimisation::Uncalled};
+        forced.forced = {Optimisation::DeadPasses};
         EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u) << sets.back().first;
     }
 }
@@ -266,7 +266,7 @@ TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
                 EXPECT_NE(e.reason.find("that casts lies in what its map holds"), std::string::npos) << e.reason;
             }
         EXPECT_TRUE(told);
-        const FrameResult forced = draw(s, {Optimisation::Uncalled});
+        const FrameResult forced = draw(s, {Optimisation::DeadPasses});
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);
     }
@@ -277,7 +277,7 @@ TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
         const FrameResult saved = draw(s, {});
         EXPECT_GT(active_samplers(), 0);
         const ByteImage seen = renderer.read_colour(saved.colour);
-        EXPECT_EQ(different_pixels(seen, renderer.read_colour(draw(s, {Optimisation::Uncalled}).colour)), 0u);
+        EXPECT_EQ(different_pixels(seen, renderer.read_colour(draw(s, {Optimisation::DeadPasses}).colour)), 0u);
     }
 }
 

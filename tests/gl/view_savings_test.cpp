@@ -59,7 +59,7 @@ protected:
     std::pair<std::uint64_t, std::uint64_t> expect_one_picture(const Scene& scene, const Settings& s,
                                                                const std::string& what,
                                                                const std::optional<MapCamera>& map_camera = {}) {
-        FrameRequest request = cold(), whole = cold({Optimisation::Views});
+        FrameRequest request = cold(), whole = cold({Optimisation::UnreadViews});
         request.map_camera = whole.map_camera = map_camera;
         const FrameResult saved = frame(scene, s, request);
         const std::uint64_t drawn = drawn_triangles(saved);
@@ -82,7 +82,7 @@ TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
         EXPECT_GE(saved, ball);
         const FrameResult f = frame(scene, s, cold());
         const PartInfo& part = map_pass(f).parts.at(0);
-        EXPECT_EQ(part.by, Optimisation::Views);
+        EXPECT_EQ(part.by, Optimisation::UnreadViews);
         EXPECT_GE(part.left_out, 6u);
         EXPECT_NE(part.reason.find("camera"), std::string::npos) << part.reason;
     }
@@ -114,7 +114,7 @@ TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
     EXPECT_EQ(pass.parts[0].state, PassState::Drawn) << "face +x holds what is seen";
     EXPECT_EQ(pass.parts[1].state, PassState::Skipped) << "face -x looks the other way";
     EXPECT_EQ(pass.parts[1].draws, 0u);
-    EXPECT_EQ(pass.parts[1].by, Optimisation::Views);
+    EXPECT_EQ(pass.parts[1].by, Optimisation::UnreadViews);
     EXPECT_EQ(pass.parts[2].state, PassState::Skipped) << "nothing is above";
     for (const Effect& e : frame_effects(scene, s, f))
         if (e.name == "face -x of light 0") {
@@ -152,7 +152,7 @@ TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
     for (const std::size_t between : {1u, 2u}) {
         EXPECT_EQ(cascades[between]->state, PassState::Skipped) << cascades[between]->name;
         EXPECT_EQ(cascades[between]->draws, 0u);
-        EXPECT_EQ(cascades[between]->by, Optimisation::Views);
+        EXPECT_EQ(cascades[between]->by, Optimisation::UnreadViews);
     }
     EXPECT_EQ(cascades[0]->state, PassState::Drawn) << "it holds the ball";
     EXPECT_EQ(cascades[3]->state, PassState::Drawn) << "it holds the wall";
@@ -259,7 +259,8 @@ TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
     const Scene scene = row_of_balls();
     const auto unread = [](const FrameResult& f, std::string_view name) {
         std::uint64_t count = 0;
-        for (const PartInfo& part : f.pass(name)->parts) count += part.by == Optimisation::Views ? part.left_out : 0;
+        for (const PartInfo& part : f.pass(name)->parts)
+            count += part.by == Optimisation::UnreadViews ? part.left_out : 0;
         return count;
     };
     const Sets kinds[] = {{{"filter.kernel", "esm"}, {"filter.blur_shape", "gaussian"}},
@@ -274,7 +275,7 @@ TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
         const std::uint64_t left_out = unread(frame(scene, s, cold()), pass);
         EXPECT_GT(left_out, 512u * 512u / 2) << kind[0].second << ": the camera sees one end of the row";
         EXPECT_LT(left_out, 512u * 512u) << kind[0].second;
-        EXPECT_EQ(unread(frame(scene, s, cold({Optimisation::Views})), pass), 0u) << kind[0].second;
+        EXPECT_EQ(unread(frame(scene, s, cold({Optimisation::UnreadViews})), pass), 0u) << kind[0].second;
     }
     for (const Sets& whole :
          {Sets{{"filter.kernel", "vsm"}, {"filter.mips", "true"}}, Sets{{"filter.kernel", "savsm"}}}) {
@@ -310,7 +311,7 @@ TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
         }
         const std::size_t views = frame(scene, s).lights[0].views.size();
         EXPECT_LE(redrawn, int(views)) << "of no map is more than the rest drawn, once";
-        const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Optimisation::Views})));
+        const std::uint64_t all = drawn_triangles(frame(scene, s, cold({Optimisation::UnreadViews})));
         EXPECT_LE(first + orbit, 2 * all);
     }
 }
@@ -414,7 +415,7 @@ TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
         const FrameResult f = frame(scene, s, asked);
         const std::vector<float> found = renderer.read_float(f.visibility, 1).data;
         Renderer other;
-        asked.forced = {Optimisation::Views};
+        asked.forced = {Optimisation::UnreadViews};
         EXPECT_EQ(found, other.read_float(other.render(scene, s, asked).visibility, 1).data) << u.reason;
     }
 }

@@ -22,7 +22,7 @@ const std::vector<Effect>& made_up_effects() {
         {.name = "look-ups of light 7",
          .state = EffectState::NotNeeded,
          .reason = "light.7.cast is off.",
-         .saving = Optimisation::Uncalled,
+         .saving = Optimisation::DeadPasses,
          .pass = "visibility",
          .part = true},
         {.name = "shading", .state = EffectState::Cached, .reason = "Kept.", .pass = "shading"},
@@ -41,7 +41,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
     SavedTimes saved;
     saved.savings.push_back(
-        {Optimisation::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
+        {Optimisation::DeadPasses, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved;
     ui.effects.saved_current = true;
     ui.frames(2);
@@ -49,7 +49,8 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
     EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
     std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
-    more.push_back({.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Optimisation::Uncalled});
+    more.push_back(
+        {.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Optimisation::DeadPasses});
     ui.effects.effects = more;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
@@ -64,7 +65,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(text.find("light.7.castisoff."), std::string::npos) << "a saving calls for nothing";
     EXPECT_NE(text.find("Itcasts."), std::string::npos);
     EXPECT_NE(text.find("Kept."), std::string::npos);
-    ui.state.effects.forced = {Optimisation::Uncalled};
+    ui.state.effects.forced = {Optimisation::DeadPasses};
     ui.frames(2);
     EXPECT_NE(letters(ui).find("light.7.castisoff."), std::string::npos) << "its box must stay within reach";
 }
@@ -175,7 +176,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
     ui.effects.effects = made_up_effects();
     ui.frames(4);
     const Settings before = ui.state.settings;
-    ui.state.effects.forced = {Optimisation::Uncalled};
+    ui.state.effects.forced = {Optimisation::DeadPasses};
     ui.frames(2);
     EXPECT_NE(letters(ui).find("1forced"), std::string::npos);
     const auto reset = ui.find("bottom", "", "Reset##forced");
@@ -190,7 +191,7 @@ TEST(EffectsPanel, ABoxForcesASavingAndResetMakesItAgain) {
             ui.frame();
             if (ui.hovered() == 0) continue;
             ui.click({x, y});
-            clicked = ui.state.effects.forced.contains(Optimisation::Uncalled);
+            clicked = ui.state.effects.forced.contains(Optimisation::DeadPasses);
         }
     EXPECT_TRUE(clicked);
     EXPECT_EQ(ui.state.settings, before) << "a tool, no setting";
@@ -293,7 +294,7 @@ TEST(EditorEffects, AForcedFrameIsDrawnAnewAndLooksTheSame) {
         return e && e->state == EffectState::NotNeeded;
     };
     EXPECT_TRUE(spared());
-    editor.model().state.effects.forced = {Optimisation::Uncalled};
+    editor.model().state.effects.forced = {Optimisation::DeadPasses};
     editor.settle();
     EXPECT_FALSE(spared());
     EXPECT_GT(editor.model().facts().result->pass("visibility")->draws, 0u);
@@ -312,7 +313,7 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.settle();
     ASSERT_TRUE(editor.model().facts().saved);
     EXPECT_TRUE(editor.model().facts().saved_current);
-    const Spread* ms = editor.model().facts().saved->of(Optimisation::Uncalled);
+    const Spread* ms = editor.model().facts().saved->of(Optimisation::DeadPasses);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedRounds);
     EXPECT_LE(ms->median_low, ms->median_high);

@@ -96,7 +96,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
             model.finish_measuring();
             editor.frame();
         } while (model.measuring());
-        for (int i = 0; i < kSmoothedMost; ++i) editor.frame();
+        for (int i = 0; i < kMaxSmoothedShadings; ++i) editor.frame();
         EXPECT_TRUE(is_smooth());
         EXPECT_FALSE(picture() == begun) << "it stayed at one shading";
         EXPECT_EQ(model.state.log.unseen_errors(), 0);
@@ -114,7 +114,7 @@ TEST_F(EditorSmoothing, IsNoPartOfWhatATimedFrameTook) {
     ASSERT_TRUE(std::ranges::any_of(timed, [](const PassInfo& pass) { return pass.gpu_ms > 0; }));
     ASSERT_GT(frames, 0u);
     model.smooths = true;
-    for (int i = 0; i <= kSmoothedMost; ++i) editor.frame();
+    for (int i = 0; i <= kMaxSmoothedShadings; ++i) editor.frame();
     ASSERT_TRUE(is_smooth());
     const std::vector<PassInfo>& told = model.facts().result->passes;
     ASSERT_EQ(told.size(), timed.size());

@@ -63,10 +63,10 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
     using States = std::vector<PassState>;
     const Plan plain = plan_with(false), aided = plan_with(true);
     EXPECT_EQ(plain.passes()[2].key, aided.passes()[2].key);
-    EXPECT_FALSE(aided.holds(Result::ShadowMaps));
+    EXPECT_FALSE(aided.is_current(Result::ShadowMaps));
     EXPECT_EQ(states(aided), (States{PassState::Drawn, PassState::Drawn, PassState::Drawn}));
     maps_held = aided.passes()[0].key;
-    EXPECT_TRUE(aided.holds(Result::ShadowMaps));
+    EXPECT_TRUE(aided.is_current(Result::ShadowMaps));
     EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Drawn, PassState::Drawn}));
     shading_held = aided.passes()[2].key;
     EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Skipped, PassState::Cached}))
@@ -138,7 +138,7 @@ TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
     int given_up = 0;
     plan.release([&] { ++given_up; });
     EXPECT_EQ(given_up, 0);
-    plan.give_up_what_is_unused();
+    plan.run_releases();
     EXPECT_EQ(given_up, 1);
 }
 

@@ -6,7 +6,7 @@
 namespace si {
 namespace {
 
-constexpr Optimisation kOptimisation = Optimisation::Uncalled;
+constexpr Optimisation kOptimisation = Optimisation::DeadPasses;
 const std::vector<Optimisation> kOne = {kOptimisation};
 
 TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {

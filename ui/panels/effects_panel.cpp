@@ -282,7 +282,7 @@ void history(const FrameTimes& times) {
 }
 
 void clock_line(const FrameResult& result, const DriverInfo* driver) {
-    if (result.pages) ImGui::TextDisabled("%s", page_text(*result.pages).c_str());
+    if (result.pages) ImGui::TextDisabled("%s", page_facts_text(*result.pages).c_str());
     const std::string by = result.clock.empty() ? std::string() : fmt::format("Time by {}", result.clock);
     const bool software = driver && driver->software;
     std::string clock = software ? "CPU rasteriser: times do not predict a GPU" : by;
