@@ -1,4 +1,4 @@
-// Names of what a frame leaves out or keeps without changing a byte of its picture, and sets of them.
+// Names of the optimisations that leave a picture's bytes unchanged, and sets of them.
 #pragma once
 
 #include <bitset>
@@ -8,31 +8,34 @@
 
 namespace si {
 
-/// In the order of savings() (renderer/optimisations/optimisations.h).
+/// Optimisation that skips or reuses work of a frame without changing a byte of the picture. Values follow the rows in
+/// renderer/optimisations/optimisations.h.
 enum class Optimisation {
-    DeadPasses,           ///< passes and look-ups that the scene does not call for
-    BlockerSearch,        ///< searches for what casts a penumbra, where none can open
-    EarlyOut,             ///< taps, where the depths about a look-up answer it
-    BackFacingReceivers,  ///< look-ups whose light does not reach the picture
-    DrawOrder,            ///< shading of what is hidden, by drawing what is near first and what is large last
-    FrustumCulling,       ///< objects that no pixel of the picture can show
-    FusedVisibility,      ///< visibility as a pass of its own, where nothing else reads it
-    CasterBackFaces,      ///< of closed casters
-    CasterCulling,        ///< of which nothing lies in a map
-    UnreadViews,          ///< maps, and casters into them, of which no look-up of the picture reads anything
-    StaticCasterCache,    ///< casters that did not move, where others did
-    CasterFragments,      ///< work on fragments of casters that have no stray ones
+    DeadPasses,           ///< passes and look-ups without effect in this scene
+    BlockerSearch,        ///< blocker searches of PCSS-like kernels where no penumbra can open
+    EarlyOut,             ///< kernel taps, where depth bounds around a look-up decide the result
+    BackFacingReceivers,  ///< look-ups of surfaces that the light does not reach
+    DrawOrder,            ///< shading of hidden surfaces: near objects are drawn first, large ones last
+    FrustumCulling,       ///< objects outside the camera's frustum
+    FusedVisibility,      ///< the separate visibility pass, where only shading reads it
+    CasterBackFaces,      ///< back faces of closed casters
+    CasterCulling,        ///< casters outside a map
+    UnreadViews,          ///< maps and casters that no look-up of the picture reads
+    StaticCasterCache,    ///< redrawing of static casters while others move
+    CasterFragments,      ///< fragment shading of casters without edge-on sides
     kCount
 };
+/// Number of optimisations.
 inline constexpr std::size_t kOptimisations = std::size_t(Optimisation::kCount);
 
-/// Some of the optimisations.
+/// Set of optimisations, for example those that a frame has to disable.
 class OptimisationSet {
 public:
     OptimisationSet() = default;
     OptimisationSet(std::initializer_list<Optimisation> some) {
         for (const Optimisation s : some) add(s);
     }
+    /// Returns the set of all optimisations.
     static OptimisationSet all() {
         OptimisationSet set;
         set.bits_.set();
@@ -44,7 +47,8 @@ public:
     }
     bool contains(Optimisation s) const { return bits_.test(std::size_t(s)); }
     bool empty() const { return bits_.none(); }
-    std::uint64_t value() const { return bits_.to_ullong(); }  ///< for keys
+    /// Returns the set as bits, for cache keys.
+    std::uint64_t value() const { return bits_.to_ullong(); }
     bool operator==(const OptimisationSet&) const = default;
 
 private:
