@@ -1,4 +1,4 @@
-// Facts that passes find of the casters once and keep between frames.
+// Facts about casters that passes compute once and keep between frames.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Sides of meshes and keys of their content, each found when first needed. One object a renderer
+/// Cache of mesh sides and content keys of casters, each computed when first needed. One object for each renderer
 /// (Resources::caster_findings).
 struct CasterFindings {
     OfMeshes<std::optional<MeshSides>> sides;
