@@ -25,7 +25,7 @@ public:
     /// Images of reference, comparison, causes and metrics.
     struct Targets {
         gl::Target reference, more_reference;  ///< uploaded values of the reference
-        gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
+        gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl
         gl::Target marks;                      ///< depths MARK_* of wrong pixels, for early depth tests
         std::uint64_t causes_key = 0;          ///< key of `classified` with causes filled in
         gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl

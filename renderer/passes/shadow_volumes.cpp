@@ -41,7 +41,7 @@ bool reaches_beyond_far(const FrameState& f) {
 
 }  // namespace
 
-void ShadowVolumes::build_volume_meshes(const FrameState& f) {
+void ShadowVolumes::reset_volume_meshes(const FrameState& f) {
     if (scene_ == f.scene.id) return;
     scene_ = f.scene.id;
     corners_uploaded_ = false;
@@ -108,7 +108,7 @@ std::string ShadowVolumes::describe_cost(const FrameState& f, const Light& light
 
 void ShadowVolumes::prepare(const FrameState& f) {
     const std::vector<FittedLight>& fitted = f.gl.fitted;
-    build_volume_meshes(f);
+    reset_volume_meshes(f);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
         Light& light = lights_[i];
         light.used = i < fitted.size() && fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;

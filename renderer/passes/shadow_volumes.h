@@ -63,9 +63,9 @@ private:
         std::uint64_t drawn = 0;     ///< key of the light's layer
     };
 
-    /// Builds the edge lists of all meshes that cast.
-    void build_volume_meshes(const FrameState& f);
-    /// Builds the volume triangles of all casters for one light.
+    /// Drops the edge lists of all meshes when the frame has another scene.
+    void reset_volume_meshes(const FrameState& f);
+    /// Builds the volume triangles of all casters for one light, and the edge lists of meshes met for the first time.
     /// @param light light index
     void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
     /// Returns an estimate of a light's drawing cost in words: triangles and how often they cover the picture.

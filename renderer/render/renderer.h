@@ -77,7 +77,8 @@ public:
     const DriverInfo& driver() const;
     /// Returns and clears the driver's errors and high-severity messages since the last call.
     std::vector<std::string> take_gl_messages();
-    /// Frees GPU memory that no result uses. Takes some milliseconds: call while nothing is drawn.
+    /// Returns memory to the system that the driver and the heap hold but no result uses. Takes some milliseconds: call
+    /// while nothing is drawn.
     void release_unused_memory();
     /// Returns the last compile error of hot-reloaded shaders; empty when all compiled.
     std::string shader_log() const;

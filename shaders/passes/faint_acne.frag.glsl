@@ -5,7 +5,7 @@
 #include "lib/cause.glsl"
 #include "lib/drawn_visibility.glsl"
 
-layout(location = 0) out vec2 classified_out;  // judgement()
+layout(location = 0) out vec2 classified_out;  // classification()
 
 void main() {
     vec4 reference = reference_here();
