@@ -66,7 +66,7 @@ struct MapOfLight {
 /// Largest value of FrameRequest::smoothed.
 inline constexpr int kMaxSmoothedShadings = 8;
 /// Name of the pass that makes FrameResult::smooth.
-inline constexpr std::string_view kSmoothingPass = "smoothing at rest";
+inline constexpr std::string_view kSmoothingPass = "smoothing of a static view";
 
 /// Request for one frame: size, outputs, and ray-traced data that its lights need.
 struct FrameRequest {

@@ -15,7 +15,7 @@ enum class Optimisation {
     BlockerSearch,        ///< blocker searches of PCSS-like kernels where no penumbra can open
     EarlyOut,             ///< kernel taps, where depth bounds around a look-up decide the result
     BackFacingReceivers,  ///< look-ups of surfaces that the light does not reach
-    DrawOrder,            ///< shading of hidden surfaces: near objects are drawn first, large ones last
+    DepthOrder,           ///< shading of hidden surfaces: near objects are drawn first, large ones last
     FrustumCulling,       ///< objects outside the camera's frustum
     FusedVisibility,      ///< the separate visibility pass, where only shading reads it
     CasterBackFaces,      ///< back faces of closed casters

@@ -10,7 +10,7 @@ namespace si {
 std::string_view result_name(Result result) {
     switch (result) {
         case Result::PagesWanted:
-            return "pages wanted";
+            return "requested pages";
         case Result::DrawnMaps:
             return "shadow maps as drawn";
         case Result::ShadowMaps:
@@ -34,19 +34,19 @@ std::string_view result_name(Result result) {
         case Result::UnfilteredMap:
             return "unfiltered map";
         case Result::VisibleSurfaces:
-            return "surfaces seen";
+            return "visible surfaces";
         case Result::Reference:
-            return "truth";
+            return "reference";
         case Result::Compared:
             return "compared pixels";
         case Result::Classified:
-            return "judged pixels";
+            return "classified pixels";
         case Result::Error:
             return "error";
         case Result::Evidence:
             return "evidence";
         case Result::ReferenceLitPicture:
-            return "true picture";
+            return "picture by the reference";
         case Result::Precision:
             return "errors of single precision";
         case Result::Shaded:
@@ -99,14 +99,16 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         const bool held = pass.cached && *pass.cached == pass.key;
         if (!force && held && !pass.lacks) {
             info.state = PassState::Cached;
-            info.reason = "nothing it depends on changed";
+            info.reason = "its inputs are unchanged";
         } else if (pass.aid &&
                    std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
-            info.reason = "nothing that it helps is made anew";
+            info.reason = "no pass that it speeds up is drawn";
         } else {
             info.state = PassState::Drawn;
             read_now.insert(pass.reads.begin(), pass.reads.end());
-            info.reason = !held ? "its inputs changed" : force ? "asked to run" : "more of it is called for";
+            info.reason = !held   ? "its inputs changed"
+                          : force ? "forced by the request"
+                                  : "more texels of it are needed";
         }
     }
     return out;

@@ -29,7 +29,7 @@ struct Pass {
     /// read before stay equal.
     bool lacks = false;
     std::function<void(PassInfo&)> run;
-    std::string idle_reason = "nothing reads it";  ///< reason to report when no running pass reads the result
+    std::string idle_reason = "no pass reads it";  ///< reason to report when no running pass reads the result
 };
 
 /// Decides which passes run, walking back from the `wanted` results. A pass is live when its result is wanted or read

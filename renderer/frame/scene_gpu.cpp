@@ -239,7 +239,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         gl::clear_gl_errors();
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
         gl::check_memory_errors(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
-                                "use a scene with smaller textures, or map.resolution below what it is");
+                                "use a scene with smaller textures, or a lower map.resolution");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
         gl::track_image_memory(texture, "scene's textures", {.levels = levels});

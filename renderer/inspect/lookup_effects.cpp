@@ -45,9 +45,7 @@ std::string search_text(const EffectFacts& f, const std::string& no_size) {
     const std::string kernel = f.kernel();
     const Search search = search_of(f.filter());
     const bool forced = f.forced.contains(Optimisation::BlockerSearch);
-    if (search == Search::None)
-        return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
-                           kernel);
+    if (search == Search::None) return fmt::format("the kernel {} has a fixed width", kernel);
     if (search == Search::Rays) {
         if (no_size.empty())
             return fmt::format("kernel {} follows rays from each pixel to places of the light, up to what they meet",
@@ -231,7 +229,7 @@ void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) 
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
-        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::DrawOrder,
+        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::DepthOrder,
                                   "what is near is drawn before what it hides, large meshes after small ones that they "
                                   "touch: the depth test drops most of what would be shaded and hidden again"));
     look_parts(f, pass, out);

@@ -37,7 +37,7 @@ void SeenObjects::arrange(const FrameState& f) {
     const bool all = f.request.forced.contains(Optimisation::FrustumCulling);
     // Depths that crowd at the far plane would put into one place what lies far apart.
     const bool sorts =
-        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::DrawOrder);
+        touching_ && f.camera.curve.convention.reversed && !f.request.forced.contains(Optimisation::DepthOrder);
     const std::uint64_t key = Key(gpu.key()).add(f.camera_key.value()).add(all).add(sorts).value();
     if (of_seen_ == key) return;
     of_seen_ = key;

@@ -1,4 +1,4 @@
-// What the camera draws of the scene, and in what order (Optimisation::FrustumCulling, Optimisation::DrawOrder). Kept
+// What the camera draws of the scene, and in what order (Optimisation::FrustumCulling, Optimisation::DepthOrder). Kept
 // until camera or objects change.
 #pragma once
 

@@ -100,7 +100,7 @@ void BlobPass::declare(FrameState& f) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::Blobs};
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);
     for (const int light : lights) key.add(light);
     pass.key = key.value();

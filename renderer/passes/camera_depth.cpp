@@ -58,7 +58,7 @@ void CameraDepthPass::declare(FrameState& f) {
     Pass pass;
     pass.name = "camera depth";
     pass.writes = {Result::CameraDepth};
-    pass.idle_reason = "nothing reads it: each pass from the camera brings its own depth test";
+    pass.idle_reason = "no pass reads it: each pass from the camera tests depth itself";
     pass.key = f.surfaces_key().value();
     pass.cached = &depth.key;
     pass.run = [&f](PassInfo& info) { run(f, info); };

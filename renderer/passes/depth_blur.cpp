@@ -46,10 +46,10 @@ void DepthBlurPass::declare(FrameState& f) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::ShadowMaps};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     const int radius = f.settings.map.blur_texels;
     if (!f.blurs_depths()) {
-        pass.unneeded = radius == 0 ? "map.blur_texels is 0: depths stay as drawn" : "no light has a shadow map";
+        pass.unneeded = radius == 0 ? "map.blur_texels is 0" : "no light has a shadow map";
         f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
@@ -69,9 +69,10 @@ void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
         if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
-    if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that no pass reads"))
         info.parts.push_back(std::move(*part));
-    info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
+    info.reason +=
+        fmt::format("; mean of {0} x {0} texels' depths, which gives wrong shadows on purpose", 2 * radius + 1);
 }
 
 }  // namespace si

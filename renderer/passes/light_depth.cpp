@@ -68,12 +68,12 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     const char* plural = spared.unread == 1 ? "" : "s";
     const char* cover = spared.unread == 1 ? "covers" : "cover";
     if (spared.unread == 0)
-        part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+        part.reason = part.draws == 0 ? "cleared only: no caster lies in the map" : "casters drawn";
     else if (part.draws == 0)
-        part.reason = fmt::format("it is only cleared: {} caster{} {} nothing that the camera can read", spared.unread,
-                                  plural, cover);
+        part.reason = fmt::format("cleared only: {} caster{} {} no texel that the camera's picture reads",
+                                  spared.unread, plural, cover);
     else
-        part.reason = fmt::format("its casters are drawn, but for {} that {} nothing that the camera can read",
+        part.reason = fmt::format("casters drawn, except {} that {} no texel that the camera's picture reads",
                                   spared.unread, cover);
     info.parts.push_back(std::move(part));
     return spared;
@@ -83,8 +83,8 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
 PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
     PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
     part.state = kept ? PassState::Cached : PassState::Skipped;
-    part.reason = kept ? "what is called for of it was drawn before"
-                       : "nothing that the camera sees is looked up in it: it is not drawn";
+    part.reason = kept ? "the needed texels were drawn in an earlier frame"
+                       : "not drawn: no surface that the camera sees looks up this map";
     if (!kept) part.by = Optimisation::UnreadViews;
     return part;
 }
@@ -95,9 +95,8 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
     const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
     part.by = Optimisation::CasterBackFaces;
     part.state = forced ? PassState::Drawn : PassState::Skipped;
-    part.reason =
-        fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
-                    forced ? "both their faces, which is forced" : "front faces alone, which hide the back ones");
+    part.reason = fmt::format("{} closed caster{} drawn with {}", closed, closed == 1 ? " is" : "s are",
+                              forced ? "both faces (forced)" : "front faces alone: front faces hide back faces");
     return part;
 }
 
@@ -106,7 +105,7 @@ PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
     part.by = Optimisation::CasterFragments;
     part.left_out = bare;
-    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
+    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is edge-on to the light", bare,
                               bare == 1 ? " is" : "s are");
     return part;
 }
@@ -178,10 +177,10 @@ struct StaticWork {
 /// Why no map of what rests is made, whatever moves. Empty: there may be one.
 std::string why_none_rests(const FrameState& f) {
     if (is_colour(f.settings.map.format))
-        return "map.format keeps colours: the depths that what moves would be tested against are not kept";
+        return "map.format is a colour format, which keeps no depths to test moving casters against";
     const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
     if ((kept_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
-        return "a second map of what rests would take more than the 2 GiB that maps may";
+        return "a second map for static casters would exceed the limit of 2 GiB for all maps";
     return {};
 }
 
@@ -193,7 +192,7 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
     if (f.request.forced.contains(Optimisation::StaticCasterCache))
-        work.reason = "all are drawn, which is forced";
+        work.reason = "all casters are drawn (forced)";
     else if (moved)
         work.reason = why_none_rests(f);
     if (f.request.force || f.request.emptied || !work.reason.empty()) {
@@ -209,7 +208,9 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
             triangles.push_back(f.scene.meshes[std::size_t(f.scene.objects[object].mesh)].indices.size() / 3);
         std::string_view reason;
         work.draws = known.casters.choose(views, weighed_casters(content.of, triangles), reason);
-        work.reason = views == views_before ? reason : "its views changed with what moved, and with them every texel";
+        work.reason = views == views_before
+                          ? reason
+                          : "the light's views changed with the moving casters, and with them every texel";
     } else if (views != views_before) {
         known.casters.forget();
     } else if (known.casters.keeps(views)) {
@@ -226,7 +227,7 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
 
 PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
     using Draws = StaticCasters::Draws;
-    PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
+    PartInfo part{.name = fmt::format("static casters in maps of light {}", light), .unit = "casters"};
     part.by = Optimisation::StaticCasterCache;
     if (f.request.forced.contains(Optimisation::StaticCasterCache)) part.state = PassState::Drawn;
     part.reason = work.reason;
@@ -235,8 +236,9 @@ PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& w
     if (work.draws == Draws::Moved) part.left_out = work.count;
     part.reason =
         work.draws == Draws::Anew
-            ? fmt::format("{} that did not move are drawn into a map of their own, and what moved over it", work.count)
-            : "they are kept in a map of their own, and what moves is drawn over it";
+            ? fmt::format("{} static casters are drawn into a map of their own, and moving casters over a copy of it",
+                          work.count)
+            : "static casters are cached in a map of their own; moving casters are drawn over a copy of it";
     return part;
 }
 
@@ -273,9 +275,9 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
     if (kept) part.by = Optimisation::StaticCasterCache;
-    part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
-                  : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
-                                    : "what rests in it is kept, and what moves is drawn over it";
+    part.reason = !kept             ? "static casters drawn into their own map, moving casters over a copy of it"
+                  : part.draws == 0 ? "static casters are cached, and no moving caster covers a needed texel"
+                                    : "static casters are cached; moving casters are drawn over a copy of their map";
     info.parts.push_back(std::move(part));
     spared.closed += over.closed;
     spared.bare += over.bare;
@@ -300,7 +302,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     StaticMapState rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
     const StaticWork static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
-    if (apart && ensure_maps(f, t.static_casters, "casters at rest")) {
+    if (apart && ensure_maps(f, t.static_casters, "static casters")) {
         for (StaticMapState& other : t.at_rest) other.casters.views.clear();
         rest.casters.views.clear();
     }
@@ -332,7 +334,8 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     const auto& batches = f.gl.scene->batches();
     const bool masks =
         std::any_of(batches.begin(), batches.end(), [](const Batch& b) { return b.cast && b.masked && !b.blend; });
-    info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
+    info.reason +=
+        masks ? "; masked materials are drawn with their alpha test" : "; no masked material, so no alpha variant";
 }
 
 /// Whether some light's map still is one over which what moves may be drawn.
@@ -362,7 +365,7 @@ void LightDepthPasses::declare(FrameState& f) {
         pass.category = PassCategory::Maps;
         pass.light = int(i);
         pass.writes = writes;
-        pass.idle_reason = "nothing samples a shadow map";
+        pass.idle_reason = "no pass samples a shadow map";
         if (!light.casts) {
             pass.unneeded = light.reason;
             f.plan.add(std::move(pass));
@@ -398,14 +401,14 @@ void UnfilteredMapPass::declare(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::UnfilteredMap};
-    pass.idle_reason = "nothing asks what is wrong";
+    pass.idle_reason = "no output shows wrong pixels";
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
-                                          : "the map as drawn is it: no polygon offset, no mask with mip levels";
+                                          : "equal to the map as drawn: no polygon offset, no mask with mip levels";
         if (f.view_count > 0) f.plan.release([&t] { t.unfiltered = {}; });
     } else {
         pass.key = Key().add("unfiltered").value();

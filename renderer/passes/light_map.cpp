@@ -74,7 +74,7 @@ void LightMapPass::declare(FrameState& f) {
     pass.name = "light map";
     pass.category = PassCategory::Maps;
     pass.writes = {Result::LightMap};
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     Key key;
     for (const LightMap* map : maps) key.add(map->version);
     pass.key = key.value();

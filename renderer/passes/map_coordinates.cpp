@@ -11,9 +11,9 @@ void MapCoordinatesPass::declare(FrameState& f) {
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::MapCoordinates};
-    pass.idle_reason = "not needed: nothing shows which texels are read";
+    pass.idle_reason = "not needed: no output shows which texels are read";
     if (!f.shown_view()) {
-        pass.unneeded = "the light shown has no map";
+        pass.unneeded = "view.light has no shadow map";
         f.plan.add(std::move(pass));
         return;
     }

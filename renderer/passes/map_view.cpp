@@ -43,7 +43,7 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
     pass.writes = {Result::MapChannel};
     pass.idle_reason = "the map viewer is closed";
     if (shown_channel(f.settings) == 0) {
-        pass.unneeded = "view.map_channel asks for depth";
+        pass.unneeded = "view.map_channel shows depth, no moment";
         f.plan.release([&t] { t.channel = {}; });
     }
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
@@ -70,7 +70,7 @@ Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int 
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::DepthRange};
-    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit does not ask for it";
+    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit is off";
     pass.key = shown.value();
     pass.cached = &t.range.key;
     pass.run = [&f, &t, layer](PassInfo& info) {

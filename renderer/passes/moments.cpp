@@ -189,10 +189,9 @@ void MomentsPass::declare(FrameState& f) {
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::Moments};
     pass.category = PassCategory::Maps;
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     if (!samples_moments(f)) {
-        pass.unneeded =
-            f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not averages of them";
+        pass.unneeded = f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, no moments";
         f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;
@@ -221,7 +220,7 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
                 maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-    if (std::optional<PartInfo> part = unread_texels(f, "moments that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels(f, "moments that no pass reads"))
         info.parts.push_back(std::move(*part));
     info.reason += description(f);
 }

@@ -161,9 +161,9 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
 
 std::string page_facts_text(const PageFacts& p) {
     std::string out = fmt::format("{} pages requested, {} drawn, {} cached", p.wanted, p.drawn, p.kept);
-    if (p.coarser > 0) out += fmt::format(", coarser ones for {}", p.coarser);
+    if (p.coarser > 0) out += fmt::format(", {} replaced by coarser ones", p.coarser);
     if (p.evicted > 0) out += fmt::format(", {} evicted", p.evicted);
-    return out + fmt::format("; {:.3g} M texels drawn, {:.3g} M read; a fixed map as sharp has {:.4g} M",
+    return out + fmt::format("; {:.3g} M texels drawn, {:.3g} M read; an unpaged map of equal texel size has {:.4g} M",
                              1e-6 * double(p.drawn_texels()), 1e-6 * double(p.read_texels()),
                              1e-6 * p.fixed_map_texels);
 }

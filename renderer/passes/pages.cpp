@@ -266,7 +266,7 @@ Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::PagesWanted};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     pass.key = f.lighting_key().value();
     pass.cached = &t.wanted.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -413,7 +413,7 @@ Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::PagesWanted};
     pass.writes = {Result::DrawnMaps, Result::ShadowMaps};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     Key key = f.with_settings(f.with_settings(f.geometry_key, ReadBy::Maps), ReadBy::Pages);
     key.add(f.gl.fit_key).add(f.view_count).add(f.gl.programs.source().generation());
     pass.key = key.add(f.settings.caster.blend).add(f.request.forced.value()).value();
@@ -452,7 +452,7 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     f.plan.place(Result::UnfilteredMap,
                  {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
-        pass.unneeded = "the pages as drawn are it: no polygon offset, no mask with mip levels";
+        pass.unneeded = "equal to the pages as drawn: no polygon offset, no mask with mip levels";
         f.plan.release([&t] { t.unfiltered = {}; });
         f.plan.add(std::move(pass));
         return;

@@ -74,9 +74,9 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
         pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Classified});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
     pass.writes = {{Result::Overlay, pane.slot}};
-    pass.idle_reason = "the overlay was not asked for";
+    pass.idle_reason = "the overlay is not requested";
     if (!pane.row()) {
-        pass.unneeded = pane.lacks_reference ? "the truth about this frame is not traced" : "no overlay is chosen";
+        pass.unneeded = pane.lacks_reference ? "the reference of this frame is not traced" : "no overlay is chosen";
         return pass;
     }
     // Where nothing writes depth, it has to be there.
@@ -99,7 +99,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     pass.name = slot_name("overlay over picture", pane);
     pass.reads = {Result::Shaded, {Result::Overlay, pane.slot}};
     pass.writes = {{Result::Composed, pane.slot}};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     if (!pane.row()) {
         pass.unneeded = "no overlay is chosen";
         return pass;
@@ -130,7 +130,7 @@ Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
     pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};
     pass.writes = {{Result::Slabs, pane.slot}};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     return pass;
 }
 

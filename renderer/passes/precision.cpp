@@ -34,13 +34,13 @@ void upload(const Precision& found, gl::Target& to) {
 void PrecisionPass::declare(FrameState& f) {
     f.plan.place(Result::Precision, {&error_, shared::UNIT_PRECISION});
     Pass pass;
-    pass.name = "single against double precision";
+    pass.name = "single-precision errors";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::SurfaceIds};
     pass.writes = {Result::Precision};
-    pass.idle_reason = "not needed: nothing shows how far look-ups are off";
+    pass.idle_reason = "not needed: no output shows precision errors";
     if (!f.shown_view()) {
-        pass.unneeded = "the light shown has no map";
+        pass.unneeded = "view.light has no shadow map";
         f.plan.add(std::move(pass));
         return;
     }

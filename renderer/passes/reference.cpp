@@ -25,7 +25,7 @@ constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invoca
 static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
-constexpr const char* kUntraced = "the truth about this frame is not traced";
+constexpr const char* kUntraced = "the reference of this frame is not traced";
 
 using ReferenceTargets = ReferencePasses::Targets;
 
@@ -52,15 +52,15 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
         glTextureSubImage2D(t.texture.id(), 0, 0, 0, reference.width, reference.height, GL_RGBA, GL_FLOAT, data.data());
     };
     put(to.reference, "truth", pixels);
-    put(to.more_reference, "more of the truth", more);
+    put(to.more_reference, "more of the reference", more);
 }
 
 Pass upload_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "truth uploaded";
+    pass.name = "reference uploaded";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::Reference};
-    pass.idle_reason = "nothing asks for the truth";
+    pass.idle_reason = "no output needs the reference";
     pass.key = f.reference_content;
     pass.cached = &t.reference.key;
     pass.run = [&f, &t](PassInfo&) { upload(f.request.reference->traced, t); };
@@ -110,14 +110,14 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     pass.category = PassCategory::Tool;
     pass.reads = {Result::Visibility, Result::VisibleSurfaces, Result::Reference};
     pass.writes = {Result::Compared};
-    pass.idle_reason = "nothing asks what is wrong";
+    pass.idle_reason = "no output shows wrong pixels";
     pass.key = f.shown_light_key().value();
     pass.cached = &t.classified.key;
     pass.run = [&f, &t](PassInfo& info) {
         t.causes_key = 0;
-        t.classified.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        t.classified.ensure("classified pixels", GL_RG32F, f.request.width, f.request.height);
         t.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);  // without the test nothing is written
         glDepthFunc(GL_ALWAYS);
@@ -141,11 +141,11 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::VisibleSurfaces,
                                          Result::UnfilteredMap, Result::Reference});
     pass.writes = {Result::Classified};
-    pass.idle_reason = "nothing asks why it is wrong";
+    pass.idle_reason = "no output shows causes";
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_EQUAL);
@@ -173,13 +173,13 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
 
 Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "trials of every pixel";
+    pass.name = "trials of all pixels";
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.writes = {Result::Evidence};
-    pass.idle_reason = "nothing asks for trials";
+    pass.idle_reason = "no output needs the trials";
     pass.key = f.shown_light_key().add(f.reference.met).value();
     pass.cached = &t.evidence[0].key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -228,11 +228,11 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
 
 Pass sums_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "errors summed up";
+    pass.name = "error metrics";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::Classified, Result::Reference};
     pass.writes = {Result::Error};
-    pass.idle_reason = "not needed: no number of the error is shown";
+    pass.idle_reason = "not needed: no output shows error metrics";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
     pass.cached = &t.error_tiles.key;
     pass.run = [&f, &t](PassInfo& info) {

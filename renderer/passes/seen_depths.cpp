@@ -20,7 +20,7 @@ constexpr double kSlack = 1e-5;
 }  // namespace
 
 std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
-    info = {.name = "depths seen", .state = PassState::Drawn, .category = PassCategory::Maps};
+    info = {.name = "visible depths", .state = PassState::Drawn, .category = PassCategory::Maps};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
     const CameraPass pass(f);  // whose framebuffer is read below
@@ -42,9 +42,9 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
         const double slack = kSlack * std::max(std::abs(a), std::abs(b));
         span = {std::min(a, b) - slack, std::max(a, b) + slack};
     }
-    info.reason = span ? fmt::format("the camera sees {} to {}; light.depth_bounds goes by it",
-                                     metres_text(span->from_m), metres_text(span->to_m))
-                       : "light.depth_bounds asks, but the camera sees nothing";
+    info.reason = span ? fmt::format("visible depths {} to {}, for light.depth_bounds", metres_text(span->from_m),
+                                     metres_text(span->to_m))
+                       : "no surface is visible: light.depth_bounds has no depths to use";
     if (f.request.timing) {
         info.cpu_ms = info.gpu_ms =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -10,10 +10,10 @@ void SeenSurfacesPass::declare(FrameState& f) {
     for (int i = 0; i < kSeenImages; ++i)
         f.plan.place(Result::VisibleSurfaces, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
     Pass pass;
-    pass.name = "surfaces seen";
+    pass.name = "visible surfaces";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::VisibleSurfaces};
-    pass.idle_reason = "nothing evaluates pixels again";
+    pass.idle_reason = "no pass evaluates pixels again";
     // There is an image more also where its normal is without effect.
     const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;
     const bool steps = bias_of(f.settings).by_derivatives;
@@ -26,7 +26,7 @@ void SeenSurfacesPass::declare(FrameState& f) {
 
 void SeenSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
     for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
-    CameraPass(f, "surfaces seen", GL_RGBA32F, std::span(images_).first(count))
+    CameraPass(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
         .clear(glm::vec4(0))  // where there is nothing, nothing receives
         .draw("passes/seen_surfaces.frag.glsl", {}, info);
 }

@@ -93,15 +93,17 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 /// The objects that are not drawn.
 PartInfo beside_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.left_out();
-    PartInfo part{
-        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::FrustumCulling};
+    PartInfo part{.name = "objects outside the picture",
+                  .left_out = count,
+                  .unit = "objects",
+                  .by = Optimisation::FrustumCulling};
     if (f.request.forced.contains(Optimisation::FrustumCulling)) {
         part.state = PassState::Drawn;
-        part.reason = "all objects are drawn, wherever they lie, which is forced";
+        part.reason = "all objects are drawn (forced)";
     } else if (count == 0)
-        part.reason = "there are none: the box of each object lies in what the camera sees";
+        part.reason = "none skipped: every object's box meets the view frustum";
     else
-        part.reason = "a box that lies outside of what the camera sees covers no pixel";
+        part.reason = "objects outside the view frustum cover no pixel";
     return part;
 }
 
@@ -161,7 +163,7 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
         blend_into(f, t.one, t.sum, 1, t.count > 0, info);
     }
     blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
-    info.reason += fmt::format("; {} of {} shadings are in it", count, kMaxSmoothedShadings);
+    info.reason += fmt::format("; mean of {} of {} shadings", count, kMaxSmoothedShadings);
 }
 
 }  // namespace
@@ -169,14 +171,14 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
 void ReferenceShadePass::declare(FrameState& f) {
     f.plan.place(Result::ReferenceLitPicture, {&picture_});
     Pass pass;
-    pass.name = "shading by the truth";
+    pass.name = "shading by the reference";
     pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::Visibility);
     pass.category = PassCategory::Tool;
     pass.writes = {Result::ReferenceLitPicture};
-    pass.idle_reason = "not needed: the true picture is not shown";
+    pass.idle_reason = "not needed: the picture by the reference is not shown";
     if (!f.reference.met) {
-        pass.unneeded = "the truth about this frame is not traced";
+        pass.unneeded = "the reference of this frame is not traced";
         f.plan.add(std::move(pass));
         return;
     }
@@ -189,7 +191,7 @@ void ReferenceShadePass::declare(FrameState& f) {
 void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
     const gl::Target& drawn = f.result(Result::Visibility);
     gl::Target& visibility = visibility_;
-    visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
+    visibility.ensure("visibility by the reference", drawn.format, drawn.width, drawn.height, drawn.layers);
     glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                        GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
     upload_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
@@ -204,7 +206,7 @@ void ShadePasses::declare(FrameState& f) {
     pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     pass.writes = {Result::Shaded};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
     pass.cached = &picture_.key;
     const std::uint64_t key = pass.key;
@@ -227,12 +229,12 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
     pass.writes = {Result::Smooth};
-    pass.idle_reason = "not needed: the view moves, or no smooth picture is called for";
+    pass.idle_reason = "not needed: the view moves, or no smooth picture is requested";
     const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
     bool fused = true;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         fused &= !f.has_contact_shadows(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
-    if (!fused) pass.unneeded = "visibility is drawn apart, of the picture's own pixels";
+    if (!fused) pass.unneeded = "visibility is a separate pass, at the picture's own pixels";
     pass.key = Key().add(of).add(count).value();
     pass.cached = &t.mean.key;
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };

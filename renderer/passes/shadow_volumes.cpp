@@ -124,8 +124,8 @@ void ShadowVolumes::prepare(const FrameState& f) {
         }
         if (light.open_triangles > kMaxOpenTriangles && !f.settings.volumes.allow_large)
             light.refusal = fmt::format(
-                "light {}: its shadow volumes are not drawn unasked, as {} triangles of its casters, above {}, are not "
-                "of closed surfaces: {}; volumes.allow_large draws them",
+                "light {}: shadow volumes are not drawn: {} triangles of its casters, more than {}, do not belong to "
+                "closed surfaces: {}; volumes.allow_large draws them anyway",
                 i, light.open_triangles, kMaxOpenTriangles, describe_cost(f, light, source));
     }
 }
@@ -272,7 +272,7 @@ Pass ShadowVolumes::make_pass(FrameState& f, std::size_t number) {
     pass.reads = {Result::CameraDepth};
     pass.writes = {Result::ShadowVolumes};
     pass.category = PassCategory::Maps;
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     pass.unneeded = light.refusal;
     if (!light.refusal.empty()) return pass;
     const int layers = int(f.gl.fitted.size());
@@ -284,7 +284,7 @@ Pass ShadowVolumes::make_pass(FrameState& f, std::size_t number) {
         copy_depth(f, info);
         count_volumes(f, number, info);
         const Light& l = lights_[number];
-        info.reason += fmt::format("; {} triangles, {} of the casters' not of closed surfaces", l.index_count / 3,
+        info.reason += fmt::format("; {} triangles; {} casters' triangles without a closed surface", l.index_count / 3,
                                    l.open_triangles);
     };
     return pass;

@@ -98,7 +98,7 @@ Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     if (!f.slabs_shown) {
-        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "the light shown has no map";
+        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "view.light has no shadow map";
         return pass;
     }
     SlabTargets& s = targets_;

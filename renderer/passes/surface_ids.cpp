@@ -11,7 +11,7 @@ void SurfaceIdsPass::declare(FrameState& f) {
     pass.name = "surface ids";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::SurfaceIds};
-    pass.idle_reason = "not needed: nothing reads which triangle a pixel shows";
+    pass.idle_reason = "not needed: no pass reads triangle numbers";
     pass.key = f.surfaces_key().value();
     pass.cached = &ids_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };

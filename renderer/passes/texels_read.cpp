@@ -12,10 +12,10 @@ void TexelsReadPass::declare(FrameState& f) {
     pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::VisibleSurfaces);
     pass.writes = {Result::TexelsRead};
-    pass.idle_reason = "not needed: nothing shows which texels are read";
+    pass.idle_reason = "not needed: no output shows which texels are read";
     int layer = 0;
     if (!f.shown_view(&layer)) {
-        pass.unneeded = "the light shown has no map";
+        pass.unneeded = "view.light has no shadow map";
         f.plan.release([this] { targets_ = {}; });
         f.plan.add(std::move(pass));
         return;

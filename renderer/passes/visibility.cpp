@@ -91,7 +91,7 @@ void VisibilityPass::declare(FrameState& f) {
     pass.reads = kernel_inputs(f);
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
     pass.writes = {Result::Visibility};
-    pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
+    pass.idle_reason = "no pass reads it: the shading pass evaluates visibility itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (f.has_contact_shadows(i)) {

@@ -130,7 +130,7 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
-        f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
+        f.notes.push_back(fmt::format("map.resolution {} exceeds the driver's limit; {} is used", asked, n));
     if (limit && limit->most < n) {
         f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->most, n, limit->why));
         n = limit->most;
@@ -163,7 +163,7 @@ void limit_moments(FrameState& f) {
         *value = most;
     }
     if (owns(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
-        f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
+        f.notes.push_back(fmt::format("filter.anisotropy {} exceeds the driver's limit; {:g} is used", s.anisotropy,
                                       f.driver.max_anisotropy));
         s.anisotropy = int(f.driver.max_anisotropy);
     }
@@ -173,8 +173,9 @@ void limit_moments(FrameState& f) {
     for (const int count : f.driver.map_samples)
         if (count >= samples) used = count;
     if (used != samples)
-        f.notes.push_back(fmt::format("map.samples {} is not what the driver can draw depths with; {} {} used", samples,
-                                      used, used == 1 ? "is" : "are"));
+        f.notes.push_back(
+            fmt::format("map.samples {}: the driver does not support this count for depth textures; {} {} used",
+                        samples, used, used == 1 ? "is" : "are"));
     samples = used;
 }
 
@@ -248,8 +249,8 @@ void choose_kernel(FrameState& f) {
         const SettingRef ref = *find_setting(key);
         const int taps = std::get<int>(get_value(f.settings, ref));
         if (idle_reason(f.settings, ref).empty() && disk_places(filter, f.settings, taps) < taps)
-            f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
-                                          key, taps, kDiskTable));
+            f.notes.push_back(
+                fmt::format("{} {}: the Poisson table has {} samples, all of which are used", key, taps, kDiskTable));
     }
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(taps_across(filter, f.settings))});
@@ -301,7 +302,7 @@ void find_reference(FrameState& f) {
                       f.request.reference && f.request.reference->options ? *f.request.reference->options
                                                                           : reference_options(f.settings));
     if (f.reference.key == 0) {
-        f.notes.push_back("there is no light to trace the truth of");
+        f.notes.push_back("there is no light to trace a reference for");
         return;
     }
     const ReferencePicture* reference = f.request.reference.get();
@@ -330,7 +331,7 @@ void find_traced(FrameState& f) {
             f.lights_key.add(i).add(f.traced_pictures[i]->version);
         else
             f.notes.push_back(
-                fmt::format("light {} has no shadow yet: its source is {}, and no rays were traced for this view", i,
+                fmt::format("light {} has no shadow yet: its source is {}, and no rays are traced for this view", i,
                             source_of(f.settings, int(i)).key));
     }
 }
@@ -342,7 +343,7 @@ void find_light_maps(FrameState& f) {
     if (!any_source_needs(f.settings, &SourceNeeds::light_map)) return;
     int& side = f.settings.light_map.resolution;
     if (side > f.driver.max_texture_size) {
-        f.notes.push_back(fmt::format("light_map.resolution {} is beyond the driver's limit; {} is used", side,
+        f.notes.push_back(fmt::format("light_map.resolution {} exceeds the driver's limit; {} is used", side,
                                       f.driver.max_texture_size));
         side = f.driver.max_texture_size;
     }
@@ -433,15 +434,15 @@ FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& setti
     if (request.map_camera) {
         if (!request.map_camera->seen_m)
             f.notes.push_back(
-                "light.depth_bounds sdsm: nothing was measured for the camera that the maps are made for; "
-                "they go by the boxes");
+                "light.depth_bounds sdsm: visible depths of the maps' camera are not measured; "
+                "object boxes are used");
         return f;
     }
     SeenDepths& seen = resources.seen;
     const std::uint64_t key = f.surfaces_key().value();
     if (seen.key == key && !request.force) {
         seen.info.state = PassState::Cached;
-        seen.info.reason = "nothing that the camera sees has changed";
+        seen.info.reason = "the visible surfaces are unchanged";
         seen.info.cpu_ms = seen.info.gpu_ms = 0;
         f.seen_m = seen.span;
         return f;

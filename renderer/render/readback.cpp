@@ -26,12 +26,12 @@ const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, cons
         image = part.image;
         if (!is_there(part, resources))
             throw Error(
-                fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
+                fmt::format("the {} of this frame were overwritten by a later frame; draw it again "
                             "before reading them",
                             result_name(result)));
     }
     if (!image)
-        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them",
+        throw Error(fmt::format("the frame did not draw its {}: none of its requested outputs needs them",
                                 result_name(result)));
     return *image;
 }
@@ -89,7 +89,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
     if (!frame.maps_are_whole)
         throw Error(
-            "the shadow maps of this frame hold only what its picture reads; ask it for its shadow maps before "
+            "the shadow maps of this frame hold only texels that its picture reads; request shadow maps before "
             "reading them");
     const int n = frame.map_resolution;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;

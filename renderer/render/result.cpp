@@ -85,7 +85,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
         result.pages = passes.pages.page_facts(pages && pages->state == PassState::Drawn);
         if (result.pages->coarser > 0)
             f.notes.push_back(
-                fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "
+                fmt::format("map.page_pool of {} pages is full: coarser pages replace {} of {}; raise it, or "
                             "map.virtual_bias",
                             f.settings.map.page_pool, result.pages->coarser, result.pages->wanted));
     }

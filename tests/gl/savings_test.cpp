@@ -87,7 +87,7 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesInEveryBuiltInScene) {
                                std::string(row.key) + ", " + cases()[next][0].second);
     }
     expect_made({Optimisation::DeadPasses, Optimisation::BlockerSearch, Optimisation::EarlyOut,
-                 Optimisation::BackFacingReceivers, Optimisation::DrawOrder, Optimisation::FrustumCulling,
+                 Optimisation::BackFacingReceivers, Optimisation::DepthOrder, Optimisation::FrustumCulling,
                  Optimisation::FusedVisibility, Optimisation::CasterBackFaces, Optimisation::CasterCulling,
                  Optimisation::UnreadViews, Optimisation::CasterFragments});
 }
@@ -112,7 +112,7 @@ TEST_F(OptimisationsTest, ForcedDrawsTheSameBytesOfRealModels) {
             EXPECT_TRUE(model.may_be_refused) << e.what();
         }
     }
-    expect_made({Optimisation::DeadPasses, Optimisation::BackFacingReceivers, Optimisation::DrawOrder,
+    expect_made({Optimisation::DeadPasses, Optimisation::BackFacingReceivers, Optimisation::DepthOrder,
                  Optimisation::FrustumCulling, Optimisation::FusedVisibility, Optimisation::CasterBackFaces,
                  Optimisation::CasterCulling, Optimisation::UnreadViews, Optimisation::CasterFragments});
 }

@@ -70,8 +70,8 @@ TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
     const std::uint64_t spared = written_fragments(far_first, s, {}),
-                        forced = written_fragments(far_first, s, {Optimisation::DrawOrder}),
-                        least = written_fragments(row_of_plates(8, true), s, {Optimisation::DrawOrder});
+                        forced = written_fragments(far_first, s, {Optimisation::DepthOrder}),
+                        least = written_fragments(row_of_plates(8, true), s, {Optimisation::DepthOrder});
     EXPECT_GT(least, 2000u);
     EXPECT_EQ(spared, least) << "each pixel is shaded once";
     EXPECT_GT(forced, 2 * spared);
@@ -91,7 +91,7 @@ TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
 TEST_F(ShadingOptimisationsTest, OrderLeavesThePictureAlone) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     FrameRequest forced = small();
-    forced.forced = {Optimisation::DrawOrder};
+    forced.forced = {Optimisation::DepthOrder};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }

@@ -89,11 +89,11 @@ TEST(PlanTest, EachDecisionSaysWhy) {
         return out;
     };
     using Told = std::vector<std::pair<PassState, std::string>>;
-    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "nothing it depends on changed"},
+    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "its inputs are unchanged"},
                                         {PassState::Drawn, "its inputs changed"},
                                         {PassState::Skipped, "no kernel reads them"},
                                         {PassState::Skipped, "idle"}}));
-    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "asked to run"},
+    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "forced by the request"},
                                       {PassState::Drawn, "its inputs changed"},
                                       {PassState::Drawn, "its inputs changed"},
                                       {PassState::Skipped, "idle"}}));
