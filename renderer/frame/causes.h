@@ -28,7 +28,7 @@ enum class Artefact : std::uint8_t {
     PeterPanningOffset,  ///< false light: right without the normal offset
     OffsetShadow,        ///< false shadow: right without the normal offset
     Filter,              ///< false shadow: the nearest unfiltered texel at its own least bias is right
-    Undersampled,        ///< as EdgeAliasing, where the shadow or the lit gap is narrower than a texel
+    Undersampled,        ///< EdgeAliasing where the shadow or the lit gap is narrower than a texel
     Penumbra,            ///< right for a light without size
     // From here on never in Cause::also, whose bits are full.
     NoMap,               ///< wrong, and the light has no shadow map (light.source), so that no trial is possible
@@ -44,7 +44,7 @@ struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
                            kLedOutside = shared::PLACE_LED_OUTSIDE;
     float place = kInside;  ///< position relative to the map; kLedOutside: only the normal offset leaves the map
-    float visibility = 1;   ///< as drawn
+    float visibility = 1;   ///< drawn visibility
     float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark
     float least = 0, least_nearest = 0;     ///< least depth bias of the kernel, and of one nearest tap
     float worth = 0;                        ///< equivalent depth bias, all kinds of bias together

@@ -70,15 +70,16 @@ inline constexpr std::string_view kSmoothingPass = "smoothing of a static view";
 
 /// Request for one frame: size, outputs, and ray-traced data that its lights need.
 struct FrameRequest {
-    int width = 1280, height = 720;  ///< of each pane's picture, in pixels
+    int width = 1280, height = 720;  ///< size of each pane's picture, pixels
     Outputs outputs;
-    bool timing = false;                   ///< measurement of each pass's time; costs time itself
-    bool force = false;                    ///< true: every pass runs even when its result is cached
-    OptimisationSet forced;                ///< optimisations to disable: the same picture by more work
-    std::optional<bool> blocks_as_images;  ///< how shaders read numbers (Blocks); nothing: DriverInfo::blocks_as_images
-    std::optional<MapOfLight> emptied;     ///< map to draw without casters; not for virtual maps
-    std::optional<MapCamera> map_camera;   ///< camera for fitting maps; nullopt: the picture's own
-    int smoothed = 0;                      ///< shadings averaged in FrameResult::smooth so far
+    bool timing = false;     ///< measurement of each pass's time; costs time itself
+    bool force = false;      ///< true: every pass runs even when its result is cached
+    OptimisationSet forced;  ///< optimisations to disable: the same picture by more work
+    std::optional<bool>
+        blocks_as_images;  ///< way in which shaders read numbers (Blocks); nullopt: DriverInfo::blocks_as_images
+    std::optional<MapOfLight> emptied;    ///< map to draw without casters; not for virtual maps
+    std::optional<MapCamera> map_camera;  ///< camera for fitting maps; nullopt: the picture's own
+    int smoothed = 0;                     ///< shadings averaged in FrameResult::smooth so far
     /// Ray-traced reference of this view and light. A reference of another key is ignored: see FrameResult::reference.
     std::shared_ptr<const ReferencePicture> reference;
     /// Ray-traced visibility by light, for lights whose source is ray tracing. May be shorter than the list of lights.
@@ -185,7 +186,7 @@ struct FrameResult {
     std::optional<DepthSpan> seen_m;  ///< measured depth range of visible surfaces, where a fit needs it
     std::vector<PassInfo> passes;
     std::vector<std::string> notes;  ///< repairs of settings and other one-line remarks
-    std::vector<Pane> panes;  ///< as view.panes says, row by row from the top left; panes of one overlay share images
+    std::vector<Pane> panes;  ///< panes of view.panes, row by row from the top left; panes of one overlay share images
     Image colour;             ///< the first pane's picture
     /// RGBA8: mean of FrameRequest::smoothed shadings by a jittered camera. Panes without an overlay show it. Empty:
     /// not requested, or not available for this frame.
@@ -210,7 +211,7 @@ struct FrameResult {
     int map_resolution = 0;
     bool map_holds_distances = false;        ///< see holds_distances()
     bool maps_are_whole = true;              ///< false: maps hold only texels that the picture reads
-    std::optional<PageFacts> pages;          ///< of virtual maps; empty: maps are whole
+    std::optional<PageFacts> pages;          ///< statistics of virtual maps; nullopt: maps are whole
     float overlay_min = 0, overlay_max = 1;  ///< the first pane's colour scale
     Image map_view;                          ///< RGBA8: the depth image of view.map_source as view.map shows it
     ShownMap shown_map;                      ///< which depth image that is

@@ -46,7 +46,7 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     glViewport(0, 0, request.width, request.height);
     glClipControl(GL_LOWER_LEFT, camera.curve.convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
-    // Of coplanar surfaces the last drawn wins, in the first pass as in those that find its depth already there.
+    // The last drawn of two coplanar surfaces wins, in passes that draw the depth and in passes that test against it.
     glDepthFunc(camera.curve.convention.reversed ? GL_GEQUAL : GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);

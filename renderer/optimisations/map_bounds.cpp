@@ -47,7 +47,7 @@ void MapBoundsPass::declare(FrameState& f) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::MapBounds};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     pass.aid = true;
     pass.unneeded = why_no_bounds(f);
     choose_taps(f, pass.unneeded.empty());

@@ -1,4 +1,4 @@
-// A soft disc below each caster, along the light, for lights whose source that is.
+// Pass that draws blob shadows: a soft disc below each caster, along the light.
 #include "renderer/passes/blobs.h"
 
 #include <fmt/format.h>
@@ -12,13 +12,13 @@
 namespace si {
 namespace {
 
-constexpr double kWidest = 0.25;  ///< of the scene's radius: wider casters are what others stand on
+constexpr double kWidest = 0.25;  ///< share of the scene's radius; wider casters carry others and have no blob
 
 bool draws_blobs(const FrameState& f, std::size_t light) {
     return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
 }
 
-/// Middle, relative to the frame's origin, and radius of the disc there, metres.
+/// Returns the discs of a light: centre relative to the frame's origin, and radius, metres.
 std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     std::vector<glm::vec4> out;
     const double widest = kWidest * f.scene.bounds.radius();
@@ -28,7 +28,8 @@ std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
         const glm::dvec3 middle(object.world * glm::dvec4(local.centre(), 1));
         const glm::dvec3 axis =
             light.type == LightType::Directional ? light.to_light : glm::normalize(light.position - middle);
-        // A box's half width along a direction is the sum of its half axes' parts; the mean square of two across.
+        // Half width of a box along a direction: the sum over its half axes. The radius is the root mean square of two
+        // perpendicular directions.
         double squares = 0;
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3 half = 0.5 * (local.hi[k] - local.lo[k]) * glm::dvec3(object.world[k]);
@@ -69,7 +70,7 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     const double endless = 2 * f.scene.bounds.radius();
     glUniform1f(glGetUniformLocation(id, "end_m"), float(blob.reach > 0 ? blob.reach * widest : endless));
     glUniform4f(glGetUniformLocation(id, "blob"), float(blob.softness), float(blob.opacity), float(blob.reach), 0);
-    // The far sides alone: each pixel once, also with the camera inside.
+    // Only back faces are drawn: each pixel once, even with the camera inside.
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     glFrontFace(GL_CCW);

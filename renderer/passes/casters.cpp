@@ -19,7 +19,7 @@
 namespace si {
 namespace {
 
-/// Culling of casters: the object's own choice before the scene's.
+/// Returns the culling of a batch's casters: the object's choice, else the scene's.
 Cull cull_of(const FrameState& f, const Batch& batch) {
     return cull_in_force(batch.cull, f.settings.caster.cull);
 }
@@ -51,21 +51,21 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 
 constexpr std::size_t kMostSides = 1024;
 
-/// Sine of the angle to a ray below which a side is taken to be seen edge-on.
+/// Sine of the angle to a ray below which a side counts as edge-on.
 constexpr double kEdgeOn = 1e-4;
 
-/// Of meshes of which each instance is asked whether it is seen well: more are seldom all seen so.
+/// Largest number of sides for the per-instance edge-on test. Meshes with more sides rarely pass it.
 constexpr std::size_t kMostFlatSides = 64;
-/// Texels that a triangle has to be wide for what floats make of its corners.
+/// Smallest height of a triangle in texels at which rounding of its corners does not matter.
 constexpr double kLeastWidth = 0.01;
-/// Steps of a rasteriser's grid by which a texel that it takes for covered may lie beside a triangle.
+/// Distance from a triangle, in steps of the rasteriser's grid, at which a texel may still count as covered.
 constexpr double kStepsBeside = 4;
-/// Of a map's side, in which depths of triangles are counted from one corner: what floats make of that.
+/// Rounding error of single-precision positions within a map, as share of its side.
 constexpr double kFloatSide = 1e-6;
 
-/// Of a view's near plane: what begins nearer to a light may cover any texel.
+/// Share of a view's near plane. Casters nearer to the light may cover any texel.
 constexpr double kBeforeShare = 1e-3;
-/// Around what a caster covers.
+/// Padding in texels around the texels that a caster covers.
 constexpr double kCasterRoomTexels = 2;
 
 MeshSides sides_of(const Mesh& mesh) {
@@ -94,8 +94,8 @@ const MeshSides& sides_of(FrameState& f, std::size_t mesh) {
     return *sides;
 }
 
-/// Where a view's rays come from, relative to its origin: a point with w of 1 or, of parallel rays, a direction with w
-/// of 0, up to a factor.
+/// Returns the origin of a view's rays, relative to the view's origin: a point with w = 1, or for parallel rays a
+/// direction with w = 0, up to a factor.
 glm::dvec4 ray_source(const glm::dmat4& clip) {
     const auto without = [&](int column) {
         glm::dmat3 m;
@@ -106,10 +106,10 @@ glm::dvec4 ray_source(const glm::dmat4& clip) {
     return {without(0), -without(1), without(2), -without(3)};
 }
 
-/// The programs that casters of one batch after another are drawn with.
+/// Shader programs for drawing casters, batch after batch.
 class CasterPrograms {
 public:
-    /// @param drops what rounding draws from beyond the range is left out
+    /// @param drops discards fragments that rounding moved outside the depth range
     CasterPrograms(const FrameState& f, const CasterView& view, bool drops) : f_(f), view_(view), drops_(drops) {}
 
     void use(const Batch& batch, bool bare) {
@@ -139,7 +139,7 @@ private:
     const CasterView& view_;
     const bool drops_;
     std::optional<Batch> previous_;
-    std::array<GLuint, 2> made_{};  ///< for such batches: with a fragment shader, and bare
+    std::array<GLuint, 2> made_{};  ///< programs for opaque batches: with and without fragment shader
     GLuint current_ = 0, texture_ = 0;
 };
 
@@ -190,7 +190,7 @@ private:
     glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
-    /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
+    /// Adds an instance to the run, or draws the run and the needed parts of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
         if (which_.only && !(*which_.only)[instance]) return finish(run);
         if (skips_ && sight_.misses(box_of(instance))) {
@@ -231,7 +231,7 @@ private:
         }
     }
 
-    /// Of an instance of which something is called for. Large meshes are drawn in runs.
+    /// Returns the needed parts of an instance that covers needed cells. Large meshes are drawn by index ranges.
     InstanceParts needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         const std::span<const Bounds> runs = run_boxes_of_mesh(f_, std::size_t(object.mesh));
@@ -245,7 +245,7 @@ private:
         return InstanceParts::Parts;
     }
 
-    /// What it may cover; nothing: any texel.
+    /// Returns the cells that a box may cover; nullopt: any.
     std::optional<MapRect> covered_by(const SkewBox& box) const {
         const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
         std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
@@ -272,8 +272,8 @@ private:
         return {f_.scene.meshes[std::size_t(object.mesh)].bounds, object.world};
     }
 
-    /// Whether a side is seen edge-on. What a rasteriser makes of it is less than a step of its grid wide, or nothing:
-    /// a texel's centre may then be covered by a back face alone.
+    /// Returns true when some side is edge-on to the light's rays. Such a side covers less than a step of the raster
+    /// grid, or nothing. A texel centre may then be covered by a back face alone.
     bool shows_edge(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         glm::dmat4 world = object.world;
@@ -286,8 +286,8 @@ private:
         return false;
     }
 
-    /// Whether no texel that a rasteriser takes for covered gets a depth from before the map's range: all sides are
-    /// seen so far from their edges that their planes do not rise so far beside their triangles. Of parallel rays.
+    /// Returns true when no covered texel can get a depth outside the map's range. All sides must be far from edge-on,
+    /// so that their planes stay in range a few raster steps outside their triangles. For parallel rays.
     bool leaves_no_strays(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
@@ -302,7 +302,7 @@ private:
         const double before = view_.curve.convention.reversed ? 1 - middle - half : middle - half;
         if (!(before > 0)) return false;
         const glm::dmat3 back = glm::inverse(glm::dmat3(object.world));
-        double shrinks = 0;  // at least what lengths in the mesh are divided by in the world
+        double shrinks = 0;  // lower bound of the factor between world and mesh lengths
         for (int i = 0; i < 3; ++i) shrinks += glm::dot(back[i], back[i]);
         const double texels = std::min(glm::length(u), glm::length(v)) * view_.resolution;
         const double least_sine = kLeastWidth * std::sqrt(shrinks) / (mesh.least_height * texels);
@@ -324,8 +324,8 @@ private:
         run.batch.instances = 0;
     }
 
-    /// Behind where they are: where a texel's centre lies on a silhouette, front and back are one point, and rounding
-    /// would decide which is nearer.
+    /// Draws back faces, moved away from the light. At a silhouette front and back coincide, and rounding would decide
+    /// which is nearer.
     void draw_backs(const Batch& batch) {
         const float away = view_.curve.convention.reversed ? -1.f : 1.f;
         set_cull(Cull::Front, batch.mirrored);
@@ -387,7 +387,7 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
         set_raster_bias(f, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
     f.gl.scene->bind_vertices(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
-    // Beyond the range lies what a near plane flattens, and what is moved there.
+    // Casters outside the range: flattened by the near plane, or moved there by polygon offset.
     const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
     CasterPrograms programs(f, view, strays);
     CasterDrawer drawer(f, view, seen, programs, info);

@@ -1,5 +1,6 @@
-// Blurs the stored depths themselves: wrong on purpose. The comparison then tests against a surface between occluder
-// and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
+// Pass that blurs the stored depths themselves, which is wrong on purpose. The comparison then tests against a surface
+// between occluder and receiver that does not exist ("corresponds to filtered geometry"). A filter averages test
+// results instead.
 #include "renderer/passes/depth_blur.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace si {
 namespace {
 
-/// Both axes of one layer: rows of the map into `rows`, columns of that into the blurred map.
+/// Blurs one layer: rows of the map into `rows`, then columns of `rows` into the blurred map.
 void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Framebuffer& rows, int layer,
                 PassInfo& info) {
     const int n = f.map_resolution;

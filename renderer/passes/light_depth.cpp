@@ -1,4 +1,4 @@
-// The scene's depth as each light sees it.
+// Passes that draw the shadow maps: the scene's depth from each light.
 #include "renderer/passes/light_depth.h"
 
 #include <fmt/format.h>
@@ -21,13 +21,15 @@ std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
 }
 
-/// @returns whether what they held is lost
+/// Resizes the map textures where needed.
+/// @return true when their contents are lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
-/// @param map one of `t`
-/// @param emptied nothing is drawn into it
+/// Draws the casters of one view into one layer of a map texture.
+/// @param map one of the textures in `t`
+/// @param emptied draws no caster
 SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, const FittedLight& light,
                          const LightView& view, int layer, PassInfo& info, const CasterChoice& which = {},
                          bool emptied = false) {
@@ -50,7 +52,7 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
     return fmt::format("{} of light {}", name.empty() ? "map" : name, number);
 }
 
-/// Draws one of a light's views, and says what was left out of it.
+/// Draws one of a light's views, and reports its skipped casters.
 SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view, const MapCells& called,
                          PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
@@ -79,7 +81,8 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     return spared;
 }
 
-/// A view that is not drawn.
+/// Returns the report on a view that this frame does not draw.
+/// @param kept its needed texels are cached
 PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
     PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
     part.state = kept ? PassState::Cached : PassState::Skipped;
@@ -89,7 +92,8 @@ PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, boo
     return part;
 }
 
-/// @param closed casters, each counted once a view
+/// Returns the report on skipped back faces.
+/// @param closed casters, counted once for each view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
     PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
     const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
@@ -100,7 +104,8 @@ PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t c
     return part;
 }
 
-/// @param bare casters, each counted once a view
+/// Returns the report on skipped fragment shaders.
+/// @param bare casters, counted once for each view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
     part.by = Optimisation::CasterFragments;
@@ -120,19 +125,19 @@ void place_compared_maps(FrameState& f, const gl::Target& maps) {
 
 namespace {
 
-/// What a frame draws of a light's views, and what they then hold.
+/// Cells that a frame draws of each view of a light, and cells valid afterwards.
 struct MapWork {
     std::vector<MapCells> holds;
     std::vector<bool> drawn;
-    std::string uncalled;  ///< why nothing of them is called for
+    std::string uncalled;  ///< reason why no cell is needed; empty: some are
 
-    /// @param held what they hold, where that is of this very map; else empty
+    /// @param held valid cells of the light's current maps; empty if outdated
     MapWork(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
             const bool enough = kept && held[v].holds(called.views[v]);
             drawn.push_back(!enough && !called.views[v].empty());
-            // One that is drawn again is drawn whole: a camera that goes on moving pays for each map once.
+            // A view that needs more cells is drawn whole, so that a moving camera pays for each map once.
             holds.push_back(enough ? held[v] : kept && !called.views[v].empty() ? MapCells::whole() : called.views[v]);
         }
     }
@@ -143,7 +148,7 @@ bool all_whole(const std::vector<MapCells>& regions) {
     return std::ranges::all_of(regions, [](const MapCells& r) { return r.is_whole(); });
 }
 
-/// Of all that a light's maps depend on but what casts into them.
+/// Returns the key of everything a light's maps depend on, except its casters.
 Key light_views_key(const FrameState& f, std::size_t light) {
     const FittedLight& l = f.gl.fitted[light];
     Key key = f.with_settings({}, ReadBy::Maps);
@@ -166,15 +171,15 @@ void clear_layers(const FrameState& f, const gl::Target& maps) {
     glClearTexImage(maps.texture.id(), 0, gl::single_channel_format(maps.format), GL_FLOAT, &far_depth);
 }
 
-/// How the maps of one light are drawn, by what of its casters rests.
+/// Way to draw the maps of one light, given its static and moving casters.
 struct StaticWork {
     StaticCasters::Draws draws = StaticCasters::Draws::All;
-    std::string reason;                       ///< why all are drawn, where some moved
-    std::vector<bool> static_casters, moved;  ///< by instance, unless all are drawn
-    std::uint64_t count = 0;                  ///< of those that rest
+    std::string reason;                       ///< reason why all casters are drawn although only some moved
+    std::vector<bool> static_casters, moved;  ///< by instance; empty if all casters are drawn
+    std::uint64_t count = 0;                  ///< number of static casters
 };
 
-/// Why no map of what rests is made, whatever moves. Empty: there may be one.
+/// Returns the reason why no map of static casters is possible; empty: it is possible.
 std::string why_none_rests(const FrameState& f) {
     if (is_colour(f.settings.map.format))
         return "map.format is a colour format, which keeps no depths to test moving casters against";
@@ -249,8 +254,8 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
                            r.from.x, r.from.y, layer, r.to.x - r.from.x, r.to.y - r.from.y, 1);
 }
 
-/// Draws one of a light's views as a copy of what rests with what moved over it.
-/// @param of what the light's map is made of so far
+/// Draws one of a light's views as a copy of its static map with the moving casters over it.
+/// @param[in,out] of state of the view's static map
 SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view,
                                 const MapCells& called, const StaticWork& work, StaticView& of, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
@@ -259,7 +264,7 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     SkippedCasters spared;
     const bool kept = of.drawn && of.holds.holds(called);
     if (!kept) {
-        // One that is drawn again is drawn whole: what is called for goes with what moves.
+        // A static map that needs more cells is drawn whole, as needed cells follow the moving casters.
         of.holds = of.drawn ? MapCells::whole() : called;
         of.below = false;
         spared = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
@@ -291,7 +296,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         clear_layers(f, t.maps);
         t.at_rest = {};
     }
-    // A light that is not in this frame would take its layers for kept.
+    // Keys of lights absent from this frame are cleared, so that they do not count as cached when they return.
     for (std::size_t other = 0; other < t.keys.size(); ++other)
         if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) {
             t.keys[other] = 0;
@@ -299,7 +304,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         }
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    StaticMapState rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
+    StaticMapState rest = std::exchange(t.at_rest[i], {});  // an exception leaves the state cleared
     const StaticWork static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
     if (apart && ensure_maps(f, t.static_casters, "static casters")) {
@@ -338,7 +343,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
         masks ? "; masked materials are drawn with their alpha test" : "; no masked material, so no alpha variant";
 }
 
-/// Whether some light's map still is one over which what moves may be drawn.
+/// Returns true when some light's static map is still valid.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
         if (f.gl.fitted[i].casts && t.at_rest[i].casters.keeps(light_views_key(f, i).value())) return true;

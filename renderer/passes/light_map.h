@@ -24,8 +24,9 @@ public:
     void bind_buffers(const FrameState& f) const;
 
 private:
-    /// Uploads baked light maps.
-    /// @param maps by light; null: no light map for this light
+    /// Uploads baked light maps, one atlas layer each.
+    /// @param maps the frame's light maps, not null, all with one layout
+    /// @param[in,out] info sizes are appended to its reason
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);
 
     Targets targets_;

@@ -1,4 +1,4 @@
-// Where in the shown light's map each pixel's kernel is centred.
+// Pass that draws the map coordinates of each pixel's kernel centre, for view.light.
 #include "renderer/passes/map_coordinates.h"
 
 #include "renderer/passes/camera_pass.h"

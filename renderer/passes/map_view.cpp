@@ -1,4 +1,4 @@
-// A depth image as a picture for people: a shadow map, or the camera's depth.
+// Passes that draw the map viewer's picture of a shadow map or of the camera's depth.
 #include "renderer/passes/map_view.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace si {
 namespace {
 
 constexpr int kLargestPicture = 4096;
-constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
+constexpr int kBlocks = 64;  ///< blocks per axis; the GPU finds the depth range of each
 
-/// Sets what shaders/lib/shown_depth.glsl reads.
+/// Binds a program that includes shaders/lib/shown_depth.glsl, and sets its uniforms.
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const bool camera = f.settings.view.map_source == MapSource::Camera;
     std::vector<gl::Define> extra;
@@ -33,7 +33,7 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     return id;
 }
 
-/// One moment of the map shown as a number a texel, or the share of the range that alone would have it.
+/// Returns the pass that draws the shown moment as one number for each texel.
 Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) {
     f.plan.place(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
     Pass pass;
@@ -97,7 +97,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
     const glm::vec2 drawn = targets_.drawn;
     const ViewSettings& s = f.settings.view;
     if (!f.fits_grey_range() || drawn.x > drawn.y) return {s.map_black, s.map_white};
-    // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
+    // The range of a warped map covers at least the drawn depths, as the row of each depth is not read back.
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const double row : {0.0, 1.0})
         for (const float stored : {drawn.x, drawn.y}) {
@@ -109,7 +109,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
         lo = drawn.x;
         hi = drawn.y;
     }
-    const double least = 1e-6;  // one depth alone is shown in the middle of the greys
+    const double least = 1e-6;  // a single depth is shown in middle grey
     if (hi - lo < least) {
         lo = 0.5 * (lo + hi - least);
         hi = lo + least;

@@ -34,7 +34,7 @@ public:
     /// GPU images and buffers of the search, and its findings so far.
     struct Targets {
         gl::Target tiles, found;  ///< RGBA32UI, a layer for each kind of fault
-        gl::Buffer read_back;     ///< of `found`
+        gl::Buffer read_back;     ///< copy of `found` for the CPU
         GLsync done = nullptr;
         std::vector<NumberFinding> places;  ///< one for each column of `found`
         std::optional<PoolTiles> pool;

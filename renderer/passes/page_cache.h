@@ -16,8 +16,7 @@ struct PageGrid {
     int side = 0;      ///< pages along a side
     int coarser = -1;  ///< layer of the next coarser level of the same light; -1: none
     /// Position of the first page among all pages of its level; pages of the coarser level are twice as wide.
-    glm::i64vec2 corner{
-        0};  ///< of its first page among its level's pages; those of the coarser level are twice as wide
+    glm::i64vec2 corner{0};
 };
 
 /// Entry of the page table that shaders read: place of a page in the pool (shared/pages.h).

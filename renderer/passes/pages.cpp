@@ -1,4 +1,4 @@
-// Virtual shadow maps: which pages of them look-ups may read, and those drawn that are not kept.
+// Passes of virtual shadow maps: finding the pages that look-ups may read, and drawing those that are not cached.
 #include "renderer/passes/pages.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPoolBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 
-/// Across a light: metres on its plane, or texels of a map.
+/// Rectangle across a light: metres on its plane, or texels of a map.
 struct Rect {
     glm::dvec2 lo{-std::numeric_limits<double>::infinity()}, hi{std::numeric_limits<double>::infinity()};
     bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
@@ -32,12 +32,12 @@ struct Rect {
 
 using Casters = PagedCasters;
 
-/// Where casters lie across a light.
+/// Rectangles of all casters across a light.
 struct Across {
     std::vector<Rect> whole;
     std::vector<std::vector<Rect>> parts;
     Across() = default;
-    /// @param rect_of the corners of a box
+    /// @param rect_of function from the corners of a box to its rectangle
     template <typename RectOf>
     Across(const Casters& casters, RectOf rect_of) : whole(casters.corners.size()), parts(casters.corners.size()) {
         for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -58,7 +58,8 @@ struct Across {
     }
 };
 
-/// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
+/// Finds boxes and content keys of all casters. Keys depend on content alone, so that cached pages outlast changes
+/// elsewhere.
 void find_casters(const FrameState& f, Casters& casters) {
     const CasterContent& content = caster_content(f);
     if (casters.key == content.key) return;
@@ -83,7 +84,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     casters.key = content.key;
 }
 
-/// One layer of the maps, and how pages of it are drawn.
+/// Layer of the virtual maps, for drawing its pages.
 class PagedLayer {
 public:
     PagedLayer(const FrameState& f, std::size_t light, std::size_t view, const Casters& casters, const Across& across)
@@ -117,7 +118,7 @@ public:
             identity_.add(view_.clip_from_relative(light_.map_origin)).add(resolution_);
     }
 
-    /// Casters on the plane of a directional light.
+    /// Returns the casters' rectangles on the plane of a directional light.
     static Across across_light(const Casters& casters, const glm::dmat3& axes) {
         return Across(casters, [&](const Box& corners) {
             Rect rect;
@@ -142,14 +143,14 @@ public:
         return key.value();
     }
 
-    /// Where in a block of pages a page is drawn, in texels.
+    /// Returns the place of a page in the block of pages, in texels.
     glm::ivec2 place_in_block(const PlacedPage& page) const {
         const glm::i64vec2 at = grid.corner + glm::i64vec2(page.page), wide(kBlockPages);
         return glm::ivec2((at % wide + wide) % wide) * page_;
     }
 
-    /// Draws a page into the bound framebuffer, a block of pages, where its own number says: what a rasteriser makes of
-    /// it must not depend on the page's place in the pool.
+    /// Draws a page into the bound framebuffer, a block of pages. Its place follows from the page's number, as
+    /// rasterisation must not depend on the page's place in the pool.
     void draw(FrameState& f, const PlacedPage& page, GLuint framebuffer, bool unfiltered, PassInfo& info) const {
         glm::ivec2 in_view = page.page;
         const LightView view =
@@ -170,9 +171,9 @@ public:
             info);
     }
 
-    /// Of a texel where the view is coarsest.
+    /// Returns the largest texel size of the view, metres.
     double texel_m() const { return view_.texel_sizes(resolution_).longest; }
-    /// Metres along the side of the square that holds these pages; of other views all they hold.
+    /// Returns the side of the square that contains these pages, metres; for other views that of the whole map.
     double width_m(glm::ivec2 lo, glm::ivec2 hi) const {
         if (!level_) return texel_m() * resolution_;
         const glm::ivec2 pages = hi - lo + 1;
@@ -195,7 +196,7 @@ private:
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {
                 const glm::dvec4 h = uvd_from_relative * glm::dvec4(p - light_.map_origin, 1);
-                // Beside and behind a light's place it may be anywhere.
+                // A corner beside or behind the light may project anywhere.
                 if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
                 const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
                 rect.lo = glm::min(rect.lo, at);
@@ -214,7 +215,7 @@ private:
     Key identity_;
 };
 
-/// All layers, in their order.
+/// Returns all layers of the virtual maps, in order.
 std::vector<PagedLayer> paged_layers(const FrameState& f, const Casters& casters) {
     std::vector<PagedLayer> out;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
@@ -232,7 +233,7 @@ int pages_per_side(const FrameState& f) {
     return (f.map_resolution + page - 1) / page;
 }
 
-/// Most pages of the pool, by the setting and what the driver and the budget hold.
+/// Returns the capacity of the page pool, limited by the setting, the driver and the memory budget.
 int most_pages(const FrameState& f) {
     const double page = page_texels(f.settings), bytes = drawn_texel_bytes(f.settings.map.format);
     const double side = std::floor(f.driver.max_texture_size / page);
@@ -240,7 +241,8 @@ int most_pages(const FrameState& f) {
     return int(std::clamp(double(f.settings.map.page_pool), 1.0, std::max(most, 1.0)));
 }
 
-/// What blended surfaces read is in no picture of surfaces: they are drawn over them.
+/// Marks the pages that blended surfaces read. The images of visible surfaces do not contain them, as they are drawn on
+/// top.
 void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const auto& batches = f.gl.scene->batches();
     if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
@@ -286,7 +288,7 @@ Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     return pass;
 }
 
-/// Draws pages into a pool as large as the cache says, by way of a block of pages.
+/// Draws pages into the pool by way of a block of pages.
 void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
                     const std::vector<const PlacedPage*>& pages, bool unfiltered, PassInfo& info) {
     const bool colour = is_colour(f.settings.map.format);
@@ -303,8 +305,8 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
         glm::ivec2 from, to;
     };
     std::vector<Copy> drawn;
-    // Flushed on either side: else zink of Mesa 22.3 at times copies a page before it is drawn, or mixes it with the
-    // one drawn there next.
+    // Flushes before and after, as zink of Mesa 22.3 sometimes copies a page before it is drawn, or mixes it with the
+    // next one.
     const auto copy = [&] {
         glFlush();
         for (const Copy& c : drawn)
@@ -326,8 +328,8 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
     copy();
 }
 
-/// Texels of one map a light as fine as its finest page, over the square about its pages; and what else the frame's
-/// pages come to.
+/// Computes the statistics of the frame's pages. The unpaged map for comparison has the texel size of the light's
+/// finest page, over the square around its pages.
 PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std::vector<PagedLayer>& layers) {
     const PageChoice& choice = t.choice;
     PageFacts facts{.page_texels = t.page,

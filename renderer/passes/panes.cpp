@@ -1,4 +1,4 @@
-// The panes: each overlay's values, and the picture with the overlay over it.
+// Passes that draw the panes: overlay values, and the picture with the overlay over it.
 #include "renderer/passes/panes.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 using ShownPane = FrameState::ShownPane;
 
-/// The name of a slot's pass or result: plain for the first.
+/// Returns the name of a slot's pass or image; the first slot has no suffix.
 std::string slot_name(std::string_view name, const ShownPane& pane) {
     if (pane.slot == 0) return std::string(name);
     return fmt::format("{} ({})", name, pane.row() ? pane.row()->key : "none");
@@ -33,14 +33,14 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
     return out;
 }
 
-/// The state in which an overlay's triangles are drawn, put back at the end.
+/// Scope that sets the OpenGL state for drawing an overlay's triangles, and restores it at the end.
 class DrawState {
 public:
     DrawState(OverlayDraw draw, bool reversed) : draw_(draw) {
         if (draw == OverlayDraw::Edges) {
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glDepthMask(GL_FALSE);
-            glEnable(GL_POLYGON_OFFSET_LINE);  // in front of the faces that they bound
+            glEnable(GL_POLYGON_OFFSET_LINE);  // lines lie in front of their faces
             glPolygonOffset(reversed ? 1.f : -1.f, reversed ? 4.f : -4.f);
         } else if (draw == OverlayDraw::Count) {
             glDisable(GL_DEPTH_TEST);
@@ -79,7 +79,7 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
         pass.unneeded = pane.lacks_reference ? "the reference of this frame is not traced" : "no overlay is chosen";
         return pass;
     }
-    // Where nothing writes depth, it has to be there.
+    // Overlays drawn without depth writes need the camera depth.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     Targets& t = targets_of(pane);
     f.plan.place({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
@@ -106,7 +106,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     }
     Targets& t = targets_of(pane);
     f.plan.place({Result::Composed, pane.slot}, {&t.composed});
-    pass.key = f.with_settings({}, ReadBy::Compose).value();  // a fitted range follows from the values
+    pass.key = f.with_settings({}, ReadBy::Compose).value();  // fitted ranges follow from the values
     pass.cached = &t.composed.key;
     pass.run = [this, &f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
@@ -158,7 +158,7 @@ ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
 void PanePasses::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.panes.size(); ++i) {
         const ShownPane& pane = f.panes[i];
-        if (pane.slot != int(i)) continue;  // an earlier pane shows the same
+        if (pane.slot != int(i)) continue;  // drawn by an earlier pane of equal content
         if (pane.row() || i == 0) {
             f.plan.add(values_pass(f, pane));
             f.plan.add(compose_pass(f, pane));

@@ -1,4 +1,5 @@
-// How far look-ups are off by single precision: drawn, read back, held against double precision on the CPU.
+// Pass that measures single-precision errors of look-ups: draws map coordinates, reads them back and compares them with
+// double precision on the CPU.
 #include "renderer/passes/precision.h"
 
 #include <cmath>

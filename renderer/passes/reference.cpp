@@ -1,4 +1,4 @@
-// The traced truth on the GPU: uploaded, each pixel judged by it, the judgements summed up.
+// Passes that upload the ray-traced reference, classify each pixel by it, and sum up the errors.
 #include "renderer/passes/reference.h"
 
 #include <fmt/format.h>
@@ -20,8 +20,8 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
-// The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
+constexpr int kTile = 32;  ///< pixels along a tile's side, summed by one invocation
+// The last three artefacts share numbers with unused classes: see tile_number() in error_tiles.frag.glsl.
 static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
@@ -29,12 +29,12 @@ constexpr const char* kUntraced = "the reference of this frame is not traced";
 
 using ReferenceTargets = ReferencePasses::Targets;
 
-/// What PixelState is for the shader; rows stay from the top.
+/// Uploads the reference's values; rows stay from the top.
 void upload(const TracedReference& traced, ReferenceTargets& to) {
     const Reference& reference = *traced.reference;
     const std::size_t n = reference.state.size();
     std::vector<glm::vec4> pixels(n), more(n);
-    // Not all drivers keep NaN and infinity.
+    // Some drivers lose NaN and infinity.
     const auto metres = [](const FloatImage& image, std::size_t i) {
         return image.data.empty() || std::isnan(image.data[i]) ? -1.f : std::max(image.data[i], 0.f);
     };
@@ -67,8 +67,7 @@ Pass upload_pass(FrameState& f, ReferenceTargets& t) {
     return pass;
 }
 
-/// Whether nothing of the scene lies beyond the map of the light, or nothing that could be in shadow, or there is
-/// no map.
+/// Returns true when the light's map contains the whole scene or all possible receivers, or the light has no map.
 bool map_holds_all(const FrameState& f, int number) {
     const auto light = std::size_t(number);
     if (light >= f.gl.fitted.size()) return false;
@@ -78,15 +77,17 @@ bool map_holds_all(const FrameState& f, int number) {
            fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
-/// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
+/// Returns true when taps outside the map may change visibility wrongly. They cannot where nothing lies outside and the
+/// border counts as lit.
 bool seams_matter(const FrameState& f, int light) {
     const MapSettings& m = f.settings.map;
     const bool lit = m.outside == Outside::Lit && (m.wrap == MapWrap::Border || m.wrap == MapWrap::Range);
     return !map_holds_all(f, light) || !lit;
 }
 
-/// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
-/// @param light that is asked, whichever is shown
+/// Returns the defines for shaders that run trials: the kernel with other biases and on the unfiltered map. Comparison
+/// and filtering by hardware samplers are done in the shader.
+/// @param light light of the trials, shown or not
 std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
     const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = reference_defines(f);
@@ -131,8 +132,8 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     return pass;
 }
 
-/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
-/// branch.
+/// Returns the pass that runs trials of the marked pixels. Each kind of error has a draw of its own, as a CPU
+/// rasteriser executes both sides of a branch.
 Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "causes found";
@@ -190,8 +191,8 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     return pass;
 }
 
-/// The sums of all tiles, in double.
-/// @param has_map whether the light that is judged has its shadows from a map
+/// Returns the sums of all tiles, in double precision.
+/// @param has_map the classified light has a shadow map
 PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
     std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));

@@ -1,6 +1,6 @@
-// Between which depths the camera sees anything. Lauritzen, Salvi, Lefohn, Sample Distribution Shadow Maps, I3D 2011,
-// reduce the depth buffer likewise before they divide it among cascades; here the least and the greatest of its values
-// are found on the CPU, for which the frame waits.
+// Measurement of the visible depth range. Lauritzen, Salvi, Lefohn, Sample Distribution Shadow Maps, I3D 2011, reduce
+// the depth buffer likewise before they place cascades. Here the CPU finds least and greatest depth, and the frame
+// waits for the read-back.
 #include "renderer/passes/seen_depths.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-// Of the depth: what single precision loses of it, and of the depth that a look-up computes from a position.
+// Padding of the range as a share of depth, for rounding of stored and looked-up depths in single precision.
 constexpr double kSlack = 1e-5;
 
 }  // namespace
@@ -23,7 +23,7 @@ std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
     info = {.name = "visible depths", .state = PassState::Drawn, .category = PassCategory::Maps};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
-    const CameraPass pass(f);  // whose framebuffer is read below
+    const CameraPass pass(f);  // read below by its bound framebuffer
     pass.draw("passes/camera_depth.frag.glsl", {}, info);
     std::vector<float> depths(std::size_t(f.request.width) * std::size_t(f.request.height));
     gl::prepare_read_back();

@@ -1,4 +1,4 @@
-// The surfaces that the camera sees, pixel by pixel, for passes that evaluate some of them again.
+// Pass that stores the visible surface of each pixel, for passes that evaluate pixels again.
 #include "renderer/passes/seen_surfaces.h"
 
 #include "renderer/passes/camera_pass.h"
@@ -14,7 +14,7 @@ void SeenSurfacesPass::declare(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.writes = {Result::VisibleSurfaces};
     pass.idle_reason = "no pass evaluates pixels again";
-    // There is an image more also where its normal is without effect.
+    // The image of the shading normal exists even where the normal has no effect.
     const bool own_normal = f.settings.bias.normal_source != NormalSource::Geometric;
     const bool steps = bias_of(f.settings).by_derivatives;
     const std::size_t count = steps ? 5 : own_normal ? 3 : 2;
@@ -27,7 +27,7 @@ void SeenSurfacesPass::declare(FrameState& f) {
 void SeenSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
     for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
     CameraPass(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
-        .clear(glm::vec4(0))  // where there is nothing, nothing receives
+        .clear(glm::vec4(0))  // empty pixels receive no shadow
         .draw("passes/seen_surfaces.frag.glsl", {}, info);
 }
 

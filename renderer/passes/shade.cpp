@@ -1,5 +1,4 @@
-// The lit picture. Evaluates visibility itself unless the visibility texture exists anyway. And the mean of several,
-// for a view that rests.
+// Passes that draw the shaded picture, and the mean of several pictures for a static view.
 #include "renderer/passes/shade.h"
 
 #include <fmt/format.h>
@@ -46,7 +45,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
     glDepthMask(GL_TRUE);
 }
 
-/// Where nothing was drawn. Its depth is the cleared one, so that what is covered costs no fragment.
+/// Draws the sky where no surface is visible. It has the cleared depth, so that covered pixels cost no fragment.
 void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& info) {
     glUseProgram(f.program("passes/sky.vert.glsl", "passes/sky.frag.glsl", {look.begin(), look.end()}));
     glDisable(GL_CULL_FACE);
@@ -64,7 +63,8 @@ std::vector<gl::Define> look_defines(const FrameState& f) {
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
 
-/// Into the framebuffer that is bound. @param separate visibility is bound, and not evaluated by the shader
+/// Draws the shaded scene into the bound framebuffer.
+/// @param separate reads the bound visibility image in place of evaluating visibility
 void shade(const FrameState& f, bool separate, PassInfo& info) {
     const std::vector<gl::Define> look = look_defines(f);
     std::vector<gl::Define> extra = look;
@@ -74,7 +74,8 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
         if (which) defines.push_back({which, "1"});
         f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
-    // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
+    // The dim pass uses an alpha test and an equal depth in place of one shader, to keep the cost that this technique
+    // had.
     if (f.settings.shading.composition == Composition::DimLit) {
         draw("DIM_PASS");
         draw("LIT_PASS");
@@ -85,12 +86,12 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
 }
 
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
-    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // whose framebuffer is drawn into
+    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
     shade(f, separate, info);
 }
 
-/// The objects that are not drawn.
+/// Returns the report on objects culled by the view frustum.
 PartInfo beside_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.left_out();
     PartInfo part{.name = "objects outside the picture",
@@ -109,11 +110,11 @@ PartInfo beside_part(const FrameState& f) {
 
 using SmoothTargets = ShadePasses::SmoothTargets;
 
-/// Sixteenths of a pixel, as multisampling of 8 places them: each row and each column of eighths once.
+/// Jitter offsets in sixteenths of a pixel, as in 8x multisampling: each row and column of eighths occurs once.
 constexpr glm::ivec2 kPlaces[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
                                                       {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
-/// One shading of a camera turned by part of a pixel, added to the sum.
+/// Draws one shading by a camera shifted by part of a pixel, and adds it to the sum.
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = make_frame_block(f);
@@ -132,7 +133,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
     replace_frame_block(f, make_frame_block(f));
 }
 
-/// A picture times `scale` into another, which is replaced or added to.
+/// Multiplies a picture by `scale` and writes it to another, or adds it there.
 void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& to, float scale, bool add,
                 PassInfo& info) {
     const gl::Framebuffer into = gl::make_framebuffer("smooth picture", &to, nullptr);

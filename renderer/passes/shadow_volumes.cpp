@@ -12,17 +12,17 @@ namespace si {
 namespace {
 
 constexpr GLuint kCornerBinding = 0, kTransformBinding = 3;
-constexpr std::size_t kEstimated = 4000;  ///< triangles that an estimate looks at
+constexpr std::size_t kEstimated = 4000;  ///< triangles sampled for a cost estimate
 
 VolumeLight volume_light(const FittedLight& light) {
     return {light.type == LightType::Directional, light.to_light, light.position};
 }
 
-/// Far away against the scene: so many times its radius, or the distance of a caster's corner from the light.
+/// Distance of finite volume ends: multiple of the scene's radius, or of a caster corner's distance from the light.
 constexpr double kFarAway = 1e4;
 
-/// Whether far corners are a finite distance away. What is infinitely far a camera without perspective would see in no
-/// pixel, and volumes that it looks along would have no end.
+/// Returns true when volumes end at a finite distance. An orthographic camera sees no infinitely far point, and volumes
+/// along its axis would have no end.
 bool ends_are_finite(const FrameState& f) {
     return f.camera.orthographic;
 }
@@ -31,7 +31,7 @@ double reach_m(const FrameState& f) {
     return kFarAway * std::max(f.scene.bounds.radius(), 1e-30);
 }
 
-/// Whether any caster may lie beyond the camera's far plane.
+/// Returns true when a caster may lie beyond the camera's far plane.
 bool reaches_beyond_far(const FrameState& f) {
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
     return std::ranges::any_of(f.scene.bounds.corners(), [&](const glm::dvec3& corner) {
@@ -175,7 +175,6 @@ void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
     depth_copied_ = f.surfaces_key().value();
 }
 
-/// @param first, last of a part's lists: 0 caps, 1 turned caps, 2 the rest
 void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo& info) const {
     for (const Part& part : light.parts) {
         const std::size_t from = part.first[std::size_t(first)], to = part.first[std::size_t(last) + 1];
@@ -212,7 +211,7 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    // Equal is behind: see the class.
+    // Equal depth counts as behind: see the class.
     glDepthFunc(f.camera.curve.convention.reversed ? GL_GREATER : GL_LESS);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 0, ~0u);
@@ -236,9 +235,9 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
         draw_faces(light, 1, 1, info);
         glFrontFace(GL_CCW);
     };
-    if (!light.before) {  // a cap is never before the surface that it is
+    if (!light.before) {  // a cap never lies in front of its own surface
         use("0", "0");
-        draw_caps();  // clipped as the camera's passes clip, else depths differ
+        draw_caps();  // clipped as in camera passes, so that depths are equal
         glEnable(GL_DEPTH_CLAMP);
         if (reaches_beyond_far(f)) {
             use("0", "1");

@@ -1,4 +1,4 @@
-// Which triangle of which object each pixel shows, for whoever needs the surface itself.
+// Pass that stores object and triangle of each pixel.
 #include "renderer/passes/surface_ids.h"
 
 #include "renderer/passes/camera_pass.h"
@@ -19,7 +19,7 @@ void SurfaceIdsPass::declare(FrameState& f) {
 }
 
 void SurfaceIdsPass::run(FrameState& f, PassInfo& info) {
-    // The object's number travels with the flags.
+    // The object's number is passed along with the surface flags.
     CameraPass(f, "surface ids", GL_RG32UI, ids_)
         .clear(glm::uvec4(0))
         .draw("passes/surface_ids.frag.glsl", {{"SURFACE_FLAGS", "1"}}, info);

@@ -1,4 +1,4 @@
-// Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
+// Pass that marks the texels of the shown map which the kernels of all pixels fetch.
 #include "renderer/passes/texels_read.h"
 
 #include "renderer/passes/moments.h"

@@ -1,4 +1,4 @@
-// Visibility of each light as a texture of its own.
+// Pass that draws the visibility of each light into an image of its own.
 #include "renderer/passes/visibility.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ bool lacks_light_map(const FrameState& f, std::size_t light) {
     return source_of(f.settings, int(light)).needs.light_map && !f.light_map_of_light[light];
 }
 
-/// What the source's file needs of its program besides. A light map finds surfaces by their object's number, which
-/// travels with the flags.
+/// Returns the extra defines for a light's source file. Light maps need the object's number, which is passed along with
+/// the surface flags.
 std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
     if (!f.light_map_of_light[light]) return {};
     const auto own = f.light_map_of_light.begin() + std::ptrdiff_t(light);
@@ -32,7 +32,7 @@ std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
     return {{"SURFACE_FLAGS", "1"}, {"LIGHT_MAP_LAYER", std::to_string(layer)}};
 }
 
-/// Darkens what a ray meets that is marched through the picture's depth.
+/// Draws contact shadows: marches rays through the camera depth and darkens occluded pixels.
 void draw_contacts(const FrameState& f, const gl::Target& visibility, int light, PassInfo& info) {
     const auto framebuffer = gl::make_framebuffer("contact shadows", &visibility, nullptr, light);
     f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
@@ -51,7 +51,7 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 }  // namespace
 
 void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
-    const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
+    const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, one pixel every `step`
     const int width = visibility.width, height = visibility.height, step = reference.step;
     std::vector<float> pixels(std::size_t(width) * std::size_t(height));
     for (int y = 0; y < height; ++y)

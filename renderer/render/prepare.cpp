@@ -1,4 +1,4 @@
-// From settings to the facts of a frame: repaired settings, camera, fitted lights, map layout.
+// Preparation of a frame: repaired settings, camera, fitted lights, map layout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@
 namespace si {
 namespace {
 
-/// Everything that place_lights() and fit_maps() read but the camera.
+/// Returns the key of everything place_lights() and fit_maps() read, except the camera.
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
@@ -71,14 +71,14 @@ bool any_fit_reads_depths(const Settings& settings) {
     return false;
 }
 
-/// Everything that the camera's place, direction, projection and planes are made of.
+/// Adds position, direction, projection and planes of a camera to `key`.
 void add_camera(Key& key, const Camera& c) {
     key.add(c.eye).add(c.axes[0]).add(c.axes[1]).add(c.axes[2]).add(c.orthographic).add(c.fov_y_rad).add(c.height);
     key.add(c.aspect).add(c.curve.near).add(c.curve.far);
 }
 
-/// Places the lights, makes the camera, which may look through one of them, and fits the maps, which may be for what
-/// the camera sees. Lights are fitted anew when the camera moves only where a fit reads it.
+/// Places the lights, builds the camera, which may look through a light, and fits the maps. Maps are fitted again for a
+/// moving camera only where a fit reads the camera.
 void fit(FrameState& f) {
     Resources& r = f.gl;
     Key key = lights_as_placed_key(f);
@@ -111,7 +111,8 @@ void fit(FrameState& f) {
     }
 }
 
-/// A number of a map past those of the light shown means the last; of a light with one map it means nothing.
+/// Notes when view.face exceeds the shown light's maps; the last map is then shown. A light with one map ignores
+/// view.face.
 void note_shown_view(FrameState& f) {
     const auto shown = std::size_t(std::max(f.settings.view.light, 0));
     if (shown >= f.gl.fitted.size()) return;
@@ -123,8 +124,8 @@ void note_shown_view(FrameState& f) {
                                       view_name(light.chooser.choice, count - 1, count)));
 }
 
-/// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
-/// @param limit that the driver's memory has set; null: none
+/// Builds camera and lights at the requested resolution, then halves it until all maps fit into memory.
+/// @param limit resolution limit after the driver ran out of memory; null: none
 void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     const int asked = n;
@@ -149,7 +150,7 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     note_shown_view(f);
 }
 
-/// What of a kernel's preparation the driver and the stored format allow; the rest is said.
+/// Limits the kernel's moment settings to the abilities of driver and format, with a note for each change.
 void limit_moments(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     if (filter.samples != Samples::Moments) return;
@@ -179,7 +180,7 @@ void limit_moments(FrameState& f) {
     samples = used;
 }
 
-/// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
+/// Returns facts about the lights as GLSL constants; arrays have at least one element, as GLSL has no empty arrays.
 std::string light_constants(const FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     const auto array = [&](std::string_view name, auto value) {
@@ -189,7 +190,7 @@ std::string light_constants(const FrameState& f) {
         return out + ");\n";
     };
     const auto& lights = f.gl.fitted;
-    // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
+    // Written out for each light, as a loop that is not unrolled would index uniforms per pixel.
     std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) {
         each += fmt::format(" DO({})", i);
@@ -215,14 +216,14 @@ bool needs_surface_flags(const FrameState& f) {
     return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
 }
 
-/// k where the exponent is 2^k; 0: it is no such power.
+/// Returns k where the exponent is 2^k; 0 for other exponents.
 int squarings(double exponent) {
     const int k = std::ilogb(exponent);
     return std::ldexp(1.0, k) == exponent ? k : 0;
 }
 
-/// What of the light model the frame calls for, so that shaders need not read what they would multiply by 0 or 1: a CPU
-/// rasteriser gathers each number of a uniform block anew for every eight pixels.
+/// Adds defines for the used parts of the light model, so that shaders skip factors of 0 or 1. A CPU rasteriser gathers
+/// each uniform number again for every eight pixels.
 void add_shading_defines(FrameState& f) {
     const ShadingSettings& s = f.settings.shading;
     const bool grey = std::all_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
@@ -290,7 +291,7 @@ void choose_kernel(FrameState& f) {
     });
 }
 
-/// What truth the frame needs, and whether the request brings it.
+/// Finds the ray-traced reference that the frame needs, and whether the request has it.
 void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.classified || o.evidence;
@@ -311,7 +312,7 @@ void find_reference(FrameState& f) {
     f.reference_content = reference->version;
 }
 
-/// What lights need whose source is ray traced, and which of it the request brings.
+/// Finds the ray-traced visibility that lights need, and what of it the request has.
 void find_traced(FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     f.traced_pictures.assign(count, nullptr);
@@ -336,7 +337,7 @@ void find_traced(FrameState& f) {
     }
 }
 
-/// What lights need whose source is a light map, and which of it the request brings.
+/// Finds the light maps that lights need, and which of them the request has.
 void find_light_maps(FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     f.light_map_of_light.assign(count, nullptr);
@@ -374,7 +375,7 @@ void find_light_maps(FrameState& f) {
     }
 }
 
-/// Which panes there are and what they need.
+/// Lists the panes and the inputs of their overlays.
 void arrange_panes(FrameState& f) {
     const std::vector<int> chosen = pane_overlays(f.settings.view);
     const Outputs& o = f.request.outputs;
@@ -451,7 +452,7 @@ FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& setti
     seen.span = measure_seen_depths(f, seen.info);
     seen.key = key;
     FrameState measured = derive_frame_state(scene, settings, request);
-    measured.camera_depth_renewed = true;  // once a frame, also where it is forced
+    measured.camera_depth_renewed = true;  // once a frame, even if forced
     measured.seen_m = seen.span;
     return measured;
 }

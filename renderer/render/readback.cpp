@@ -1,4 +1,4 @@
-// Pictures and maps back from the GPU, top row first.
+// Read-back of pictures and maps from the GPU, top row first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +12,14 @@
 namespace si {
 namespace {
 
-/// Whether the drawing is still the one that the frame saw.
+/// Returns true when no later drawing has replaced this image of the frame.
 bool is_there(const FrameContents::Part& part, const Resources& resources) {
     const auto drawing = resources.drawings.find(part.place);
     return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
 }
 
-/// The first image of a result. @throws Error unless the frame drew it and its images still hold it
+/// Returns the first image of a result.
+/// @throws Error when the frame did not draw it or a later frame replaced it
 const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
     const gl::Target* image = nullptr;
     for (const FrameContents::Part& part : frame.contents.parts) {

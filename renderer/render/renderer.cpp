@@ -84,8 +84,8 @@ Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
 Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs)
     : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
 Renderer::~Renderer() {
-    glUseProgram(0);  // so that nobody restores a program that is gone
-    glFinish();       // drivers with threads of their own crash when the process ends with work under way
+    glUseProgram(0);  // no later code may restore a deleted program
+    glFinish();       // multi-threaded drivers crash when the process ends with pending work
 }
 
 void Renderer::set_number_watcher(NumberWatcher watch) {
@@ -127,7 +127,7 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
 }
 
 bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why) {
-    constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
+    constexpr int kLeastTexels = 64;  // smaller maps would free little memory compared with a picture
     if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
     map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
     return true;
@@ -136,8 +136,8 @@ bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, 
 std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     FrameState f = impl_->prepare_frame(scene, settings, request);
     Key key;
-    // Not those of planning: whether look-ups ask for bounds changes with what is kept of the last frame, and who makes
-    // programs makes both ways.
+    // Defines set during planning are left out: look-ups use depth bounds only once maps are cached, and both variants
+    // are compiled.
     for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
     impl_->plan_frame(f);
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
@@ -148,7 +148,7 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);
     for (std::size_t i = 0; i < infos.size(); ++i)
         if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].aid) key.add(infos[i].name);
-    std::uint32_t ways = 0;  // in which batches are drawn
+    std::uint32_t ways = 0;  // combinations of batch state in use
     for (const Batch& b : f.gl.scene->batches())
         ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * index_of(b.cull));
     return key.add(ways).value();
@@ -169,7 +169,7 @@ FrameResult RendererImpl::run_plan(FrameState& f) {
     try {
         run_passes(f, result.passes, f.request.timing ? &pass_clock() : nullptr);
     } catch (...) {
-        // Images may be gone that passes share.
+        // Images that passes share may be lost.
         for (const Pass& pass : f.plan.passes())
             if (pass.cached) *pass.cached = 0;
         throw;

@@ -1,4 +1,4 @@
-// From a drawn frame to its facts: images, ranges in use, camera, lights.
+// Description of a drawn frame: images, ranges in use, camera, lights.
 #include <fmt/format.h>
 
 #include <algorithm>
