@@ -22,10 +22,10 @@
 
 namespace si {
 
-struct ReferencePicture;  // renderer/reference/reference_picture.h
-struct LightMap;          // renderer/reference/light_map.h
-struct LiveError;         // renderer/reference/live_error.h
-struct Precision;         // renderer/reference/precision.h
+struct ReferencePicture;
+struct LightMap;
+struct LiveError;
+struct Precision;
 namespace gl {
 struct Target;
 }

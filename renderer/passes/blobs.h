@@ -14,7 +14,8 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the blob shadows of `lights` into their layers of the visibility image.
+    /// Draws the blob shadows of `lights` into their layers of the visibility image. Called when the plan runs the
+    /// pass.
     /// @param[out] info draw counts
     void run(const FrameState& f, const std::vector<int>& lights, PassInfo& info);
 

@@ -13,7 +13,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the depth of visible surfaces for the camera.
+    /// Draws the depth of visible surfaces for the camera. Called when the plan runs the pass.
     /// @param[out] info draw counts
     static void run(FrameState& f, PassInfo& info);
 };

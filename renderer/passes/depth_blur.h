@@ -9,7 +9,7 @@ namespace si {
 /// Averages the stored depths of the shadow maps themselves (map.blur_texels), to demonstrate why that fails.
 class DepthBlurPass : public FramePass {
 public:
-    /// Images of the blur.
+    /// Targets of DepthBlurPass, kept between frames: images of the blur.
     struct Targets {
         gl::Target maps, rows;  ///< blurred maps, a layer for each view; one layer blurred along x
     };
@@ -17,7 +17,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Blurs all map layers by a box filter.
+    /// Blurs all map layers by a box filter. Called when the plan runs the pass.
     /// @param radius texels on each side
     void run(FrameState& f, int radius, PassInfo& info);
 

@@ -53,7 +53,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the unfiltered maps of all lights.
+    /// Draws the unfiltered maps of all lights. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

@@ -12,7 +12,7 @@ namespace si {
 /// each triangle to its chart.
 class LightMapPass : public FramePass {
 public:
-    /// GPU copy of the baked light maps.
+    /// Targets of LightMapPass, kept between frames: GPU copy of the baked light maps.
     struct Targets {
         gl::Target atlas;  ///< R8, a layer for each light with a light map
         gl::Sampler bilinear;
@@ -24,7 +24,7 @@ public:
     void bind_buffers(const FrameState& f) const;
 
 private:
-    /// Uploads baked light maps, one atlas layer each.
+    /// Uploads baked light maps, one atlas layer each. Called when the plan runs the pass.
     /// @param maps the frame's light maps, not null, all with one layout
     /// @param[in,out] info sizes are appended to its reason
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);

@@ -10,7 +10,7 @@ namespace si {
 /// lies on one side of both fetch no taps (Optimisation::EarlyOut).
 class MapBoundsPass : public FramePass {
 public:
-    /// Images of the depth bounds.
+    /// Targets of MapBoundsPass, kept between frames: images of the depth bounds.
     struct Targets {
         gl::Target bounds;  ///< RGBA32F, a layer for each view
         gl::Target cells;   ///< bounds of single cells, before widening by the kernel's reach; one view
@@ -19,7 +19,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Computes the depth bounds of all map layers.
+    /// Computes the depth bounds of all map layers. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(const FrameState& f, PassInfo& info);
 

@@ -12,7 +12,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the map coordinates of all pixels.
+    /// Draws the map coordinates of all pixels. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

@@ -10,7 +10,7 @@ namespace si {
 /// (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
 class MapViewPasses : public FramePass {
 public:
-    /// Images of the map viewer, and the range of the drawn depths.
+    /// Targets of MapViewPasses, kept between frames: images of the map viewer, and the range of the drawn depths.
     struct Targets {
         gl::Target picture, range, channel;
         glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth
@@ -22,7 +22,7 @@ public:
     glm::vec2 grey_range(const FrameState& f) const;
 
 private:
-    /// Draws the map viewer's picture.
+    /// Draws the map viewer's picture. Called when the plan runs the pass.
     /// @param camera shows the camera's depth in place of a map
     /// @param layer layer of the shadow maps
     void run(FrameState& f, bool camera, int layer, PassInfo& info);

@@ -15,7 +15,7 @@ std::vector<ResultRef> kernel_inputs(const FrameState& f);
 /// read these moments in place of depths.
 class MomentsPass : public FramePass {
 public:
-    /// Images of the moments and of their intermediate steps.
+    /// Targets of MomentsPass, kept between frames: images of the moments and of their intermediate steps.
     struct Targets {
         gl::Target moments;   ///< a layer for each view
         gl::Target steps[2];  ///< intermediate layer between two draws
@@ -25,7 +25,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Computes the moments of all map layers.
+    /// Computes the moments of all map layers. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

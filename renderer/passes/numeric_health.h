@@ -31,7 +31,8 @@ struct PoolTiles {
 /// Searches the frame's maps and visibility for NaN, infinity and other number faults.
 class NumericHealthPass : public FramePass {
 public:
-    /// GPU images and buffers of the search, and its findings so far.
+    /// Targets of NumericHealthPass, kept between frames: GPU images and buffers of the search, and its findings so
+    /// far.
     struct Targets {
         gl::Target tiles, found;  ///< RGBA32UI, a layer for each kind of fault
         gl::Buffer read_back;     ///< copy of `found` for the CPU
@@ -66,7 +67,7 @@ public:
     std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:
-    /// Starts the search of all images of the frame, without waiting for the GPU.
+    /// Starts the search of all images of the frame, without waiting for the GPU. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(const FrameState& f, PassInfo& info);
 

@@ -28,7 +28,7 @@ struct ReadPages {
 /// that draw whole maps.
 class PagePasses : public FramePass {
 public:
-    /// Images, cache and page choice of virtual maps.
+    /// Targets of PagePasses, kept between frames: images, cache and page choice of virtual maps.
     struct Targets {
         gl::Target wanted;            ///< R8UI, a texel for each page, a layer for each view
         gl::Target nothing;           ///< unused image of the picture's size, as OpenGL needs an attachment

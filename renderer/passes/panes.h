@@ -14,7 +14,7 @@ class PanePasses : public FramePass {
 public:
     using ShownPane = FrameState::ShownPane;
 
-    /// Images of one pane, and the colour scale fitted to its values.
+    /// Targets of PanePasses, kept between frames: images of one pane, and the colour scale fitted to its values.
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;

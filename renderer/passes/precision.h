@@ -19,7 +19,7 @@ public:
     const std::shared_ptr<const Precision>& found() const { return found_; }
 
 private:
-    /// Draws the look-up coordinates, reads them back and compares them on the CPU.
+    /// Draws the look-up coordinates, reads them back and compares them on the CPU. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

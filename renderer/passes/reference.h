@@ -22,7 +22,7 @@ void draw_evidence(const FrameState& f, int light, bool reference_known, PassInf
 /// metrics.
 class ReferencePasses : public FramePass {
 public:
-    /// Images of reference, comparison, causes and metrics.
+    /// Targets of ReferencePasses, kept between frames: images of reference, comparison, causes and metrics.
     struct Targets {
         gl::Target reference, more_reference;  ///< uploaded values of the reference
         gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl

@@ -16,7 +16,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the surface images.
+    /// Draws the surface images. Called when the plan runs the pass.
     /// @param count number of images to draw
     /// @param[out] info draw counts
     void run(FrameState& f, std::size_t count, PassInfo& info);

@@ -10,7 +10,7 @@ namespace si {
 /// the view is static, also accumulates the mean of jittered pictures (Result::Smooth).
 class ShadePasses : public FramePass {
 public:
-    /// Images for the accumulated mean of jittered pictures.
+    /// Targets of ShadePasses, kept between frames: images for the accumulated mean of jittered pictures.
     struct SmoothTargets {
         gl::Target one, depth;  ///< picture and depth of one jittered shading
         gl::Target sum, mean;
@@ -21,7 +21,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws the shaded picture.
+    /// Draws the shaded picture. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
     /// Adds the accumulation of jittered pictures to the plan.
@@ -38,7 +38,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Uploads the ray-traced visibility and draws the picture with it.
+    /// Uploads the ray-traced visibility and draws the picture with it. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

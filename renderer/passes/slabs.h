@@ -14,7 +14,7 @@ class PagePasses;
 /// Draws texels of the shown light's map as quads over a pane's picture. Member of PanePasses.
 class TexelSlabs {
 public:
-    /// Pictures with quads, and the quads' instance data.
+    /// Targets of TexelSlabs, kept between frames: pictures with quads, and the quads' instance data.
     struct Targets {
         std::array<gl::Target, kMaxPanes> pictures;
         gl::VertexArray vao;

@@ -12,7 +12,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Draws object and triangle numbers of all pixels.
+    /// Draws object and triangle numbers of all pixels. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 

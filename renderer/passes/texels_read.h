@@ -9,7 +9,7 @@ namespace si {
 /// Marks exactly the texels of the shown map that the kernels of all pixels fetch.
 class TexelsReadPass : public FramePass {
 public:
-    /// Images of the marks.
+    /// Targets of TexelsReadPass, kept between frames: images of the marks.
     struct Targets {
         gl::Target marks;    ///< R32F, the map's resolution: 1 where a kernel fetches the texel
         gl::Target nothing;  ///< unused image of the picture's size, as OpenGL needs an attachment
@@ -18,7 +18,7 @@ public:
     void declare(FrameState& f) override;
 
 private:
-    /// Evaluates all pixels' kernels and marks each fetched texel.
+    /// Evaluates all pixels' kernels and marks each fetched texel. Called when the plan runs the pass.
     /// @param layer layer of the shadow maps
     void run(const FrameState& f, int layer, PassInfo& info);
 

@@ -12,7 +12,7 @@ class ShadowVolumePasses;
 /// Draws the visibility of each light into a layer, by the light's source, with contact shadows.
 class VisibilityPass : public FramePass {
 public:
-    /// Visibility image of all lights.
+    /// Targets of VisibilityPass, kept between frames: visibility image of all lights.
     struct Targets {
         gl::Target visibility;  ///< R32F, a layer for each light
         gl::Texture view;       ///< 2-D texture view of one layer
@@ -26,7 +26,7 @@ public:
     Image layer_image(int light);
 
 private:
-    /// Draws the visibility of all lights.
+    /// Draws the visibility of all lights. Called when the plan runs the pass.
     /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
     /// Returns the shader file that evaluates a light's source. Empty: no drawing is needed, as the layer is fully lit

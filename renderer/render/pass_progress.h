@@ -19,12 +19,12 @@ public:
     };
     /// Returns the current progress; safe in any thread.
     State state() const {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock{mutex_};
         return state_;
     }
     /// Sets the current pass, the finished passes and their total.
     void set(std::string_view pass, std::size_t done, std::size_t of) {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock{mutex_};
         state_ = {std::string(pass), done, of};
     }
 

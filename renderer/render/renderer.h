@@ -15,7 +15,7 @@ namespace gl {
 class ProgramCache;
 }
 
-struct RendererImpl;  // renderer/render/renderer_impl.h
+struct RendererImpl;
 
 /// Draws frames of a scene, reads their images back, and probes single pixels.
 class Renderer {

@@ -34,6 +34,9 @@ struct RendererImpl {
     std::optional<MapLimit> map_limit;
     std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
+    /// Queries the driver and creates the GPU resources in the current context.
+    /// @param programs shader program cache, not null
+    /// @throws Error when the context lacks OpenGL 4.5
     explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
     /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
     /// @param why message of the failure
