@@ -115,7 +115,7 @@ struct PassInfo {
     std::string name;
     PassState state = PassState::Skipped;
     std::string reason;
-    double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless timing was asked for
+    double gpu_ms = 0, cpu_ms = 0;  ///< 0 unless FrameRequest::timing
     std::uint64_t draws = 0, triangles = 0;
     PassCategory category = PassCategory::Picture;
     int light = -1;               ///< light index; below 0: all lights, or none
@@ -139,7 +139,7 @@ struct Pane {
 
 /// Ray-traced reference that a frame needs, and whether FrameRequest brought it.
 struct ReferenceNeed {
-    std::uint64_t key = 0;  ///< reference_key() of this frame; 0: nothing asks for it, or there is no light
+    std::uint64_t key = 0;  ///< reference_key() of this frame; 0: not needed, or there is no light
     bool met = false;       ///< true: FrameRequest::reference has this key
 };
 
@@ -158,7 +158,7 @@ struct LightMapNeed {
 
 /// Identity of a frame's images in the renderer. A later frame may overwrite them: see Renderer::has_images_of().
 struct FrameContents {
-    /// One image of the frame, with the key that tells whether the image was overwritten.
+    /// One image of the frame, with the key that shows whether the image was overwritten.
     struct Part {
         Result of;
         const gl::Target* image;     ///< first image of the result; owned by the renderer

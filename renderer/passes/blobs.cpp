@@ -12,7 +12,7 @@
 namespace si {
 namespace {
 
-constexpr double kWidest = 0.25;  ///< share of the scene's radius; wider casters carry others and have no blob
+constexpr double kMaxCasterShare = 0.25;  ///< share of the scene's radius; wider casters carry others and have no blob
 
 bool draws_blobs(const FrameState& f, std::size_t light) {
     return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
@@ -21,7 +21,7 @@ bool draws_blobs(const FrameState& f, std::size_t light) {
 /// Returns the discs of a light: centre relative to the frame's origin, and radius, metres.
 std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     std::vector<glm::vec4> out;
-    const double widest = kWidest * f.scene.bounds.radius();
+    const double widest = kMaxCasterShare * f.scene.bounds.radius();
     for (const Object& object : f.scene.objects) {
         if (!can_cast(f.scene, f.settings, object)) continue;
         const Bounds& local = f.scene.meshes[std::size_t(object.mesh)].bounds;

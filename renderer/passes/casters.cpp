@@ -55,18 +55,18 @@ constexpr std::size_t kMostSides = 1024;
 constexpr double kEdgeOn = 1e-4;
 
 /// Largest number of sides for the per-instance edge-on test. Meshes with more sides rarely pass it.
-constexpr std::size_t kMostFlatSides = 64;
+constexpr std::size_t kMaxFlatSides = 64;
 /// Smallest height of a triangle in texels at which rounding of its corners does not matter.
-constexpr double kLeastWidth = 0.01;
+constexpr double kMinTriangleTexels = 0.01;
 /// Distance from a triangle, in steps of the rasteriser's grid, at which a texel may still count as covered.
-constexpr double kStepsBeside = 4;
+constexpr double kRasterPadSteps = 4;
 /// Rounding error of single-precision positions within a map, as share of its side.
-constexpr double kFloatSide = 1e-6;
+constexpr double kFloatPositionError = 1e-6;
 
 /// Share of a view's near plane. Casters nearer to the light may cover any texel.
-constexpr double kBeforeShare = 1e-3;
+constexpr double kMinDepthShare = 1e-3;
 /// Padding in texels around the texels that a caster covers.
-constexpr double kCasterRoomTexels = 2;
+constexpr double kCasterPadTexels = 2;
 
 MeshSides sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, MeshSide> sides;
@@ -170,7 +170,7 @@ public:
         finish(run);
     }
 
-    SkippedCasters spared;
+    SkippedCasters skipped;
 
 private:
     struct Run {
@@ -194,26 +194,26 @@ private:
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
         if (which_.only && !(*which_.only)[instance]) return finish(run);
         if (skips_ && sight_.misses(box_of(instance))) {
-            ++spared.beside;
+            ++skipped.beside;
             return finish(run);
         }
         if (which_.called && !covers_needed(box_of(instance))) {
-            ++spared.unread;
+            ++skipped.unread;
             return finish(run);
         }
         const InstanceParts what = seen_           ? seen_(instance, parts_)
                                    : which_.called ? needed_part_of(instance)
                                                    : InstanceParts::Whole;
         if (what == InstanceParts::Parts && parts_.empty()) {
-            ++spared.unread;
+            ++skipped.unread;
             return finish(run);
         }
-        if (which_.covered && what != InstanceParts::Nothing) note_covered(box_of(instance));
-        const bool fronts_alone =
-            closed && what != InstanceParts::Nothing && sight_.has_before_it(box_of(instance)) && !shows_edge(instance);
-        const bool bare = bares_ && !batch.masked && what != InstanceParts::Nothing && leaves_no_strays(instance);
-        spared.closed += fronts_alone;
-        spared.bare += bare;
+        if (which_.covered && what != InstanceParts::Nothing) add_covered_cells(box_of(instance));
+        const bool fronts_alone = closed && what != InstanceParts::Nothing && sight_.has_before_it(box_of(instance)) &&
+                                  !has_edge_on_side(instance);
+        const bool bare = bares_ && !batch.masked && what != InstanceParts::Nothing && stays_in_depth_range(instance);
+        skipped.closed += fronts_alone;
+        skipped.bare += bare;
         if (what != InstanceParts::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
         run.fronts_alone = fronts_alone;
         run.bare = bare;
@@ -247,9 +247,9 @@ private:
 
     /// Returns the cells that a box may cover; nullopt: any.
     std::optional<MapRect> covered_by(const SkewBox& box) const {
-        const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
+        const double before = view_.curve.perspective ? kMinDepthShare * view_.curve.near : 0;
         std::optional<MapRect> rect = rect_of(box, uvd_from_relative_, view_.origin, before);
-        const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
+        const glm::dvec2 room(kCasterPadTexels / view_.resolution);
         if (rect) {
             rect->lo -= room;
             rect->hi += room;
@@ -262,7 +262,7 @@ private:
         return !rect || which_.called->meets(*rect);
     }
 
-    void note_covered(const SkewBox& box) {
+    void add_covered_cells(const SkewBox& box) {
         const std::optional<MapRect> rect = covered_by(box);
         rect ? which_.covered->add(*rect, false) : which_.covered->add(MapCells::whole());
     }
@@ -274,7 +274,7 @@ private:
 
     /// Returns true when some side is edge-on to the light's rays. Such a side covers less than a step of the raster
     /// grid, or nothing. A texel centre may then be covered by a back face alone.
-    bool shows_edge(GLuint instance) const {
+    bool has_edge_on_side(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         glm::dmat4 world = object.world;
         world[3] -= glm::dvec4(view_.origin, 0);
@@ -288,11 +288,11 @@ private:
 
     /// Returns true when no covered texel can get a depth outside the map's range. All sides must be far from edge-on,
     /// so that their planes stay in range a few raster steps outside their triangles. For parallel rays.
-    bool leaves_no_strays(GLuint instance) const {
+    bool stays_in_depth_range(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
         const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
-        if (mesh.sides.empty() || mesh.sides.size() > kMostFlatSides) return false;
+        if (mesh.sides.empty() || mesh.sides.size() > kMaxFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
         const SkewBox box = box_of(instance);
@@ -305,8 +305,9 @@ private:
         double shrinks = 0;  // lower bound of the factor between world and mesh lengths
         for (int i = 0; i < 3; ++i) shrinks += glm::dot(back[i], back[i]);
         const double texels = std::min(glm::length(u), glm::length(v)) * view_.resolution;
-        const double least_sine = kLeastWidth * std::sqrt(shrinks) / (mesh.least_height * texels);
-        const double beside = std::ldexp(kStepsBeside, -f_.driver.subpixel_bits) + kFloatSide * view_.resolution;
+        const double least_sine = kMinTriangleTexels * std::sqrt(shrinks) / (mesh.least_height * texels);
+        const double beside =
+            std::ldexp(kRasterPadSteps, -f_.driver.subpixel_bits) + kFloatPositionError * view_.resolution;
         const double least_tangent = beside * glm::length(z) / (texels * before);
         const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
         return std::ranges::all_of(mesh.sides, [&](const MeshSide& side) {
@@ -399,7 +400,7 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
-    return drawer.spared;
+    return drawer.skipped;
 }
 
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,

@@ -36,7 +36,7 @@ SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, con
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
     if (colour)
-        t.depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
+        t.depth.ensure("depth of the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
     else
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
@@ -57,33 +57,33 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
                          PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SkippedCasters spared =
+    const SkippedCasters skipped =
         draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.called = &called},
                   f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
-    part.left_out = spared.beside + spared.unread;
+    part.left_out = skipped.beside + skipped.unread;
     part.unit = "casters";
-    if (spared.beside > 0) part.by = Optimisation::CasterCulling;
-    if (spared.unread > 0) part.by = Optimisation::UnreadViews;
-    const char* plural = spared.unread == 1 ? "" : "s";
-    const char* cover = spared.unread == 1 ? "covers" : "cover";
-    if (spared.unread == 0)
+    if (skipped.beside > 0) part.by = Optimisation::CasterCulling;
+    if (skipped.unread > 0) part.by = Optimisation::UnreadViews;
+    const char* plural = skipped.unread == 1 ? "" : "s";
+    const char* cover = skipped.unread == 1 ? "covers" : "cover";
+    if (skipped.unread == 0)
         part.reason = part.draws == 0 ? "cleared only: no caster lies in the map" : "casters drawn";
     else if (part.draws == 0)
         part.reason = fmt::format("cleared only: {} caster{} {} no texel that the camera's picture reads",
-                                  spared.unread, plural, cover);
+                                  skipped.unread, plural, cover);
     else
         part.reason = fmt::format("casters drawn, except {} that {} no texel that the camera's picture reads",
-                                  spared.unread, cover);
+                                  skipped.unread, cover);
     info.parts.push_back(std::move(part));
-    return spared;
+    return skipped;
 }
 
 /// Returns the report on a view that this frame does not draw.
 /// @param kept its needed texels are cached
-PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
+PartInfo undrawn_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
     PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
     part.state = kept ? PassState::Cached : PassState::Skipped;
     part.reason = kept ? "the needed texels were drawn in an earlier frame"
@@ -126,13 +126,13 @@ void place_compared_maps(FrameState& f, const gl::Target& maps) {
 namespace {
 
 /// Cells that a frame draws of each view of a light, and cells valid afterwards.
-struct MapWork {
+struct MapPlan {
     std::vector<MapCells> holds;
     std::vector<bool> drawn;
     std::string uncalled;  ///< reason why no cell is needed; empty: some are
 
     /// @param held valid cells of the light's current maps; empty if outdated
-    MapWork(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
+    MapPlan(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
             const bool enough = kept && held[v].holds(called.views[v]);
@@ -172,7 +172,7 @@ void clear_layers(const FrameState& f, const gl::Target& maps) {
 }
 
 /// Way to draw the maps of one light, given its static and moving casters.
-struct StaticWork {
+struct StaticPlan {
     StaticCasters::Draws draws = StaticCasters::Draws::All;
     std::string reason;                       ///< reason why all casters are drawn although only some moved
     std::vector<bool> static_casters, moved;  ///< by instance; empty if all casters are drawn
@@ -180,7 +180,7 @@ struct StaticWork {
 };
 
 /// Returns the reason why no map of static casters is possible; empty: it is possible.
-std::string why_none_rests(const FrameState& f) {
+std::string why_no_static_map(const FrameState& f) {
     if (is_colour(f.settings.map.format))
         return "map.format is a colour format, which keeps no depths to test moving casters against";
     const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
@@ -189,9 +189,9 @@ std::string why_none_rests(const FrameState& f) {
     return {};
 }
 
-StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
+StaticPlan choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
     using Draws = StaticCasters::Draws;
-    StaticWork work;
+    StaticPlan work;
     const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
@@ -199,7 +199,7 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
     if (f.request.forced.contains(Optimisation::StaticCasterCache))
         work.reason = "all casters are drawn (forced)";
     else if (moved)
-        work.reason = why_none_rests(f);
+        work.reason = why_no_static_map(f);
     if (f.request.force || f.request.emptied || !work.reason.empty()) {
         known.casters.forget();
         if (!moved) work.reason.clear();
@@ -230,7 +230,7 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
     return work;
 }
 
-PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
+PartInfo static_part(const FrameState& f, std::size_t light, const StaticPlan& work) {
     using Draws = StaticCasters::Draws;
     PartInfo part{.name = fmt::format("static casters in maps of light {}", light), .unit = "casters"};
     part.by = Optimisation::StaticCasterCache;
@@ -257,18 +257,18 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
 /// Draws one of a light's views as a copy of its static map with the moving casters over it.
 /// @param[in,out] of state of the view's static map
 SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view,
-                                const MapCells& called, const StaticWork& work, StaticView& of, PassInfo& info) {
+                                const MapCells& called, const StaticPlan& work, StaticView& of, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    SkippedCasters spared;
+    SkippedCasters skipped;
     const bool kept = of.drawn && of.holds.holds(called);
     if (!kept) {
         // A static map that needs more cells is drawn whole, as needed cells follow the moving casters.
         of.holds = of.drawn ? MapCells::whole() : called;
         of.below = false;
-        spared = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
-                           {.called = &of.holds, .only = &work.static_casters});
+        skipped = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
+                            {.called = &of.holds, .only = &work.static_casters});
         of.drawn = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
@@ -284,12 +284,12 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
                   : part.draws == 0 ? "static casters are cached, and no moving caster covers a needed texel"
                                     : "static casters are cached; moving casters are drawn over a copy of their map";
     info.parts.push_back(std::move(part));
-    spared.closed += over.closed;
-    spared.bare += over.bare;
-    return spared;
+    skipped.closed += over.closed;
+    skipped.bare += over.bare;
+    return skipped;
 }
 
-void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& work, PassInfo& info) {
+void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& work, PassInfo& info) {
     const bool lost = ensure_maps(f, t.maps, "shadow maps");
     if (lost) {
         t.keys = {};
@@ -305,7 +305,7 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     t.held[i].clear();
     const FittedLight& l = f.gl.fitted[i];
     StaticMapState rest = std::exchange(t.at_rest[i], {});  // an exception leaves the state cleared
-    const StaticWork static_casters = choose_static(f, i, rest);
+    const StaticPlan static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
     if (apart && ensure_maps(f, t.static_casters, "static casters")) {
         for (StaticMapState& other : t.at_rest) other.casters.views.clear();
@@ -314,13 +314,13 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     std::vector<StaticView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0, bare = 0;
-    const auto count = [&](const SkippedCasters& spared) {
-        closed += spared.closed;
-        bare += spared.bare;
+    const auto count = [&](const SkippedCasters& skipped) {
+        closed += skipped.closed;
+        bare += skipped.bare;
     };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
         if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
-            info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
+            info.parts.push_back(undrawn_part(f, i, v, !work.holds[v].empty()));
         else if (apart)
             count(draw_over_static(f, t, i, v, work.holds[v], static_casters, views[v], info));
         else
@@ -379,9 +379,9 @@ void LightDepthPasses::declare(FrameState& f) {
         pass.key = light_maps_key(f, i).value();
         pass.cached = &t.keys[i];
         const bool kept = !f.request.force && t.keys[i] == pass.key;
-        MapWork work = kept && all_whole(t.held[i])
-                           ? MapWork({t.held[i], {}}, t.held[i])
-                           : MapWork(needed_maps_of(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
+        MapPlan work = kept && all_whole(t.held[i])
+                           ? MapPlan({t.held[i], {}}, t.held[i])
+                           : MapPlan(needed_maps_of(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
         pass.lacks = kept && work.draws();
         if (kept) pass.unneeded = work.uncalled;
         for (std::size_t v = 0; v < work.holds.size(); ++v) {

@@ -332,8 +332,8 @@ double amount_of(NumberFault fault, double value) {
 }
 
 /// Adds the faults in the pages of one map to `health`.
-void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<const FaultRecord> tiles,
-               NumericHealth& health) {
+void add_page_findings(const PoolTiles& pool, const SearchedPages& layer, std::span<const FaultRecord> tiles,
+                       NumericHealth& health) {
     const std::size_t per_fault = tiles.size() / kNumberFaults;
     for (std::size_t k = 0; k < kNumberFaults; ++k) {
         NumberFinding sum = layer.place;
@@ -372,7 +372,7 @@ std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
     if (t.pool) {
         const std::size_t count = std::size_t(t.pool->tiles.x) * std::size_t(t.pool->tiles.y) * kNumberFaults;
         const std::vector<FaultRecord> tiles = records_of(t.pool->read_back, count);
-        for (const SearchedPages& layer : t.pool->layers) put_pages(*t.pool, layer, tiles, health);
+        for (const SearchedPages& layer : t.pool->layers) add_page_findings(*t.pool, layer, tiles, health);
     }
     glDeleteSync(t.done);
     t.done = nullptr;

@@ -30,7 +30,7 @@ bool coarser_page(const std::vector<PageGrid>& grids, int layer, glm::ivec2 page
 }
 
 /// Drops pages of the finest levels until `most` are left. Pages that share a coarser page are dropped together.
-void give_way(const std::vector<PageGrid>& grids, Pages& pages, std::size_t most) {
+void drop_finest_pages(const std::vector<PageGrid>& grids, Pages& pages, std::size_t most) {
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();
     // Levels of all lights are dropped together, the finest of each first.
@@ -92,7 +92,7 @@ PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std
                     ++out.wanted_by_layer[std::size_t(layer)];
                     ++out.wanted;
                 }
-    give_way(grids, pages, std::size_t(std::max(most, 1)));
+    drop_finest_pages(grids, pages, std::size_t(std::max(most, 1)));
 
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();

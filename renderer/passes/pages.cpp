@@ -60,7 +60,7 @@ struct Across {
 
 /// Finds boxes and content keys of all casters. Keys depend on content alone, so that cached pages outlast changes
 /// elsewhere.
-void find_casters(const FrameState& f, Casters& casters) {
+void update_paged_casters(const FrameState& f, Casters& casters) {
     const CasterContent& content = caster_content(f);
     if (casters.key == content.key) return;
     const Scene& scene = f.scene;
@@ -296,7 +296,7 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
     pool.ensure(unfiltered ? "pool of unfiltered pages" : "pool of pages", f.map_format(), width, width);
     t.block.ensure("block of pages", f.map_format(), block, block);
     if (colour)
-        t.depth.ensure("depth beside the block of colour pages", GL_DEPTH_COMPONENT32F, block, block);
+        t.depth.ensure("depth of the block of colour pages", GL_DEPTH_COMPONENT32F, block, block);
     else
         t.depth = {};
     const gl::Framebuffer framebuffer = colour ? gl::make_framebuffer("block of pages", &t.block, &t.depth)
@@ -395,7 +395,7 @@ void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     gl::prepare_read_back();
     glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
                       wanted.data());
-    find_casters(f, t.casters);
+    update_paged_casters(f, t.casters);
     const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
     std::vector<PageGrid> grids;
     for (const PagedLayer& layer : layers) grids.push_back(layer.grid);

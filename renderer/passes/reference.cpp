@@ -51,7 +51,7 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTextureSubImage2D(t.texture.id(), 0, 0, 0, reference.width, reference.height, GL_RGBA, GL_FLOAT, data.data());
     };
-    put(to.reference, "truth", pixels);
+    put(to.reference, "reference", pixels);
     put(to.more_reference, "more of the reference", more);
 }
 

@@ -92,7 +92,7 @@ void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& in
 }
 
 /// Returns the report on objects culled by the view frustum.
-PartInfo beside_part(const FrameState& f) {
+PartInfo culled_objects_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.left_out();
     PartInfo part{.name = "objects outside the picture",
                   .left_out = count,
@@ -111,8 +111,8 @@ PartInfo beside_part(const FrameState& f) {
 using SmoothTargets = ShadePasses::SmoothTargets;
 
 /// Jitter offsets in sixteenths of a pixel, as in 8x multisampling: each row and column of eighths occurs once.
-constexpr glm::ivec2 kPlaces[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
-                                                      {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+constexpr glm::ivec2 kJitterSixteenths[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
+                                                                {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
 /// Draws one shading by a camera shifted by part of a pixel, and adds it to the sum.
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
@@ -160,7 +160,7 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
     if (again) t.count = 0;
     t.of = of;
     for (; t.count < count; ++t.count) {
-        add_shading(f, t, kPlaces[t.count], info);
+        add_shading(f, t, kJitterSixteenths[t.count], info);
         blend_into(f, t.one, t.sum, 1, t.count > 0, info);
     }
     blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
@@ -218,7 +218,7 @@ void ShadePasses::declare(FrameState& f) {
 
 void ShadePasses::run(FrameState& f, PassInfo& info) {
     draw_picture(f, picture_, f.separate_visibility, info);
-    info.parts.push_back(beside_part(f));
+    info.parts.push_back(culled_objects_part(f));
 }
 
 void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {

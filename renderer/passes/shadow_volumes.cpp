@@ -12,14 +12,14 @@ namespace si {
 namespace {
 
 constexpr GLuint kCornerBinding = 0, kTransformBinding = 3;
-constexpr std::size_t kEstimated = 4000;  ///< triangles sampled for a cost estimate
+constexpr std::size_t kMaxSampledTriangles = 4000;  ///< triangles sampled for a cost estimate
 
 VolumeLight volume_light(const FittedLight& light) {
     return {light.type == LightType::Directional, light.to_light, light.position};
 }
 
 /// Distance of finite volume ends: multiple of the scene's radius, or of a caster corner's distance from the light.
-constexpr double kFarAway = 1e4;
+constexpr double kFarDistanceFactor = 1e4;
 
 /// Returns true when volumes end at a finite distance. An orthographic camera sees no infinitely far point, and volumes
 /// along its axis would have no end.
@@ -28,7 +28,7 @@ bool ends_are_finite(const FrameState& f) {
 }
 
 double reach_m(const FrameState& f) {
-    return kFarAway * std::max(f.scene.bounds.radius(), 1e-30);
+    return kFarDistanceFactor * std::max(f.scene.bounds.radius(), 1e-30);
 }
 
 /// Returns true when a caster may lie beyond the camera's far plane.
@@ -83,8 +83,9 @@ void ShadowVolumes::build_volume_triangles(const FrameState& f, std::size_t numb
 std::string ShadowVolumes::describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const {
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
     double pixels = 0;
-    const std::size_t samples = std::max<std::size_t>(kEstimated / std::max<std::size_t>(light.parts.size(), 1), 1);
-    const std::size_t every = std::max<std::size_t>(light.parts.size() / kEstimated, 1);
+    const std::size_t samples =
+        std::max<std::size_t>(kMaxSampledTriangles / std::max<std::size_t>(light.parts.size(), 1), 1);
+    const std::size_t every = std::max<std::size_t>(light.parts.size() / kMaxSampledTriangles, 1);
     std::size_t looked_at = 0;
     for (std::size_t p = 0; p < light.parts.size(); p += every, ++looked_at) {
         const Part& part = light.parts[p];
@@ -95,7 +96,7 @@ std::string ShadowVolumes::describe_cost(const FrameState& f, const Light& light
             if (v % 2 == 0) return clip * glm::dvec4(at - f.origin, 1);
             const glm::dvec3 away = source.parallel ? -source.to_light : at - source.position_ws;
             if (!ends_are_finite(f)) return clip * glm::dvec4(away, 0);
-            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFarAway), 1);
+            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFarDistanceFactor), 1);
         };
         const std::vector<std::uint32_t> list(light.indices.begin() + std::ptrdiff_t(part.first[0]),
                                               light.indices.begin() + std::ptrdiff_t(part.first[3]));
@@ -218,7 +219,9 @@ void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassI
     const GLenum front = light.before ? GL_INCR_WRAP : GL_DECR_WRAP, back = light.before ? GL_DECR_WRAP : GL_INCR_WRAP;
     glStencilOpSeparate(GL_FRONT, GL_KEEP, light.before ? GL_KEEP : front, light.before ? front : GL_KEEP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, light.before ? GL_KEEP : back, light.before ? back : GL_KEEP);
-    const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFarAway;
+    const double reach = !ends_are_finite(f)                          ? 0
+                         : volume_light(f.gl.fitted[number]).parallel ? reach_m(f)
+                                                                      : kFarDistanceFactor;
     const auto use = [&](const char* sides, const char* beyond) {
         const GLuint id = f.program("passes/volume.vert.glsl", "passes/volume.frag.glsl",
                                     {{"LIGHT_INDEX", std::to_string(number)},

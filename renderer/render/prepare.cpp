@@ -126,7 +126,7 @@ void note_shown_view(FrameState& f) {
 
 /// Builds camera and lights at the requested resolution, then halves it until all maps fit into memory.
 /// @param limit resolution limit after the driver ran out of memory; null: none
-void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
+void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
@@ -151,7 +151,7 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
 }
 
 /// Limits the kernel's moment settings to the abilities of driver and format, with a note for each change.
-void limit_moments(FrameState& f) {
+void clamp_moment_settings(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     if (filter.samples != Samples::Moments) return;
     FilterSettings& s = f.settings.filter;
@@ -464,9 +464,9 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     }
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
-    limit_moments(f);
+    clamp_moment_settings(f);
     if (map_limit && map_limit->asked != settings.map.resolution) map_limit.reset();
-    fit_within_limits(f, map_limit ? &*map_limit : nullptr);
+    fit_within_memory(f, map_limit ? &*map_limit : nullptr);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back(
