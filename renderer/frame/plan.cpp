@@ -76,7 +76,7 @@ std::string_view result_name(Result result) {
 }
 
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool uncalled) {
+                                  bool draw_unneeded) {
     std::vector<PassInfo> out(passes.size());
     std::set<ResultRef> needed(wanted.begin(), wanted.end()), read_now;
     for (std::size_t i = passes.size(); i-- > 0;) {
@@ -87,7 +87,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         info.light = pass.light;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
-        if (!pass.unneeded.empty() && !(uncalled && pass.run && live)) {
+        if (!pass.unneeded.empty() && !(draw_unneeded && pass.run && live)) {
             info.reason = pass.unneeded;
             continue;
         }
@@ -97,10 +97,10 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         }
         needed.insert(pass.reads.begin(), pass.reads.end());
         const bool held = pass.cached && *pass.cached == pass.key;
-        if (!force && held && !pass.lacks) {
+        if (!force && held && !pass.is_incomplete) {
             info.state = PassState::Cached;
             info.reason = "its inputs are unchanged";
-        } else if (pass.aid &&
+        } else if (pass.only_saves_work &&
                    std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
             info.reason = "no pass that it speeds up is drawn";
         } else {
@@ -143,14 +143,14 @@ const gl::Target& Plan::target(const ResultRef& result, std::size_t image) const
 std::uint64_t Plan::key_of(const ResultRef& result) const {
     Key key;
     for (const Pass& pass : passes_)
-        if (!pass.aid && std::ranges::find(pass.writes, result) != pass.writes.end()) key.add(pass.key);
+        if (!pass.only_saves_work && std::ranges::find(pass.writes, result) != pass.writes.end()) key.add(pass.key);
     return key.value();
 }
 
 bool Plan::is_current(const ResultRef& result) const {
     return std::ranges::all_of(passes_, [&](const Pass& pass) {
         const bool writes = pass.unneeded.empty() && std::ranges::find(pass.writes, result) != pass.writes.end();
-        return !writes || (pass.cached && *pass.cached == pass.key && !pass.lacks);
+        return !writes || (pass.cached && *pass.cached == pass.key && !pass.is_incomplete);
     });
 }
 

@@ -23,11 +23,11 @@ struct Pass {
     std::uint64_t key = 0;  ///< hash of everything the result depends on, size and format too, except `reads`
     /// True: the pass only saves its readers work, and their results stay equal without it. Its key is not part of
     /// theirs. It runs only where one of them runs.
-    bool aid = false;
+    bool only_saves_work = false;
     std::uint64_t* cached = nullptr;  ///< key of the target's contents; the address must outlast the frame
     /// True: the target has the key `cached` but too few texels. The pass then runs and adds the missing ones; texels
     /// read before stay equal.
-    bool lacks = false;
+    bool is_incomplete = false;
     std::function<void(PassInfo&)> run;
     std::string idle_reason = "no pass reads it";  ///< reason to report when no running pass reads the result
 };
@@ -35,9 +35,9 @@ struct Pass {
 /// Decides which passes run, walking back from the `wanted` results. A pass is live when its result is wanted or read
 /// by a live pass. Dead and unneeded passes are skipped; passes with an unchanged key are cached; others are drawn.
 /// @param force draws cached passes too
-/// @param uncalled draws live passes even where the scene does not need them
+/// @param draw_unneeded draws live passes even where the scene does not need them
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool uncalled);
+                                  bool draw_unneeded);
 
 /// Image of a result, with the texture unit by which shaders read it.
 struct PlacedImage {

@@ -130,8 +130,8 @@ struct FrameState {
     std::uint64_t reference_content = 0;  ///< key of the reference's values in use
     Plan plan;                            ///< see plan_frame()
     /// Drawn cells of each map layer; look-ups read nothing outside them. Valid once the map passes are planned.
-    std::vector<MapCells> layers_held;
-    Key maps_extent;                    ///< key of layers_held; valid once the map passes are planned
+    std::vector<MapCells> drawn_cells_by_layer;
+    Key maps_extent;                    ///< key of drawn_cells_by_layer; valid once the map passes are planned
     bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; valid once the map passes are planned
     bool camera_depth_renewed = false;  ///< camera depth was redrawn in this frame, for FrameRequest::force
 

@@ -31,7 +31,7 @@ void find_bounds(const FrameState& f, MapBoundsPass::Targets& t, PassInfo& info)
         if (!light.casts) continue;
         const int reach = bounds_reach_cells(f, light);
         for (int layer = f.first_view[i]; layer < f.first_view[i] + int(light.views.size()); ++layer) {
-            if (f.layers_held[std::size_t(layer)].empty()) continue;
+            if (f.drawn_cells_by_layer[std::size_t(layer)].empty()) continue;
             draw_step(f, t.cells, -1, 0, layer, reach, info);
             glBindTextureUnit(shared::UNIT_BLURRED_ROWS, t.cells.texture.id());
             draw_step(f, t.bounds, t.bounds.layers == 0 ? -1 : layer, 1, layer, reach, info);
@@ -48,7 +48,7 @@ void MapBoundsPass::declare(FrameState& f) {
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::MapBounds};
     pass.idle_reason = "no pass samples a shadow map";
-    pass.aid = true;
+    pass.only_saves_work = true;
     pass.unneeded = why_no_bounds(f);
     choose_taps(f, pass.unneeded.empty());
     if (!pass.unneeded.empty()) {

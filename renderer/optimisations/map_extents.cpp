@@ -35,7 +35,7 @@ bool reads_whole_maps(const FrameState& f) {
 std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
     const std::uint64_t each = std::uint64_t(f.map_resolution) * std::uint64_t(f.map_resolution);
     std::uint64_t left_out = 0;
-    for (const MapCells& held : f.layers_held) {
+    for (const MapCells& held : f.drawn_cells_by_layer) {
         std::uint64_t made = 0;
         for (const TexelRect& r : held.texels(f.map_resolution))
             made += std::uint64_t(r.to.x - r.from.x) * std::uint64_t(r.to.y - r.from.y);
@@ -46,7 +46,7 @@ std::optional<PartInfo> unread_texels(const FrameState& f, std::string name) {
     part.left_out = left_out;
     part.by = Optimisation::UnreadViews;
     part.reason = fmt::format("nothing that the camera sees reads {:.0f} % of the maps' texels: these are not made",
-                              100.0 * double(left_out) / double(each * f.layers_held.size()));
+                              100.0 * double(left_out) / double(each * f.drawn_cells_by_layer.size()));
     return part;
 }
 

@@ -150,7 +150,7 @@ public:
                  PassInfo& info)
         : f_(f),
           view_(view),
-          which_(view.which),
+          choice_(view.choice),
           seen_(seen),
           programs_(programs),
           info_(info),
@@ -180,7 +180,7 @@ private:
 
     FrameState& f_;
     const CasterView& view_;
-    const CasterChoice& which_;
+    const CasterChoice& choice_;
     const InstancePartsQuery& seen_;
     CasterPrograms& programs_;
     PassInfo& info_;
@@ -192,28 +192,28 @@ private:
 
     /// Adds an instance to the run, or draws the run and the needed parts of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
-        if (which_.only && !(*which_.only)[instance]) return finish(run);
+        if (choice_.only && !(*choice_.only)[instance]) return finish(run);
         if (skips_ && sight_.misses(box_of(instance))) {
-            ++skipped.beside;
+            ++skipped.outside_map;
             return finish(run);
         }
-        if (which_.called && !covers_needed(box_of(instance))) {
+        if (choice_.needed && !covers_needed(box_of(instance))) {
             ++skipped.unread;
             return finish(run);
         }
-        const InstanceParts what = seen_           ? seen_(instance, parts_)
-                                   : which_.called ? needed_part_of(instance)
-                                                   : InstanceParts::Whole;
+        const InstanceParts what = seen_            ? seen_(instance, parts_)
+                                   : choice_.needed ? needed_part_of(instance)
+                                                    : InstanceParts::Whole;
         if (what == InstanceParts::Parts && parts_.empty()) {
             ++skipped.unread;
             return finish(run);
         }
-        if (which_.covered && what != InstanceParts::Nothing) add_covered_cells(box_of(instance));
+        if (choice_.covered && what != InstanceParts::Nothing) add_covered_cells(box_of(instance));
         const bool fronts_alone = closed && what != InstanceParts::Nothing && sight_.has_before_it(box_of(instance)) &&
                                   !has_edge_on_side(instance);
         const bool bare = bares_ && !batch.masked && what != InstanceParts::Nothing && stays_in_depth_range(instance);
-        skipped.closed += fronts_alone;
-        skipped.bare += bare;
+        skipped.front_faces_only += fronts_alone;
+        skipped.without_shader += bare;
         if (what != InstanceParts::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
         run.fronts_alone = fronts_alone;
         run.bare = bare;
@@ -259,12 +259,12 @@ private:
 
     bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
-        return !rect || which_.called->meets(*rect);
+        return !rect || choice_.needed->meets(*rect);
     }
 
     void add_covered_cells(const SkewBox& box) {
         const std::optional<MapRect> rect = covered_by(box);
-        rect ? which_.covered->add(*rect, false) : which_.covered->add(MapCells::whole());
+        rect ? choice_.covered->add(*rect, false) : choice_.covered->add(MapCells::whole());
     }
 
     SkewBox box_of(GLuint instance) const {
@@ -404,19 +404,19 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
 }
 
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                            const LightView& view, PassInfo& info, const CasterChoice& which) {
+                            const LightView& view, PassInfo& info, const CasterChoice& choice) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
-    if (!which.over) clear_casters(f, framebuffer, view.curve.convention);
+    if (!choice.keeps_contents) clear_casters(f, framebuffer, view.curve.convention);
     CasterView whole{view.clip_from_relative(light.map_origin),
                      view.curve,
                      light.map_origin,
                      unfiltered,
                      view.clamps_near,
                      f.map_resolution,
-                     which};
-    if (which.called && which.called->is_whole()) whole.which.called = nullptr;
+                     choice};
+    if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);
 }
 

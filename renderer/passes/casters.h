@@ -11,9 +11,9 @@ namespace si {
 
 /// Choice of the casters to draw into a map, by needed cells and by instance.
 struct CasterChoice {
-    const MapCells* called = nullptr;         ///< map cells that look-ups read; null: all
+    const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
     const std::vector<bool>* only = nullptr;  ///< instances to draw, in the order of SceneGpu; null: all
-    bool over = false;                        ///< true: draws over the map's contents; false: clears the map first
+    bool keeps_contents = false;              ///< true: draws over the map's contents; false: clears the map first
     MapCells* covered = nullptr;              ///< receives all cells that drawn casters may cover; may be null
 };
 
@@ -25,7 +25,7 @@ struct CasterView {
     bool unfiltered = false;   ///< without polygon offset, masks at their finest level
     bool clamps_near = false;  ///< casters in front of the near plane are flattened onto it
     int resolution = 1;        ///< texels along a side
-    CasterChoice which;
+    CasterChoice choice;
 };
 
 /// Range of a mesh's indices, counted from the mesh's first.
@@ -66,10 +66,10 @@ void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConventio
 
 /// Counts of casters that a map skipped or drew in a cheaper way.
 struct SkippedCasters {
-    std::uint64_t beside = 0;  ///< instances entirely outside the map
-    std::uint64_t unread = 0;  ///< instances that cover no needed cell
-    std::uint64_t closed = 0;  ///< instances drawn by front faces alone
-    std::uint64_t bare = 0;    ///< instances drawn without a fragment shader
+    std::uint64_t outside_map = 0;       ///< instances entirely outside the map
+    std::uint64_t unread = 0;            ///< instances that cover no needed cell
+    std::uint64_t front_faces_only = 0;  ///< instances drawn by front faces alone
+    std::uint64_t without_shader = 0;    ///< instances drawn without a fragment shader
 };
 
 /// Draws casters into the bound framebuffer and viewport, for a view given by its matrix. Used for pages of virtual
@@ -81,6 +81,6 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
 /// @param unfiltered without polygon offset, with masks at their finest mip level
 /// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                            const LightView& view, PassInfo& info, const CasterChoice& which = {});
+                            const LightView& view, PassInfo& info, const CasterChoice& choice = {});
 
 }  // namespace si

@@ -29,7 +29,7 @@ void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Frameb
         glUseProgram(id);
         glUniform1i(glGetUniformLocation(id, "layer"), layer);
         glUniform1i(glGetUniformLocation(id, "radius"), f.settings.map.blur_texels);
-        FrameState::draw_fullscreen(f.layers_held[std::size_t(layer)].texels(n), info);
+        FrameState::draw_fullscreen(f.drawn_cells_by_layer[std::size_t(layer)].texels(n), info);
     };
     draw(rows.id(), "0");
     const int target_layer = t.maps.layers == 0 ? -1 : layer;
@@ -69,7 +69,7 @@ void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     t.rows.ensure("shadow map blurred along x", GL_R32F, n, n);
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
-        if (!f.layers_held[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
+        if (!f.drawn_cells_by_layer[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
     if (std::optional<PartInfo> part = unread_texels(f, "blurred depths that no pass reads"))
         info.parts.push_back(std::move(*part));
     info.reason +=

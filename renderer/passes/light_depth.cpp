@@ -31,7 +31,7 @@ bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) 
 /// @param map one of the textures in `t`
 /// @param emptied draws no caster
 SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, const FittedLight& light,
-                         const LightView& view, int layer, PassInfo& info, const CasterChoice& which = {},
+                         const LightView& view, int layer, PassInfo& info, const CasterChoice& choice = {},
                          bool emptied = false) {
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
@@ -42,7 +42,7 @@ SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, con
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
     if (f.driver.software) gl::limit_pending_draws();
-    if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, which);
+    if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, choice);
     clear_casters(f, into.id(), view.curve.convention);
     return {};
 }
@@ -58,14 +58,14 @@ SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::si
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
     const SkippedCasters skipped =
-        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.called = &called},
+        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.needed = &called},
                   f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
-    part.left_out = skipped.beside + skipped.unread;
+    part.left_out = skipped.outside_map + skipped.unread;
     part.unit = "casters";
-    if (skipped.beside > 0) part.by = Optimisation::CasterCulling;
+    if (skipped.outside_map > 0) part.by = Optimisation::CasterCulling;
     if (skipped.unread > 0) part.by = Optimisation::UnreadViews;
     const char* plural = skipped.unread == 1 ? "" : "s";
     const char* cover = skipped.unread == 1 ? "covers" : "cover";
@@ -127,18 +127,20 @@ namespace {
 
 /// Cells that a frame draws of each view of a light, and cells valid afterwards.
 struct MapPlan {
-    std::vector<MapCells> holds;
+    std::vector<MapCells> drawn_cells;
     std::vector<bool> drawn;
-    std::string uncalled;  ///< reason why no cell is needed; empty: some are
+    std::string unneeded_reason;  ///< reason why no cell is needed; empty: some are
 
     /// @param held valid cells of the light's current maps; empty if outdated
-    MapPlan(NeededMaps called, const std::vector<MapCells>& held) : uncalled(std::move(called.uncalled)) {
+    MapPlan(NeededMaps called, const std::vector<MapCells>& held) : unneeded_reason(std::move(called.uncalled)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
             const bool enough = kept && held[v].holds(called.views[v]);
             drawn.push_back(!enough && !called.views[v].empty());
             // A view that needs more cells is drawn whole, so that a moving camera pays for each map once.
-            holds.push_back(enough ? held[v] : kept && !called.views[v].empty() ? MapCells::whole() : called.views[v]);
+            drawn_cells.push_back(enough                             ? held[v]
+                                  : kept && !called.views[v].empty() ? MapCells::whole()
+                                                                     : called.views[v]);
         }
     }
     bool draws() const { return std::ranges::find(drawn, true) != drawn.end(); }
@@ -268,14 +270,15 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
         of.holds = of.drawn ? MapCells::whole() : called;
         of.below = false;
         skipped = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
-                            {.called = &of.holds, .only = &work.static_casters});
+                            {.needed = &of.holds, .only = &work.static_casters});
         of.drawn = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.below ? of.over : MapCells::whole());
     of.over = {};
     of.below = true;
-    const SkippedCasters over = draw_view(f, t, t.maps, l, l.views[view], layer, info,
-                                          {.called = &called, .only = &work.moved, .over = true, .covered = &of.over});
+    const SkippedCasters over =
+        draw_view(f, t, t.maps, l, l.views[view], layer, info,
+                  {.needed = &called, .only = &work.moved, .keeps_contents = true, .covered = &of.over});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
@@ -284,8 +287,8 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
                   : part.draws == 0 ? "static casters are cached, and no moving caster covers a needed texel"
                                     : "static casters are cached; moving casters are drawn over a copy of their map";
     info.parts.push_back(std::move(part));
-    skipped.closed += over.closed;
-    skipped.bare += over.bare;
+    skipped.front_faces_only += over.front_faces_only;
+    skipped.without_shader += over.without_shader;
     return skipped;
 }
 
@@ -294,46 +297,46 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
     if (lost) {
         t.keys = {};
         clear_layers(f, t.maps);
-        t.at_rest = {};
+        t.static_states = {};
     }
     // Keys of lights absent from this frame are cleared, so that they do not count as cached when they return.
     for (std::size_t other = 0; other < t.keys.size(); ++other)
         if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) {
             t.keys[other] = 0;
-            t.at_rest[other] = {};
+            t.static_states[other] = {};
         }
-    t.held[i].clear();
+    t.drawn_cells[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    StaticMapState rest = std::exchange(t.at_rest[i], {});  // an exception leaves the state cleared
+    StaticMapState rest = std::exchange(t.static_states[i], {});  // an exception leaves the state cleared
     const StaticPlan static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
     if (apart && ensure_maps(f, t.static_casters, "static casters")) {
-        for (StaticMapState& other : t.at_rest) other.casters.views.clear();
+        for (StaticMapState& other : t.static_states) other.casters.views.clear();
         rest.casters.views.clear();
     }
     std::vector<StaticView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0, bare = 0;
     const auto count = [&](const SkippedCasters& skipped) {
-        closed += skipped.closed;
-        bare += skipped.bare;
+        closed += skipped.front_faces_only;
+        bare += skipped.without_shader;
     };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
-        if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
-            info.parts.push_back(undrawn_part(f, i, v, !work.holds[v].empty()));
+        if (!work.drawn[v] && !(lost && !work.drawn_cells[v].empty()))
+            info.parts.push_back(undrawn_part(f, i, v, !work.drawn_cells[v].empty()));
         else if (apart)
-            count(draw_over_static(f, t, i, v, work.holds[v], static_casters, views[v], info));
+            count(draw_over_static(f, t, i, v, work.drawn_cells[v], static_casters, views[v], info));
         else
-            count(draw_part(f, t, i, v, work.holds[v], info));
+            count(draw_part(f, t, i, v, work.drawn_cells[v], info));
     }
-    t.held[i] = work.holds;
+    t.drawn_cells[i] = work.drawn_cells;
     if (apart || !static_casters.reason.empty()) info.parts.push_back(static_part(f, i, static_casters));
-    t.at_rest[i] = std::move(rest);
+    t.static_states[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
     if (bare > 0) info.parts.push_back(fragments_part(i, bare));
-    if (!work.uncalled.empty()) {
+    if (!work.unneeded_reason.empty()) {
         info.state = PassState::Skipped;
-        info.reason = work.uncalled;
+        info.reason = work.unneeded_reason;
         return;
     }
     const auto& batches = f.gl.scene->batches();
@@ -346,14 +349,14 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& wor
 /// Returns true when some light's static map is still valid.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
-        if (f.gl.fitted[i].casts && t.at_rest[i].casters.keeps(light_views_key(f, i).value())) return true;
+        if (f.gl.fitted[i].casts && t.static_states[i].casters.keeps(light_views_key(f, i).value())) return true;
     return false;
 }
 
 }  // namespace
 
 void LightDepthPasses::declare(FrameState& f) {
-    f.layers_held.assign(std::size_t(f.view_count), MapCells::whole());
+    f.drawn_cells_by_layer.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = maps_;
     if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
     if (f.paged) return;
@@ -379,16 +382,16 @@ void LightDepthPasses::declare(FrameState& f) {
         pass.key = light_maps_key(f, i).value();
         pass.cached = &t.keys[i];
         const bool kept = !f.request.force && t.keys[i] == pass.key;
-        MapPlan work = kept && all_whole(t.held[i])
-                           ? MapPlan({t.held[i], {}}, t.held[i])
-                           : MapPlan(needed_maps_of(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
-        pass.lacks = kept && work.draws();
-        if (kept) pass.unneeded = work.uncalled;
-        for (std::size_t v = 0; v < work.holds.size(); ++v) {
-            f.layers_held[std::size_t(f.first_view[i]) + v] = work.holds[v];
-            work.holds[v].add_to(f.maps_extent);
+        MapPlan work = kept && all_whole(t.drawn_cells[i])
+                           ? MapPlan({t.drawn_cells[i], {}}, t.drawn_cells[i])
+                           : MapPlan(needed_maps_of(f, i, pass.key), kept ? t.drawn_cells[i] : std::vector<MapCells>());
+        pass.is_incomplete = kept && work.draws();
+        if (kept) pass.unneeded = work.unneeded_reason;
+        for (std::size_t v = 0; v < work.drawn_cells.size(); ++v) {
+            f.drawn_cells_by_layer[std::size_t(f.first_view[i]) + v] = work.drawn_cells[v];
+            work.drawn_cells[v].add_to(f.maps_extent);
         }
-        f.maps_are_whole &= all_whole(work.holds);
+        f.maps_are_whole &= all_whole(work.drawn_cells);
         pass.run = [&f, &t, i, work = std::move(work)](PassInfo& info) { draw_maps_of(f, t, i, work, info); };
         f.plan.add(std::move(pass));
     }

@@ -30,8 +30,8 @@ struct DrawnMaps {
     gl::Target depth;                              ///< depth buffer for one view of a colour map
     std::array<std::uint64_t, kMaxLights> keys{};  ///< by light: key of its layers' contents
     /// Drawn cells by light and view. No look-up has needed the other cells yet.
-    std::array<std::vector<MapCells>, kMaxLights> held;
-    std::array<StaticMapState, kMaxLights> at_rest;
+    std::array<std::vector<MapCells>, kMaxLights> drawn_cells;
+    std::array<StaticMapState, kMaxLights> static_states;
 };
 
 /// Draws the shadow maps: the scene's depth from each light, one pass for each light.

@@ -157,7 +157,7 @@ private:
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
                           f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
-        draw_casters(f_, into, false, light, view, info_, {.called = &held});
+        draw_casters(f_, into, false, light, view, info_, {.needed = &held});
     }
 };
 
@@ -219,8 +219,8 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         const FittedLight& light = f.gl.fitted[i];
         for (std::size_t v = 0; light.casts && v < light.views.size(); ++v)
-            if (const auto layer = std::size_t(f.first_view[i]) + v; !f.layers_held[layer].empty())
-                maker.make(light, light.views[v], int(layer), f.layers_held[layer]);
+            if (const auto layer = std::size_t(f.first_view[i]) + v; !f.drawn_cells_by_layer[layer].empty())
+                maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
     if (std::optional<PartInfo> part = unread_texels(f, "moments that no pass reads"))

@@ -157,7 +157,7 @@ std::vector<SearchedLayer> layers_of(const FrameState& f, const Searched& s) {
     }
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         for (std::size_t v = 0; f.gl.fitted[i].casts && v < f.gl.fitted[i].views.size(); ++v)
-            if (const int layer = f.first_view[i] + int(v); !f.layers_held[std::size_t(layer)].empty())
+            if (const int layer = f.first_view[i] + int(v); !f.drawn_cells_by_layer[std::size_t(layer)].empty())
                 add(place_of_view(f, s, i, v), layer);
     return out;
 }

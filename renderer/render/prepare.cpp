@@ -132,9 +132,9 @@ void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
         f.notes.push_back(fmt::format("map.resolution {} exceeds the driver's limit; {} is used", asked, n));
-    if (limit && limit->most < n) {
-        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->most, n, limit->why));
-        n = limit->most;
+    if (limit && limit->max < n) {
+        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->max, n, limit->why));
+        n = limit->max;
     }
     fit(f);
     const int before = n;
@@ -465,7 +465,7 @@ FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& 
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
     clamp_moment_settings(f);
-    if (map_limit && map_limit->asked != settings.map.resolution) map_limit.reset();
+    if (map_limit && map_limit->requested != settings.map.resolution) map_limit.reset();
     fit_within_memory(f, map_limit ? &*map_limit : nullptr);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)

@@ -126,10 +126,10 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
     }
 }
 
-bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why) {
+bool RendererImpl::reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why) {
     constexpr int kMinMapTexels = 64;  // smaller maps would free little memory compared with a picture
     if (f.view_count == 0 || f.map_resolution <= kMinMapTexels) return false;
-    map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
+    map_limit = MapLimit{settings.map.resolution, f.map_resolution / 2, why};
     return true;
 }
 
@@ -147,7 +147,7 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);
     for (std::size_t i = 0; i < infos.size(); ++i)
-        if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].aid) key.add(infos[i].name);
+        if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].only_saves_work) key.add(infos[i].name);
     std::uint32_t ways = 0;  // combinations of batch state in use
     for (const Batch& b : f.gl.scene->batches())
         ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * index_of(b.cull));

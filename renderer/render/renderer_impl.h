@@ -28,7 +28,7 @@ struct RendererImpl {
 
     /// Limit of the map resolution after the driver ran out of memory, for one value of map.resolution.
     struct MapLimit {
-        int asked = 0, most = 0;
+        int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
         std::string why;
     };
     std::optional<MapLimit> map_limit;
@@ -40,7 +40,7 @@ struct RendererImpl {
     explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
     /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
     /// @param why message of the failure
-    bool reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why);
+    bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
     /// Derives all facts of a frame: repaired settings, camera, fitted lights, needs of its outputs. Draws nothing
     /// except the visible depths, where a fit of light.depth_bounds needs them.
     FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);

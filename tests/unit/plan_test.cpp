@@ -49,7 +49,7 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
         Plan plan;
         plan.add(pass_of("maps", {}, {Result::ShadowMaps}, &maps_held));
         Pass aid = pass_of("bounds", {Result::ShadowMaps}, {Result::MapBounds}, &aid_held);
-        aid.aid = true;
+        aid.only_saves_work = true;
         if (!aids) aid.unneeded = "not now";
         plan.add(std::move(aid));
         plan.add(pass_of("shading", {Result::ShadowMaps, Result::MapBounds}, {Result::Shaded}, &shading_held));
