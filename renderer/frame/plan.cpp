@@ -114,7 +114,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
     return out;
 }
 
-void Plan::add(Pass pass) {
+void Plan::add_pass(Pass pass) {
     if (!pass.reads.empty()) {
         Key key;
         key.add(pass.key);
@@ -124,7 +124,7 @@ void Plan::add(Pass pass) {
     passes_.push_back(std::move(pass));
 }
 
-void Plan::place(const ResultRef& result, PlacedImage image) {
+void Plan::place_result(const ResultRef& result, PlacedImage image) {
     images_[result].push_back(image);
 }
 

@@ -51,12 +51,12 @@ class Plan {
 public:
     /// Appends a pass and completes its key by the keys of its inputs. Passes that write the inputs must be added
     /// before.
-    void add(Pass pass);
+    void add_pass(Pass pass);
     /// Registers an image of a result, where it lies once its pass has run. Call once for each image of the result, and
     /// once for each texture unit.
-    void place(const ResultRef& result, PlacedImage image);
+    void place_result(const ResultRef& result, PlacedImage image);
     /// Registers a function that frees memory no longer needed; run_releases() calls it when the plan is carried out.
-    void release(std::function<void()> what) { releases_.push_back(std::move(what)); }
+    void release_later(std::function<void()> what) { releases_.push_back(std::move(what)); }
 
     /// Returns the passes in the order of their declaration.
     const std::vector<Pass>& passes() const { return passes_; }
@@ -68,7 +68,7 @@ public:
     std::uint64_t key_of(const ResultRef& result) const;
     /// Returns true when a result's images already hold what the passes added so far would write.
     bool is_current(const ResultRef& result) const;
-    /// Frees what release() registered.
+    /// Frees what release_later() registered.
     void run_releases() const {
         for (const auto& give_up : releases_) give_up();
     }

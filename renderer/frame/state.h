@@ -31,10 +31,10 @@ namespace si {
 /// Largest number of panes in the split view.
 inline constexpr int kMaxPanes = 4;
 /// Number of images that hold the visible surfaces.
-inline constexpr int kSeenImages = 5;  ///< see lib/seen_surface.glsl
+inline constexpr int kVisibleSurfaceImages = 5;  ///< see lib/seen_surface.glsl
 
 /// Measured depth range of the surfaces that a camera sees.
-struct SeenDepths {
+struct VisibleDepths {
     std::uint64_t key = 0;          ///< FrameState::surfaces_key() at the measurement
     std::optional<DepthSpan> span;  ///< metres; nullopt: no surface is visible
     PassInfo info;
@@ -66,7 +66,7 @@ struct Resources {
     std::uint64_t as_placed_key = 0;
     std::vector<FittedLight> fitted;  ///< lights fitted for the frame's camera
     std::uint64_t fit_key = 0;
-    SeenDepths seen;
+    VisibleDepths seen;
     /// Number of the last drawing by the address of its content key; drawings are counted up.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;

@@ -82,7 +82,7 @@ PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
 
 /// The surface of a pixel, whichever light.
 struct SeenPixel {
-    Block<kSeenImages> block;
+    Block<kVisibleSurfaceImages> block;
     glm::ivec2 at;  ///< in the block
 
     SeenPixel(FrameState& f, const BlockPlace& place) : block(f, place), at(place.x & 1, place.y_bottom & 1) {
@@ -100,7 +100,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), width, 1);
     f.bind_results(kernel_inputs(f));
-    bind_seen_surfaces(seen.block.targets());
+    bind_visible_surfaces(seen.block.targets());
     defines.push_back({"LIGHT_INDEX", std::to_string(light)});
     const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
     glUseProgram(program);

@@ -92,10 +92,10 @@ void BlobPass::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (draws_blobs(f, i)) lights.push_back(int(i));
     if (lights.empty()) {
-        f.plan.release([this] { lit_ = {}; });
+        f.plan.release_later([this] { lit_ = {}; });
         return;
     }
-    f.plan.place(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
+    f.plan.place_result(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
     Pass pass;
     pass.name = "blobs";
     pass.category = PassCategory::Maps;
@@ -107,7 +107,7 @@ void BlobPass::declare(FrameState& f) {
     pass.key = key.value();
     pass.cached = &lit_.key;
     pass.run = [this, &f, lights](PassInfo& info) { run(f, lights, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void BlobPass::run(const FrameState& f, const std::vector<int>& lights, PassInfo& info) {

@@ -55,7 +55,7 @@ CameraPass& CameraPass::clear(const glm::uvec4& value) {
 
 void CameraDepthPass::declare(FrameState& f) {
     gl::Target& depth = f.gl.camera_depth;
-    f.plan.place(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
+    f.plan.place_result(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
     Pass pass;
     pass.name = "camera depth";
     pass.writes = {Result::CameraDepth};
@@ -63,7 +63,7 @@ void CameraDepthPass::declare(FrameState& f) {
     pass.key = f.surfaces_key().value();
     pass.cached = &depth.key;
     pass.run = [&f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void CameraDepthPass::run(FrameState& f, PassInfo& info) {

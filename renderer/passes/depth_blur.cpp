@@ -51,15 +51,15 @@ void DepthBlurPass::declare(FrameState& f) {
     const int radius = f.settings.map.blur_texels;
     if (!f.blurs_depths()) {
         pass.unneeded = radius == 0 ? "map.blur_texels is 0" : "no light has a shadow map";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     place_compared_maps(f, targets_.maps);
     pass.key = f.with_settings({}, ReadBy::DepthBlur).add(f.maps_extent).value();
     pass.cached = &targets_.maps.key;
     pass.run = [this, &f, radius](PassInfo& info) { run(f, radius, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {

@@ -118,9 +118,9 @@ PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
 }  // namespace
 
 void place_compared_maps(FrameState& f, const gl::Target& maps) {
-    f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     if (!is_colour(f.settings.map.format))
-        f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
+        f.plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
 }
 
 namespace {
@@ -358,9 +358,9 @@ bool keeps_static(const FrameState& f, const DrawnMaps& t) {
 void LightDepthPasses::declare(FrameState& f) {
     f.drawn_cells_by_layer.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = maps_;
-    if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
+    if (!keeps_static(f, t)) f.plan.release_later([&t] { t.static_casters = {}; });
     if (f.paged) return;
-    f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
     if (!f.blurs_depths()) {
         writes.push_back(Result::ShadowMaps);
@@ -376,7 +376,7 @@ void LightDepthPasses::declare(FrameState& f) {
         pass.idle_reason = "no pass samples a shadow map";
         if (!light.casts) {
             pass.unneeded = light.reason;
-            f.plan.add(std::move(pass));
+            f.plan.add_pass(std::move(pass));
             continue;
         }
         pass.key = light_maps_key(f, i).value();
@@ -393,13 +393,13 @@ void LightDepthPasses::declare(FrameState& f) {
         }
         f.maps_are_whole &= all_whole(work.drawn_cells);
         pass.run = [&f, &t, i, work = std::move(work)](PassInfo& info) { draw_maps_of(f, t, i, work, info); };
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
     }
     if (f.gl.fitted.empty())
-        f.plan.add({.name = "shadow maps",
-                    .category = PassCategory::Maps,
-                    .writes = std::move(writes),
-                    .unneeded = "there are no lights"});
+        f.plan.add_pass({.name = "shadow maps",
+                         .category = PassCategory::Maps,
+                         .writes = std::move(writes),
+                         .unneeded = "there are no lights"});
 }
 
 void UnfilteredMapPass::declare(FrameState& f) {
@@ -412,18 +412,18 @@ void UnfilteredMapPass::declare(FrameState& f) {
     pass.idle_reason = "no output shows wrong pixels";
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
-    f.plan.place(Result::UnfilteredMap,
-                 {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::UnfilteredMap,
+                        {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
                                           : "equal to the map as drawn: no polygon offset, no mask with mip levels";
-        if (f.view_count > 0) f.plan.release([&t] { t.unfiltered = {}; });
+        if (f.view_count > 0) f.plan.release_later([&t] { t.unfiltered = {}; });
     } else {
         pass.key = Key().add("unfiltered").value();
         pass.cached = &t.unfiltered.key;
         pass.run = [this, &f](PassInfo& info) { run(f, info); };
     }
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {

@@ -59,7 +59,7 @@ void LightMapPass::declare(FrameState& f) {
     for (const LightMap* map : f.light_map_of_light)
         if (map) maps.push_back(map);
     if (maps.empty()) {
-        f.plan.release([this] { targets_ = {}; });
+        f.plan.release_later([this] { targets_ = {}; });
         return;
     }
     Targets& t = targets_;
@@ -70,7 +70,7 @@ void LightMapPass::declare(FrameState& f) {
         for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
             glSamplerParameteri(t.bilinear.id(), side, GL_CLAMP_TO_EDGE);
     }
-    f.plan.place(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
+    f.plan.place_result(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
     Pass pass;
     pass.name = "light map";
     pass.category = PassCategory::Maps;
@@ -81,7 +81,7 @@ void LightMapPass::declare(FrameState& f) {
     pass.key = key.value();
     pass.cached = &t.atlas.key;
     pass.run = [this, maps](PassInfo& info) { run(maps, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info) {

@@ -6,7 +6,7 @@
 namespace si {
 
 void MapCoordinatesPass::declare(FrameState& f) {
-    f.plan.place(Result::MapCoordinates, {&coordinates_});
+    f.plan.place_result(Result::MapCoordinates, {&coordinates_});
     Pass pass;
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
@@ -14,13 +14,13 @@ void MapCoordinatesPass::declare(FrameState& f) {
     pass.idle_reason = "not needed: no output shows which texels are read";
     if (!f.shown_view()) {
         pass.unneeded = "view.light has no shadow map";
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.shown_light_key().value();
     pass.cached = &coordinates_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MapCoordinatesPass::run(FrameState& f, PassInfo& info) {

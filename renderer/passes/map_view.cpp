@@ -35,7 +35,7 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
 
 /// Returns the pass that draws the shown moment as one number for each texel.
 Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) {
-    f.plan.place(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
+    f.plan.place_result(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
     Pass pass;
     pass.name = "map channel";
     pass.category = PassCategory::Tool;
@@ -44,7 +44,7 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
     pass.idle_reason = "the map viewer is closed";
     if (shown_channel(f.settings) == 0) {
         pass.unneeded = "view.map_channel shows depth, no moment";
-        f.plan.release([&t] { t.channel = {}; });
+        f.plan.release_later([&t] { t.channel = {}; });
     }
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
     pass.cached = &t.channel.key;
@@ -65,7 +65,7 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
 }
 
 Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int layer) {
-    f.plan.place(Result::DepthRange, {&t.range});
+    f.plan.place_result(Result::DepthRange, {&t.range});
     Pass pass;
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
@@ -119,7 +119,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
 
 void MapViewPasses::declare(FrameState& f) {
     Targets& t = targets_;
-    f.plan.place(Result::MapView, {&t.picture});
+    f.plan.place_result(Result::MapView, {&t.picture});
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == MapSource::Camera;
     int layer = 0;
@@ -134,21 +134,21 @@ void MapViewPasses::declare(FrameState& f) {
     if (!camera && !view) {
         const bool exists = std::size_t(v.light) < f.gl.fitted.size();
         pass.unneeded = exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light";
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
         return;
     }
     Key shown;
     shown.add(camera ? -1 : layer).add(f.gl.programs.source().generation());
-    if (!camera) f.plan.add(channel_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer));
+    if (!camera) f.plan.add_pass(channel_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer));
     Pass range = range_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
     if (f.fits_grey_range()) pass.reads.push_back(Result::DepthRange);
-    f.plan.add(std::move(range));
+    f.plan.add_pass(std::move(range));
     pass.key = f.with_settings(shown, ReadBy::MapView).value();
     pass.cached = &t.picture.key;
     pass.run = [this, &f, camera, layer](PassInfo& info) { run(f, camera, layer, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {

@@ -195,17 +195,18 @@ void MomentsPass::declare(FrameState& f) {
     pass.idle_reason = "no pass samples a shadow map";
     if (!samples_moments(f)) {
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, no moments";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     const bool summed = filter_of(f.settings).moments.summed;
     // Summed-area tables are fetched without filtering.
-    f.plan.place(Result::Moments, {&targets_.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
+    f.plan.place_result(Result::Moments,
+                        {&targets_.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
     pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).add(f.maps_extent).value();
     pass.cached = &targets_.moments.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MomentsPass::run(FrameState& f, PassInfo& info) {

@@ -393,17 +393,17 @@ void NumericHealthPass::declare(FrameState& f) {
     pass.idle_reason = "not needed: the numbers are not checked";
     if (!f.request.outputs.health) {
         // Frames without a picture keep the findings, as a shown frame may still need them.
-        if (f.request.outputs.colour) f.plan.release([this] { targets_ = Targets(); });
-        f.plan.add(std::move(pass));
+        if (f.request.outputs.colour) f.plan.release_later([this] { targets_ = Targets(); });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     Targets& t = targets_;
-    f.plan.place(Result::Health, {&t.found});
+    f.plan.place_result(Result::Health, {&t.found});
     pass.key =
         Key().add(f.geometry_key).add(f.camera_key).add(f.lights_key).add(f.gl.programs.source().generation()).value();
     pass.cached = &t.found.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void NumericHealthPass::run(const FrameState& f, PassInfo& info) {

@@ -435,28 +435,28 @@ Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
 
 void PagePasses::declare(FrameState& f) {
     if (!f.paged) {
-        f.plan.release([this] { targets_ = {}; });
+        f.plan.release_later([this] { targets_ = {}; });
         return;
     }
     Targets& t = targets_;
-    f.plan.place(Result::PagesWanted, {&t.wanted});
-    f.plan.place(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
-    f.plan.place(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    f.plan.place_result(Result::PagesWanted, {&t.wanted});
+    f.plan.place_result(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
     place_compared_maps(f, t.pool);
-    f.plan.place(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
-    f.plan.add(wanted_pass(f, t));
-    f.plan.add(pages_pass(f, t));
+    f.plan.place_result(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    f.plan.add_pass(wanted_pass(f, t));
+    f.plan.add_pass(pages_pass(f, t));
 }
 
 void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     Targets& t = targets_;
     const bool own = f.needs_unfiltered_map();
-    f.plan.place(Result::UnfilteredMap,
-                 {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::UnfilteredMap,
+                        {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
         pass.unneeded = "equal to the pages as drawn: no polygon offset, no mask with mip levels";
-        f.plan.release([&t] { t.unfiltered = {}; });
-        f.plan.add(std::move(pass));
+        f.plan.release_later([&t] { t.unfiltered = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = Key().add("unfiltered").value();
@@ -475,7 +475,7 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
         }
         draw_into_pool(f, t, layers, t.unfiltered, missing, true, info);
     };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 ReadPages PagePasses::read_pages() const {

@@ -82,7 +82,7 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     // Overlays drawn without depth writes need the camera depth.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     Targets& t = targets_of(pane);
-    f.plan.place({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
+    f.plan.place_result({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
     pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
@@ -105,7 +105,7 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
         return pass;
     }
     Targets& t = targets_of(pane);
-    f.plan.place({Result::Composed, pane.slot}, {&t.composed});
+    f.plan.place_result({Result::Composed, pane.slot}, {&t.composed});
     pass.key = f.with_settings({}, ReadBy::Compose).value();  // fitted ranges follow from the values
     pass.cached = &t.composed.key;
     pass.run = [this, &f, &t, pane](PassInfo& info) {
@@ -160,10 +160,10 @@ void PanePasses::declare(FrameState& f) {
         const ShownPane& pane = f.panes[i];
         if (pane.slot != int(i)) continue;  // drawn by an earlier pane of equal content
         if (pane.row() || i == 0) {
-            f.plan.add(values_pass(f, pane));
-            f.plan.add(compose_pass(f, pane));
+            f.plan.add_pass(values_pass(f, pane));
+            f.plan.add_pass(compose_pass(f, pane));
         }
-        f.plan.add(slabs_pass(f, pane));
+        f.plan.add_pass(slabs_pass(f, pane));
     }
 }
 

@@ -33,7 +33,7 @@ void upload(const Precision& found, gl::Target& to) {
 }  // namespace
 
 void PrecisionPass::declare(FrameState& f) {
-    f.plan.place(Result::Precision, {&error_, shared::UNIT_PRECISION});
+    f.plan.place_result(Result::Precision, {&error_, shared::UNIT_PRECISION});
     Pass pass;
     pass.name = "single-precision errors";
     pass.category = PassCategory::Tool;
@@ -42,13 +42,13 @@ void PrecisionPass::declare(FrameState& f) {
     pass.idle_reason = "not needed: no output shows precision errors";
     if (!f.shown_view()) {
         pass.unneeded = "view.light has no shadow map";
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.shown_light_key().value();
     pass.cached = &error_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void PrecisionPass::run(FrameState& f, PassInfo& info) {

@@ -278,12 +278,12 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
 
 void ReferencePasses::declare(FrameState& f) {
     Targets& t = targets_;
-    f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
-    f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
-    f.plan.place(Result::Compared, {&t.classified});
-    f.plan.place(Result::Classified, {&t.classified, shared::UNIT_CLASSIFIED});
-    f.plan.place(Result::Error, {&t.error_tiles});
-    for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
+    f.plan.place_result(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
+    f.plan.place_result(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
+    f.plan.place_result(Result::Compared, {&t.classified});
+    f.plan.place_result(Result::Classified, {&t.classified, shared::UNIT_CLASSIFIED});
+    f.plan.place_result(Result::Error, {&t.error_tiles});
+    for (const gl::Target& image : t.evidence) f.plan.place_result(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};
     for (Pass& pass : passes) {
         if (!f.reference.met) {
@@ -291,9 +291,9 @@ void ReferencePasses::declare(FrameState& f) {
             pass.run = nullptr;
             pass.cached = nullptr;
         }
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
     }
-    f.plan.add(evidence_pass(f, t));
+    f.plan.add_pass(evidence_pass(f, t));
 }
 
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info) {

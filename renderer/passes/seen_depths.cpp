@@ -19,7 +19,7 @@ constexpr double kSlack = 1e-5;
 
 }  // namespace
 
-std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info) {
+std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
     info = {.name = "visible depths", .state = PassState::Drawn, .category = PassCategory::Maps};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();

@@ -10,6 +10,6 @@ namespace si {
 /// Draws the camera's depth and reads back the nearest and farthest visible depth, metres. Returns nullopt when no
 /// surface is visible. Used by light.depth_bounds sdsm.
 /// @param[out] info report on the drawing
-std::optional<DepthSpan> measure_seen_depths(FrameState& f, PassInfo& info);
+std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);
 
 }  // namespace si

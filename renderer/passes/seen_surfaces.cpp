@@ -6,9 +6,9 @@
 
 namespace si {
 
-void SeenSurfacesPass::declare(FrameState& f) {
-    for (int i = 0; i < kSeenImages; ++i)
-        f.plan.place(Result::VisibleSurfaces, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
+void VisibleSurfacesPass::declare(FrameState& f) {
+    for (int i = 0; i < kVisibleSurfaceImages; ++i)
+        f.plan.place_result(Result::VisibleSurfaces, {&images_[std::size_t(i)], shared::UNIT_SEEN_SURFACES + i});
     Pass pass;
     pass.name = "visible surfaces";
     pass.category = PassCategory::Tool;
@@ -21,17 +21,17 @@ void SeenSurfacesPass::declare(FrameState& f) {
     pass.key = f.with_settings(f.surfaces_key(), ReadBy::SurfacesSeen).add(count).value();
     pass.cached = &images_[0].key;
     pass.run = [this, &f, count](PassInfo& info) { run(f, count, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
-void SeenSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
+void VisibleSurfacesPass::run(FrameState& f, std::size_t count, PassInfo& info) {
     for (gl::Target& unused : std::span(images_).subspan(count)) unused = {};
     CameraPass(f, "visible surfaces", GL_RGBA32F, std::span(images_).first(count))
         .clear(glm::vec4(0))  // empty pixels receive no shadow
         .draw("passes/seen_surfaces.frag.glsl", {}, info);
 }
 
-void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen) {
+void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen) {
     for (std::size_t i = 0; i < seen.size(); ++i)
         glBindTextureUnit(GLuint(shared::UNIT_SEEN_SURFACES + i), seen[i].texture.id());
 }

@@ -11,7 +11,7 @@ namespace si {
 
 /// Draws position and normals of every pixel's surface. The images are kept while camera and scene stay, for passes
 /// that evaluate pixels again.
-class SeenSurfacesPass : public FramePass {
+class VisibleSurfacesPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
@@ -21,10 +21,10 @@ private:
     /// @param[out] info draw counts
     void run(FrameState& f, std::size_t count, PassInfo& info);
 
-    std::array<gl::Target, kSeenImages> images_;  ///< RGBA32F; the key of all is the first one's
+    std::array<gl::Target, kVisibleSurfaceImages> images_;  ///< RGBA32F; the key of all is the first one's
 };
 
 /// Binds another set of surface images in place of the frame's, for evaluating other pixels with the same shaders.
-void bind_seen_surfaces(std::span<const gl::Target, kSeenImages> seen);
+void bind_visible_surfaces(std::span<const gl::Target, kVisibleSurfaceImages> seen);
 
 }  // namespace si

@@ -170,7 +170,7 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
 }  // namespace
 
 void ReferenceShadePass::declare(FrameState& f) {
-    f.plan.place(Result::ReferenceLitPicture, {&picture_});
+    f.plan.place_result(Result::ReferenceLitPicture, {&picture_});
     Pass pass;
     pass.name = "shading by the reference";
     pass.reads = kernel_inputs(f);
@@ -180,13 +180,13 @@ void ReferenceShadePass::declare(FrameState& f) {
     pass.idle_reason = "not needed: the picture by the reference is not shown";
     if (!f.reference.met) {
         pass.unneeded = "the reference of this frame is not traced";
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
     pass.cached = &picture_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
@@ -201,7 +201,7 @@ void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
 }
 
 void ShadePasses::declare(FrameState& f) {
-    f.plan.place(Result::Shaded, {&picture_, shared::UNIT_SHADED});
+    f.plan.place_result(Result::Shaded, {&picture_, shared::UNIT_SHADED});
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
     pass.reads = kernel_inputs(f);
@@ -212,7 +212,7 @@ void ShadePasses::declare(FrameState& f) {
     pass.cached = &picture_.key;
     const std::uint64_t key = pass.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
     declare_smooth(f, key);
 }
 
@@ -223,8 +223,8 @@ void ShadePasses::run(FrameState& f, PassInfo& info) {
 
 void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     SmoothTargets& t = smooth_;
-    f.plan.place(Result::Smooth, {&t.mean});
-    if (!f.settings.view.smooth) f.plan.release([&t] { t = {}; });
+    f.plan.place_result(Result::Smooth, {&t.mean});
+    if (!f.settings.view.smooth) f.plan.release_later([&t] { t = {}; });
     Pass pass;
     pass.name = kSmoothingPass;
     pass.category = PassCategory::Tool;
@@ -239,7 +239,7 @@ void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     pass.key = Key().add(of).add(count).value();
     pass.cached = &t.mean.key;
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 }  // namespace si

@@ -297,15 +297,15 @@ void ShadowVolumePasses::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
     if (!any) {
-        f.plan.release([this] { volumes_ = {}; });
+        f.plan.release_later([this] { volumes_ = {}; });
         return;
     }
     volumes_.prepare(f);
-    f.plan.place(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
-    f.plan.release([this] { volumes_.release_unused(); });
+    f.plan.place_result(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
+    f.plan.release_later([this] { volumes_.release_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
-        f.plan.add(volumes_.make_pass(f, i));
+        f.plan.add_pass(volumes_.make_pass(f, i));
         if (!volumes_.refusal(i).empty()) f.notes.push_back(volumes_.refusal(i));
     }
 }

@@ -12,17 +12,21 @@
 
 namespace si {
 
-/// Stencil shadow volumes of all lights with that source: builds the volumes and counts them at each pixel.\nThe
-/// stencil counts how many volumes contain the visible surface, from volume faces behind it: back faces add one, front
-/// faces subtract one (z-fail). The camera may therefore stand inside a volume. Carmack, 2000; Everitt and Kilgard,
-/// Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002; McGuire, Hughes, Egan,
-/// Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.\nThe older count takes the faces in front of the
-/// surface (z-pass, Heidmann, Real Shadows Real Time, 1991): front faces add one. It is right only where the camera is
-/// in no volume and its near plane cuts none.\nVolumes are infinite; for an orthographic camera they end far from the
-/// scene. Faces beyond the camera's far plane count, as depth is clamped. A light cap coincides with its caster's
-/// surface. It is drawn from the same corners in the same order, so that depths are equal in every bit, and counts as
-/// behind. All masked triangles cast as if opaque, and so do blended ones that caster.blend lets cast. Caster culling
-/// is ignored: all casters cast from both sides. 256 nested volumes count as none.
+/// Stencil shadow volumes of all lights with that source: builds the volumes and counts them at each pixel.
+///
+/// The stencil counts how many volumes contain the visible surface, from volume faces behind it: back faces add one,
+/// front faces subtract one (z-fail). The camera may therefore stand inside a volume. Carmack, 2000; Everitt and
+/// Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002; McGuire, Hughes,
+/// Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
+///
+/// The older count takes the faces in front of the surface (z-pass, Heidmann, Real Shadows Real Time, 1991): front
+/// faces add one. It is right only where the camera is in no volume and its near plane cuts none.
+///
+/// Volumes are infinite; for an orthographic camera they end far from the scene. Faces beyond the camera's far plane
+/// count, as depth is clamped. A light cap coincides with its caster's surface. It is drawn from the same corners in
+/// the same order, so that depths are equal in every bit, and counts as behind. All masked triangles cast as if
+/// opaque, and so do blended ones that caster.blend lets cast. Caster culling is ignored: all casters cast from both
+/// sides. 256 nested volumes count as none.
 class ShadowVolumes {
 public:
     /// Largest count of casters' triangles without a closed surface, over all instances. Above it nothing is drawn

@@ -103,7 +103,7 @@ Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     }
     SlabTargets& s = targets_;
     gl::Target& picture = s.pictures[std::size_t(pane.slot)];
-    f.plan.place({Result::Slabs, pane.slot}, {&picture});
+    f.plan.place_result({Result::Slabs, pane.slot}, {&picture});
     const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
     Key slabs = f.with_settings(f.camera_key, ReadBy::Slabs);
     slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer);

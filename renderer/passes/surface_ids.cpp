@@ -6,7 +6,7 @@
 namespace si {
 
 void SurfaceIdsPass::declare(FrameState& f) {
-    f.plan.place(Result::SurfaceIds, {&ids_});
+    f.plan.place_result(Result::SurfaceIds, {&ids_});
     Pass pass;
     pass.name = "surface ids";
     pass.category = PassCategory::Tool;
@@ -15,7 +15,7 @@ void SurfaceIdsPass::declare(FrameState& f) {
     pass.key = f.surfaces_key().value();
     pass.cached = &ids_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void SurfaceIdsPass::run(FrameState& f, PassInfo& info) {

@@ -27,13 +27,14 @@ struct TexelSlab {
     std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
 };
 
-/// Distance along the light's axis (metres) at which a fragment compares equal to a texel under bias.constant: the z
-/// with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the constant that is
+/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a texel under
+/// bias.constant: the z with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the
+/// constant, by its unit:
 ///   depth:  distance(stored + c)
 ///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
-/// @param uv map coordinates of the texel, which count where the view is warped
-/// @return nothing when no fragment compares equal: everything that far along the ray is nearer
+/// @param uv map coordinates of the texel; matter for warped views only
+/// @return nullopt when no fragment compares equal
 std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
                                         const glm::dvec2& uv);
 

@@ -16,15 +16,15 @@ void TexelsReadPass::declare(FrameState& f) {
     int layer = 0;
     if (!f.shown_view(&layer)) {
         pass.unneeded = "view.light has no shadow map";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
-    f.plan.place(Result::TexelsRead, {&targets_.marks});
+    f.plan.place_result(Result::TexelsRead, {&targets_.marks});
     pass.key = f.shown_light_key().add(layer).value();
     pass.cached = &targets_.marks.key;
     pass.run = [this, &f, layer](PassInfo& info) { run(f, layer, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void TexelsReadPass::run(const FrameState& f, int layer, PassInfo& info) {

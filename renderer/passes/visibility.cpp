@@ -85,7 +85,7 @@ std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t li
 }
 
 void VisibilityPass::declare(FrameState& f) {
-    f.plan.place(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
+    f.plan.place_result(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
     pass.reads = kernel_inputs(f);
@@ -101,7 +101,7 @@ void VisibilityPass::declare(FrameState& f) {
     pass.key = key.value();
     pass.cached = &targets_.visibility.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void VisibilityPass::run(FrameState& f, PassInfo& info) {

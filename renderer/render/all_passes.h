@@ -36,7 +36,7 @@ struct AllPasses {
     CameraDepthPass camera_depth;
     SurfaceIdsPass surface_ids;
     ShadowVolumePasses shadow_volumes;
-    SeenSurfacesPass seen_surfaces;
+    VisibleSurfacesPass seen_surfaces;
     BlobPass blobs;
     LightMapPass light_map;
     VisibilityPass visibility{shadow_volumes, light_map};

@@ -439,7 +439,7 @@ FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& setti
                 "object boxes are used");
         return f;
     }
-    SeenDepths& seen = resources.seen;
+    VisibleDepths& seen = resources.seen;
     const std::uint64_t key = f.surfaces_key().value();
     if (seen.key == key && !request.force) {
         seen.info.state = PassState::Cached;
@@ -449,7 +449,7 @@ FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& setti
         return f;
     }
     upload_blocks(f);
-    seen.span = measure_seen_depths(f, seen.info);
+    seen.span = measure_visible_depths(f, seen.info);
     seen.key = key;
     FrameState measured = derive_frame_state(scene, settings, request);
     measured.camera_depth_renewed = true;  // once a frame, even if forced
