@@ -188,7 +188,7 @@ void run_probe(const ProbeOptions& options) {
     Renderer renderer;
     FrameRequest request;
     const PaneGrid grid = picture_grid(session.settings, options.size.width, options.size.height);
-    const auto place = grid.at({x, y});
+    const auto place = grid.pane_at({x, y});
     if (!place) throw UsageError(fmt::format("--pixel {},{}: lies between two panes (view.panes)", x, y));
     request.width = grid.width;
     request.height = grid.height;

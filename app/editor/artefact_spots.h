@@ -7,7 +7,7 @@
 namespace si {
 
 /// Finds the clusters of the wanted cause in the frame of `request`, which holds its ray-traced reference. Draws that
-/// frame again: the renderer no longer holds the images of other frames (Renderer::holds()). @throws Error
+/// frame again: the renderer no longer holds the images of other frames (Renderer::has_images_of()). @throws Error
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   const FrameRequest& request, const ArtefactRequest& wanted);
 

@@ -75,7 +75,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
 bool FrameLoop::follow_health() {
     std::shared_ptr<const NumericHealth> health;
     bool waits = false;
-    if (drawn_ && request_.outputs.health && renderer_.holds(result_)) {
+    if (drawn_ && request_.outputs.health && renderer_.has_images_of(result_)) {
         health = renderer_.numeric_health(result_, false);
         waits = !health;
     }
@@ -128,12 +128,12 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     // Held against another, the picture is one pane.
     Settings settings = state.settings;
     if (state.comparison.view != ComparisonView::Off) settings.view.panes = Panes::One;
-    const bool same = drawn_ && renderer_.holds(result_) && !shaders_changed_ && wanted.width == request_.width &&
-                      wanted.height == request_.height && wanted.outputs == request_.outputs &&
-                      wanted.timing == request_.timing && wanted.forced == request_.forced &&
-                      wanted.reference == request_.reference && wanted.traced == request_.traced &&
-                      wanted.light_maps == request_.light_maps && wanted.map_camera == request_.map_camera &&
-                      drawn_settings_ == settings && drawn_scene_ == scene.id;
+    const bool same =
+        drawn_ && renderer_.has_images_of(result_) && !shaders_changed_ && wanted.width == request_.width &&
+        wanted.height == request_.height && wanted.outputs == request_.outputs && wanted.timing == request_.timing &&
+        wanted.forced == request_.forced && wanted.reference == request_.reference &&
+        wanted.traced == request_.traced && wanted.light_maps == request_.light_maps &&
+        wanted.map_camera == request_.map_camera && drawn_settings_ == settings && drawn_scene_ == scene.id;
     if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();

@@ -22,7 +22,7 @@ public:
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
     /// Finds the texels that the frozen camera reads. Returns true if it has drawn a frame of its own for that, after
-    /// which the renderer may no longer hold the last one (Renderer::holds()). @throws Error
+    /// which the renderer may no longer hold the last one (Renderer::has_images_of()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                        const EditorRequests& requests);
     /// Drops all numbers, when there is no frame.

@@ -18,7 +18,7 @@
 namespace si {
 namespace {
 
-/// What a sampler finds beyond a map's sides, by map.wrap; with a border, that in each channel.
+/// Returns the border colour of map samplers by map.wrap: the value outside the map, in each channel.
 void set_map_wrap(GLuint sampler, const MapSettings& map, float border) {
     const GLint wrap = map.wrap == MapWrap::Border   ? GL_CLAMP_TO_BORDER
                        : map.wrap == MapWrap::Repeat ? GL_REPEAT
@@ -41,7 +41,7 @@ void set_samplers(const FrameState& f) {
         glSamplerParameteri(sampler, GL_TEXTURE_MAG_FILTER, compare && bilinear ? GL_LINEAR : GL_NEAREST);
     }
     const bool less = m.compare == Compare::Less;
-    // The border's moments are the kernel's: lib/moments.glsl blends them in.
+    // Border moments depend on the kernel: lib/moments.glsl blends them in.
     MapSettings held = m;
     if (m.wrap == MapWrap::Border) held.wrap = MapWrap::Clamp;
     const GLuint blended = f.gl.map_blended.id();
@@ -90,12 +90,12 @@ shared::ViewBlock view_block(const FrameState& f, const FittedLight& light, std:
     const LightView& v = light.views[i];
     shared::ViewBlock b{};
     if (light.is_cascaded()) b.span = glm::vec4(light.chooser.spans[i].ends, light.chooser.spans[i].blends_from, 0, 0);
-    // Row by row, as all matrices of the block: of a map without perspective nothing reads the last.
+    // Matrices of the block are stored by rows. Nothing reads the last row of a map without perspective.
     b.uvd_from_relative = glm::transpose(glm::mat4(uvd_from_clip(v.curve.convention) * v.clip_from_relative(f.origin)));
     b.curve = glm::vec4(v.curve.near, v.curve.far, v.half_width, 1.0 / f.map_resolution);
     if (const auto& warp = v.curve.warp) b.warp = glm::vec4(warp->middle_m, warp->near_m, warp->far_m, warp->rise);
     if (light.chooser.choice == ViewChoice::One) b.span.x = b.curve.w;
-    // In single precision, as lib/receiver.glsl has them of all other views.
+    // Single precision, as in lib/receiver.glsl for all other views.
     b.span.z = 2.f * b.curve.z * b.curve.w;
     b.span.w = 1.f / (b.curve.y - b.curve.x);
     return b;

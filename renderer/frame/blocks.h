@@ -1,4 +1,4 @@
-// What all shaders of a frame read: the frame's block and the settings'.
+// Uniform blocks that all shaders of a frame read: frame state and settings.
 #pragma once
 
 #include <string>
@@ -9,15 +9,18 @@ struct FrameState;
 namespace shared {
 struct FrameBlock;
 }
-/// What stands in the frame's block.
+/// Returns the contents of the frame's uniform block: camera matrices, lights, map views. Call after the lights are
+/// fitted.
 shared::FrameBlock make_frame_block(const FrameState& f);
-/// Has shaders read another.
+/// Uploads other contents for the frame's uniform block, for a pass with another camera.
+/// @param block complete contents, usually a changed make_frame_block()
 void replace_frame_block(const FrameState& f, const shared::FrameBlock& block);
-/// Uploads the frame's block, the settings' and places of the kernel's disks, and sets the samplers of the maps.
+/// Uploads the uniform blocks of frame and settings and the kernel's disk samples. Also sets the samplers of the shadow
+/// maps.
 void upload_blocks(const FrameState& f);
 
-/// How shaders read them, as GLSL text that stands before every shader.
-/// @param as_images by images where single numbers are read, else by uniform blocks; the bits are the same
+/// Returns GLSL text that declares the uniform blocks; every shader begins with it.
+/// @param as_images reads single numbers from buffer images in place of uniform blocks; both ways give equal bits
 std::string blocks_glsl(bool as_images);
 
 }  // namespace si

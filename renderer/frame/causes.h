@@ -1,6 +1,7 @@
 // Classification of wrong pixels by cause. The shadow test of a pixel is repeated with one change at a time; the first
-// change that makes it right names the cause. The GPU runs these trials (shaders/lib/evidence.glsl) and classifies
-// whole frames (shaders/lib/cause.glsl). Here is the same decision in C++, for a probed pixel and for tests of the GPU.
+// change that makes the pixel right names the cause. The GPU runs these trials (shaders/lib/evidence.glsl) and
+// classifies whole frames (shaders/lib/cause.glsl). This header declares the same decision in C++, for a probed pixel
+// and for tests of the GPU.
 #pragma once
 
 #include <array>
@@ -14,7 +15,8 @@ namespace si {
 struct FittedLight;
 struct Settings;
 
-/// Cause of a wrong pixel: false shadow (dark in the picture, lit in the reference) or false light (the opposite).
+/// Shadow artefact: the cause of one wrong pixel. False shadow is dark in the picture and lit in the reference; false
+/// light is the opposite.
 enum class Artefact : std::uint8_t {
     None,                ///< right, or not counted
     Acne,                ///< false shadow: the surface shadows itself; more bias makes it right
@@ -26,13 +28,14 @@ enum class Artefact : std::uint8_t {
     PeterPanningOffset,  ///< false light: right without the normal offset
     OffsetShadow,        ///< false shadow: right without the normal offset
     Filter,              ///< false shadow: the nearest unfiltered texel at its own least bias is right
-    Undersampled,        ///< as EdgeAliasing, where the shadow or the lit gap is narrower than a texel
+    Undersampled,        ///< EdgeAliasing where the shadow or the lit gap is narrower than a texel
     Penumbra,            ///< right for a light without size
     // From here on never in Cause::also, whose bits are full.
     NoMap,               ///< wrong, and the light has no shadow map (light.source), so that no trial is possible
     PeterPanningRaster,  ///< false light: right without polygon offset
     Contact,             ///< false shadow: right without contact shadows; only the GPU classifies it
 };
+/// Number of Artefact values.
 inline constexpr std::size_t kArtefacts = 15;
 
 /// Results of the trials of one pixel, in the order of shaders/passes/evidence.frag.glsl, four to an image. Depths are
@@ -41,10 +44,10 @@ struct CauseEvidence {
     static constexpr float kInside = shared::PLACE_INSIDE, kOutside = shared::PLACE_OUTSIDE,
                            kLedOutside = shared::PLACE_OFFSET_OUTSIDE;
     float place = kInside;  ///< position relative to the map; kLedOutside: only the normal offset leaves the map
-    float visibility = 1;   ///< as drawn
+    float visibility = 1;   ///< drawn visibility
     float beyond_lit = 1, beyond_dark = 1;  ///< visibility with taps beyond the map's sides taken as lit, as dark
     float least = 0, least_nearest = 0;     ///< least depth bias of the kernel, and of one nearest tap
-    float worth = 0;                        ///< equivalent depth bias of all bias together
+    float worth = 0;                        ///< equivalent depth bias, all kinds of bias together
     float applied = 0;                      ///< shift of the compared depth towards the light
     float slack = 0;                        ///< change of the plane's depth over the kernel's reach
     float own = 0, offset = 0;              ///< constant or slope bias; equivalent depth bias of the normal offset
@@ -57,31 +60,33 @@ struct CauseEvidence {
     float nearest_kept = 1, nearest_bare = 1;  ///< nearest unfiltered texel at its least bias, with and without offset
     float nearest_own_bare = 1;                ///< nearest unfiltered texel without offset, by bias `own`
     float unfiltered = 1;                      ///< the kernel on the unfiltered map
-    float curing = 0, unused = 0;              ///< least equivalent depth bias at which the pixel is lit
+    float curing = 0, unused = 0;              ///< least equivalent depth bias at which the pixel is lit; padding
     float gap_drawn = 0, gap_all = 0;  ///< depth up to the surface nearest the light: as drawn, and of all casters
     float run_m = 0, edge_m = 0;       ///< ShadowRuns, metres
 };
+/// Number of RGBA32F images that hold the CauseEvidence of all pixels.
 inline constexpr int kEvidenceImages = 8;
 static_assert(sizeof(CauseEvidence) == kEvidenceImages * 4 * sizeof(float));
 
-/// Settings of the renderer that decide which causes are possible; the defines of the GPU's classification.
+/// Renderer settings that decide which causes of a wrong pixel are possible. The GPU's classification gets them as
+/// defines.
 struct CauseContext {
-    bool has_map = true;             ///< the light's source is a map
+    bool has_map = true;             ///< light.source is a shadow map
     double edge_reach_texels = 0.5;  ///< reach of the filter kernel
     bool raster_bias = false;        ///< bias.raster_*
     bool mask_levels = false;        ///< the map may sample alpha masks at a coarser mip level
     bool depth_blur = false;         ///< map.blur_texels
-    /// Returns true when the unfiltered map may differ from the one that is sampled.
+    /// Returns true when the unfiltered map may differ from the sampled shadow map.
     bool unfiltered_differs() const { return raster_bias || mask_levels || depth_blur; }
 };
 
-/// Ray-traced reference of one pixel.
+/// Ray-traced reference values of one pixel, for comparison with the drawn picture.
 struct ReferencePixel {
     double visibility = 1, noise = 0;  ///< noise: standard error of the visibility
     bool hard_lit = true;              ///< lit by the light without its size
 };
 
-/// Classification of one pixel: the artefact, and other causes that apply.
+/// Classification of one pixel: its artefact, and further causes that apply.
 struct Cause {
     Artefact artefact = Artefact::None;
     std::uint32_t also = 0;  ///< bits 1 << Artefact: causes that also have to be fixed, or whose fix would do as well
@@ -89,18 +94,22 @@ struct Cause {
     bool faint = false;      ///< not wrong, but darkened by acne
 };
 
-/// Returns true when a pixel's visibility is wrong: it and the reference are on different sides of 0.5, and differ by
-/// more than three times the reference's noise.
+/// Returns true when a drawn pixel's visibility contradicts the reference. Both must lie on different sides of 0.5 and
+/// differ by more than three times the reference's noise.
+/// @param visibility 1 lit, 0 in shadow
 bool is_wrong(double visibility, const ReferencePixel& reference);
 
-/// Classifies a counted pixel by the cause of its error, from the results of its trials.
+/// Classifies a wrong or darkened pixel by the cause of its error, from the results of its shadow-test trials.
+/// @param evidence trials of the pixel
+/// @param context settings that decide which causes are possible
 Cause cause_of(const CauseEvidence& evidence, const ReferencePixel& reference, const CauseContext& context);
 
-/// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this.
+/// Tolerance of visibility: a fully lit pixel counts as darkened below 1 minus this number.
 inline constexpr double kRightVisibility = 1e-3;
 
-/// Collects the settings that the causes of a light's errors depend on.
-/// @param mask_levels casters' alpha masks have mip levels
+/// Collects the settings that decide which causes of a light's shadow errors are possible.
+/// @param map_resolution texels along a side
+/// @param mask_levels alpha masks of casters have mip levels
 CauseContext cause_context(const Settings& settings, const FittedLight& light, int map_resolution, bool mask_levels);
 
 }  // namespace si

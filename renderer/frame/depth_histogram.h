@@ -1,4 +1,4 @@
-// What depths an image holds: extremes of what was drawn, and how often each depth occurs.
+// Statistics and histograms of depth images.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,39 @@
 
 namespace si {
 
-/// Extremes over the pixels where something was drawn: finite, and not the clear value of the far plane.
+/// Smallest and largest depth of an image, over drawn pixels only. A drawn pixel is finite and differs from the clear
+/// value of the far plane.
 struct DepthStatistics {
-    std::uint64_t drawn = 0, empty = 0;     ///< pixels; together all of the image
+    std::uint64_t drawn = 0, empty = 0;     ///< pixel counts; their sum is the image's size
     double stored_min = 0, stored_max = 0;  ///< as stored; all are 0 when nothing was drawn
     double linear_min = 0, linear_max = 0;  ///< share of the way from the near plane (0) to the far plane (1)
     double metres_min = 0, metres_max = 0;  ///< along the axis
 };
 
-/// @param depth one channel as Renderer::read_shadow_map() and read_map_view_depth() give it
+/// Returns the depth range of a depth image as stored, as share of near..far, and in metres.
+/// @param depth one channel, from Renderer::read_shadow_map() or read_map_view_depth()
+/// @param curve mapping from distance to stored depth
 DepthStatistics depth_statistics(const FloatImage& depth, const DepthCurve& curve);
 
-/// Counts of drawn pixels in bins of equal width over [lo, hi]; a value on the border of two bins is in the upper one,
-/// `hi` itself in the last.
+/// Histogram of the drawn depths of an image, in bins of equal width over [lo, hi]. A value on the border of two bins
+/// is in the upper one; `hi` is in the last.
 struct DepthHistogram {
     double lo = 0, hi = 1;
     std::vector<std::uint64_t> counts;
-    std::uint64_t below = 0, above = 0;  ///< drawn, outside of the range
+    std::uint64_t below = 0, above = 0;  ///< drawn pixels outside the range
 };
 
-/// @param view raw: stored depths; linear: shares of near..far; bands: depths counted from the near plane
+/// Counts the drawn depths of an image in bins of equal width over [lo, hi].
+/// @param view unit of lo and hi: Raw: stored depths; Linear: shares of near..far; Bands: depths counted from the near
+/// plane
 DepthHistogram depth_histogram(const FloatImage& depth, const DepthCurve& curve, MapView view, int bins = 256,
                                double lo = 0, double hi = 1);
 
-/// The value that the map viewer shows of a stored depth, as view.map_black and view.map_white count it.
-/// @param row map coordinate v, which counts where the map is warped
+/// Converts a stored depth to the scale of the map viewer, in which view.map_black and view.map_white are given.
+/// @param row map coordinate v in [0, 1]; matters for warped maps only
 double shown_depth(double stored, const DepthCurve& curve, MapView view, double row);
 
-/// Map coordinate v of a row of such an image, whose first is the map's top.
+/// Returns the map coordinate v in [0, 1] of row `y` of a read-back depth image. Row 0 is the top of the map.
 double map_v_of_row(const FloatImage& depth, int y);
 
 }  // namespace si

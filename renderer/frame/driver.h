@@ -1,4 +1,4 @@
-// What the current context can do.
+// Queries of the OpenGL context's abilities.
 #pragma once
 
 #include "renderer/frame/driver_info.h"
@@ -7,10 +7,11 @@
 
 namespace si {
 
-/// @throws Error when the context is older than OpenGL 4.5, naming what it has.
+/// Queries the current OpenGL context: version, limits, extensions and multisample counts.
+/// @throws Error when the context is older than OpenGL 4.5; the message names the version found
 DriverInfo query_driver();
 
-/// The texture format of a map.
+/// Returns the OpenGL internal format for map.format.
 GLenum map_internal_format(MapFormat format);
 
 }  // namespace si

@@ -8,15 +8,15 @@
 
 namespace si {
 
-/// What this driver can do, and what was measured on it.
+/// Abilities, limits and measured traits of one OpenGL driver.
 struct DriverInfo : RasterTraits {
     std::string vendor, renderer, version, glsl;
     int max_texture_size = 0, max_samples = 0;
     bool polygon_offset_clamp = false, anisotropy = false;
     double max_anisotropy = 1;
-    std::vector<int> map_samples;   ///< that a multisampled depth texture can have, the most first
+    std::vector<int> map_samples;   ///< sample counts possible for depth textures, largest first
     bool software = false;          ///< a CPU rasteriser
-    bool blocks_as_images = false;  ///< prefers to read single numbers from images rather than uniform blocks
+    bool blocks_as_images = false;  ///< single numbers are read faster from images than from uniform blocks
     std::string clock;              ///< "GPU timer queries" or "finished wall time (CPU rasteriser)"
     double query_share = 0;         ///< query time / wall time of a known pass
 };

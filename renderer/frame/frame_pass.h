@@ -1,12 +1,12 @@
-// Passes of a frame as objects: each holds what it draws into, says what it reads and writes, and draws.
+// Interface of a frame's passes. A pass owns its targets, declares its reads and writes, and draws.
 #pragma once
 
 namespace si {
 
 struct FrameState;
 
-/// One pass, or a few that share targets. Targets are members: they outlast a frame and keep their addresses, on which
-/// Pass::cached and Plan rely.
+/// One drawing pass of the frame, or a few that share targets. Targets are members: they outlast a frame and keep their
+/// addresses, on which Pass::cached and Plan rely.
 class FramePass {
 public:
     FramePass() = default;
@@ -14,8 +14,8 @@ public:
     FramePass& operator=(const FramePass&) = delete;
     virtual ~FramePass() = default;
 
-    /// Adds the passes to `f.plan`: what each reads, writes and depends on, why it is not needed, and where its results
-    /// lie. Draws nothing. `f` stays where it is until the plan is carried out.
+    /// Adds the pass to `f.plan`: its reads, writes and key, the reason when the scene does not need the pass, and the
+    /// place of its results. Draws nothing. `f` must stay at its address until the plan has run.
     virtual void declare(FrameState& f) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Which of a frame's numbers are none, or lie where none can: counted and located.
+// Number faults of a frame, such as NaN or negative variances: kinds, counts and places.
 #pragma once
 
 #include <cstddef>
@@ -13,45 +13,51 @@
 
 namespace si {
 
+/// Kind of an invalid number in a map, picture or matrix.
 enum class NumberFault {
     NotANumber,
     Infinite,
-    OutsideRange,      ///< a depth or a share of light beyond 0 to 1
-    NegativeVariance,  ///< of stored moments, by more than they are rounded by
-    Overflow,          ///< a power of e beyond what its format holds, or flushed to zero
+    OutsideRange,      ///< depth or visibility outside 0 to 1
+    NegativeVariance,  ///< negative variance of stored moments, beyond rounding
+    Overflow,          ///< exponential beyond its format's range, or flushed to zero
 };
+/// Number of NumberFault values.
 inline constexpr std::size_t kNumberFaults = 5;
 
-/// As JSON names it: "nan", "negative_variance".
+/// Returns a fault's name for JSON: "nan", "negative_variance".
 std::string_view fault_key(NumberFault fault);
-/// For people: "NaN", "a variance below 0".
+/// Returns a fault's name for people: "NaN", "a variance below 0".
 std::string_view fault_label(NumberFault fault);
 
-/// One kind of fault in one image (a layer at one mip level), or in one matrix or block.
+/// All invalid numbers of one kind in one image (a layer at one mip level), matrix or uniform block.
 struct NumberFinding {
     NumberFault fault = NumberFault::NotANumber;
-    std::optional<Result> image;  ///< nothing: of a matrix or block
+    std::optional<Result> image;  ///< result with the fault; nullopt: a matrix or block
     std::string place;            ///< in words: "shadow map, cascade 2 of light 0"
-    int light = -1, view = -1;    ///< whose; -1: nobody's
+    int light = -1, view = -1;    ///< light and map view concerned; -1: none
     int level = 0;                ///< mip level
     std::uint64_t count = 0;      ///< texels, pixels or numbers
-    /// Texels of maps count from the lower left, as the map viewer has them, pixels from the upper left. Of a matrix
-    /// column and row. `first` in that order, row by row.
+    /// Position of the first and the worst fault. Map texels count from the lower left, pixels from the upper left;
+    /// matrix entries are (column, row).
     glm::ivec2 first{0}, worst{0};
-    double value = 0;  ///< at the worst: as stored, a variance, a depth
+    double value = 0;  ///< worst value: stored number, variance or depth
     std::string unit;  ///< "texel", "pixel", "number"
 };
 
+/// Result of the search for invalid numbers in a frame.
 struct NumericHealth {
     std::vector<NumberFinding> findings;
-    std::size_t images = 0;     ///< layers and mip levels that were searched
-    std::uint64_t numbers = 0;  ///< texels of them
+    std::size_t images = 0;     ///< searched layers and mip levels
+    std::uint64_t numbers = 0;  ///< searched texels
+    /// Returns true when no invalid number was found.
     bool sound() const { return findings.empty(); }
 };
 
-/// "NaN in 3 texels of the shadow map, cascade 2 of light 0: first at texel 12, 40".
+/// Returns one sentence about a finding: "NaN in 3 texels of the shadow map, cascade 2 of light 0: first at texel 12,
+/// 40".
 std::string finding_text(const NumberFinding& finding);
-/// In one line all that was found, the first few with their places; what was searched where all is sound.
+/// Returns one line about a frame's number faults: the first few with their places. Without faults the line says how
+/// much was searched.
 std::string health_text(const NumericHealth& health);
 
 }  // namespace si

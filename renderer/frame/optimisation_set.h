@@ -9,7 +9,8 @@
 
 namespace si {
 
-/// Optimisations of a frame, in the order of optimisation_rows() (renderer/optimisations/optimisations.h).
+/// Optimisation that skips or reuses work of a frame without changing a byte of the picture. Values follow the rows in
+/// renderer/optimisations/optimisations.h.
 enum class Optimisation {
     DeadPasses,           ///< skips passes and look-ups that nothing needs
     BlockerSearch,        ///< skips the blocker search where no penumbra can open

@@ -1,4 +1,4 @@
-// What virtual shadow maps cost, beside a fixed map that is as sharp.
+// Cost of virtual shadow maps in a frame, compared with an unpaged map of equal texel size.
 #pragma once
 
 #include <cstdint>
@@ -7,26 +7,29 @@
 
 namespace si {
 
-/// Pages of all lights' maps in one frame.
+/// Statistics of virtual shadow map pages in one frame, over all lights.
 struct PageFacts {
-    int page_texels = 0;          ///< along a side
+    int page_texels = 0;          ///< texels along a page's side
     int wanted = 0;               ///< pages that look-ups may read
-    int drawn = 0, kept = 0;      ///< of those that the frame reads: drawn for it, drawn before
-    int coarser = 0;              ///< wanted pages for which one of a coarser level stands, as the pool is full
-    int evicted = 0;              ///< given up for those that were drawn
-    int held = 0, pool = 0;       ///< pages in the pool, read or not; that it has room for
-    std::vector<int> by_level;    ///< wanted, by view of the light that has most of them, finest first
-    double smallest_texel_m = 0;  ///< of the finest view that is read; of perspective views at their far planes
-    /// Texels of one map a light with texels that fine, over the square that holds all that its look-ups read.
+    int drawn = 0, kept = 0;      ///< pages in use: drawn for this frame, cached from earlier
+    int coarser = 0;              ///< wanted pages replaced by coarser ones, as the pool is full
+    int evicted = 0;              ///< cached pages dropped to make room
+    int held = 0, pool = 0;       ///< pages stored in the pool; capacity of the pool
+    std::vector<int> by_level;    ///< wanted pages by level of the light with the most levels, finest first
+    double smallest_texel_m = 0;  ///< texel size of the finest level in use, metres; perspective: at the far plane
+    /// Texels of unpaged maps of the same texel size, one a light, over the square that the look-ups cover.
     double fixed_map_texels = 0;
+    /// Returns the texels of all pages in use.
     std::uint64_t read_texels() const { return texels(drawn + kept); }
+    /// Returns the texels of the pages drawn for this frame.
     std::uint64_t drawn_texels() const { return texels(drawn); }
 
 private:
+    /// Returns the texels of this many pages.
     std::uint64_t texels(int pages) const { return std::uint64_t(pages) * std::uint64_t(page_texels) * page_texels; }
 };
 
-/// "214 pages requested, 12 drawn, 202 cached; ..."
+/// Returns one line about a frame's pages: "214 pages requested, 12 drawn, 202 cached; ..."
 std::string page_facts_text(const PageFacts& facts);
 
 }  // namespace si

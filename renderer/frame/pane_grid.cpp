@@ -6,7 +6,7 @@
 
 namespace si {
 
-std::optional<PaneGrid::Place> PaneGrid::at(glm::ivec2 pixel) const {
+std::optional<PaneGrid::Place> PaneGrid::pane_at(glm::ivec2 pixel) const {
     for (int pane = 0; pane < count(); ++pane) {
         const glm::ivec2 p = pixel - corner(pane);
         if (p.x >= 0 && p.y >= 0 && p.x < width && p.y < height) return Place{pane, p};

@@ -1,4 +1,4 @@
-// How the panes of a split view share one picture.
+// Layout of the split view's panes in one picture.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,23 +8,26 @@
 
 namespace si {
 
-/// Where each pane lies in a picture of several; the panes are of one size, with a gap between them. Pixels, row 0 at
-/// the top.
+/// Layout of equally large panes in one picture, with a gap between them. Pixels; row 0 is the top.
 struct PaneGrid {
     int columns = 1, rows = 1;
-    int width = 0, height = 0;  ///< of each pane
+    int width = 0, height = 0;  ///< size of each pane
     int gap = 0;                ///< between two panes
+    /// Returns the number of panes.
     int count() const { return columns * rows; }
+    /// Returns the upper left pixel of a pane in the whole picture.
     glm::ivec2 corner(int pane) const { return {pane % columns * (width + gap), pane / columns * (height + gap)}; }
+    /// Pixel of one pane.
     struct Place {
         int pane;
-        glm::ivec2 pixel;  ///< of that pane
+        glm::ivec2 pixel;  ///< position within the pane
     };
-    /// What lies at a pixel of the whole picture; nothing in a gap or outside.
-    std::optional<Place> at(glm::ivec2 pixel) const;
+    /// Returns the pane and its local pixel at a pixel of the whole picture. Returns nullopt in a gap or outside.
+    std::optional<Place> pane_at(glm::ivec2 pixel) const;
 };
 
-/// The grid of view.panes (a Panes value) in a picture of `width` x `height`. A pane is at least one pixel large.
+/// Computes the layout of view.panes in a picture of `width` x `height` pixels. Each pane is at least one pixel large.
+/// @param gap pixels between two panes
 PaneGrid pane_grid(Panes panes, int width, int height, int gap = 0);
 
 }  // namespace si

@@ -10,7 +10,7 @@ namespace si {
 std::string_view result_name(Result result) {
     switch (result) {
         case Result::PagesWanted:
-            return "pages wanted";
+            return "requested pages";
         case Result::DrawnMaps:
             return "shadow maps as drawn";
         case Result::ShadowMaps:
@@ -33,20 +33,20 @@ std::string_view result_name(Result result) {
             return "visibility";
         case Result::UnfilteredMap:
             return "unfiltered map";
-        case Result::SurfacesSeen:
-            return "surfaces seen";
+        case Result::VisibleSurfaces:
+            return "visible surfaces";
         case Result::Reference:
-            return "truth";
+            return "reference";
         case Result::Compared:
             return "compared pixels";
-        case Result::Judged:
-            return "judged pixels";
+        case Result::Classified:
+            return "classified pixels";
         case Result::Error:
             return "error";
         case Result::Evidence:
             return "evidence";
         case Result::ReferenceLitPicture:
-            return "true picture";
+            return "picture by the reference";
         case Result::Precision:
             return "errors of single precision";
         case Result::Shaded:
@@ -76,7 +76,7 @@ std::string_view result_name(Result result) {
 }
 
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool uncalled) {
+                                  bool draw_unneeded) {
     std::vector<PassInfo> out(passes.size());
     std::set<ResultRef> needed(wanted.begin(), wanted.end()), read_now;
     for (std::size_t i = passes.size(); i-- > 0;) {
@@ -87,7 +87,7 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         info.light = pass.light;
         const bool live =
             std::any_of(pass.writes.begin(), pass.writes.end(), [&](const ResultRef& w) { return needed.contains(w); });
-        if (!pass.unneeded.empty() && !(uncalled && pass.run && live)) {
+        if (!pass.unneeded.empty() && !(draw_unneeded && pass.run && live)) {
             info.reason = pass.unneeded;
             continue;
         }
@@ -97,22 +97,24 @@ std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::ve
         }
         needed.insert(pass.reads.begin(), pass.reads.end());
         const bool held = pass.cached && *pass.cached == pass.key;
-        if (!force && held && !pass.lacks) {
+        if (!force && held && !pass.is_incomplete) {
             info.state = PassState::Cached;
-            info.reason = "nothing it depends on changed";
-        } else if (pass.aid &&
+            info.reason = "its inputs are unchanged";
+        } else if (pass.only_saves_work &&
                    std::ranges::none_of(pass.writes, [&](const ResultRef& w) { return read_now.contains(w); })) {
-            info.reason = "nothing that it helps is made anew";
+            info.reason = "no pass that it speeds up is drawn";
         } else {
             info.state = PassState::Drawn;
             read_now.insert(pass.reads.begin(), pass.reads.end());
-            info.reason = !held ? "its inputs changed" : force ? "asked to run" : "more of it is called for";
+            info.reason = !held   ? "its inputs changed"
+                          : force ? "forced by the request"
+                                  : "more texels of it are needed";
         }
     }
     return out;
 }
 
-void Plan::add(Pass pass) {
+void Plan::add_pass(Pass pass) {
     if (!pass.reads.empty()) {
         Key key;
         key.add(pass.key);
@@ -122,7 +124,7 @@ void Plan::add(Pass pass) {
     passes_.push_back(std::move(pass));
 }
 
-void Plan::place(const ResultRef& result, PlacedImage image) {
+void Plan::place_result(const ResultRef& result, PlacedImage image) {
     images_[result].push_back(image);
 }
 
@@ -141,14 +143,14 @@ const gl::Target& Plan::target(const ResultRef& result, std::size_t image) const
 std::uint64_t Plan::key_of(const ResultRef& result) const {
     Key key;
     for (const Pass& pass : passes_)
-        if (!pass.aid && std::ranges::find(pass.writes, result) != pass.writes.end()) key.add(pass.key);
+        if (!pass.only_saves_work && std::ranges::find(pass.writes, result) != pass.writes.end()) key.add(pass.key);
     return key.value();
 }
 
-bool Plan::holds(const ResultRef& result) const {
+bool Plan::is_current(const ResultRef& result) const {
     return std::ranges::all_of(passes_, [&](const Pass& pass) {
         const bool writes = pass.unneeded.empty() && std::ranges::find(pass.writes, result) != pass.writes.end();
-        return !writes || (pass.cached && *pass.cached == pass.key && !pass.lacks);
+        return !writes || (pass.cached && *pass.cached == pass.key && !pass.is_incomplete);
     });
 }
 

@@ -1,5 +1,5 @@
-// The plan of a frame: passes in order, each with what it reads and writes, and why it runs or not. Planning draws
-// nothing, and neither makes nor gives up what results lie in: it may be thrown away.
+// Plan of a frame: passes in order, each with its reads, writes and the reason why it runs or not. Planning draws
+// nothing and neither makes nor frees targets, so that a plan may be thrown away.
 #pragma once
 
 #include <functional>
@@ -13,56 +13,62 @@
 
 namespace si {
 
+/// Declaration of one pass of a frame: inputs, outputs, cache key and draw function.
 struct Pass {
     std::string name;
     PassCategory category = PassCategory::Picture;
-    int light = -1;  ///< PassInfo::light
+    int light = -1;  ///< light index for PassInfo::light
     std::vector<ResultRef> reads, writes;
-    std::string unneeded;   ///< why the scene does not call for it; empty: it does
-    std::uint64_t key = 0;  ///< of all that the result depends on, its size and format too, but what it reads
-    /// What it writes spares its readers work and changes nothing of what they make: it adds nothing to their keys, and
-    /// is made only where one of them runs.
-    bool aid = false;
-    std::uint64_t* cached = nullptr;  ///< key of the contents that the target holds; stays where it is between frames
-    /// Of what `cached` names the target holds less than is called for: the pass runs, and what it adds changes nothing
-    /// of what was read before.
-    bool lacks = false;
+    std::string unneeded;   ///< reason why the scene does not need the pass; empty: needed
+    std::uint64_t key = 0;  ///< hash of everything the result depends on, size and format too, except `reads`
+    /// True: the pass only saves its readers work, and their results stay equal without it. Its key is not part of
+    /// theirs. It runs only where one of them runs.
+    bool only_saves_work = false;
+    std::uint64_t* cached = nullptr;  ///< key of the target's contents; the address must outlast the frame
+    /// True: the target has the key `cached` but too few texels. The pass then runs and adds the missing ones; texels
+    /// read before stay equal.
+    bool is_incomplete = false;
     std::function<void(PassInfo&)> run;
-    std::string idle_reason = "nothing reads it";  ///< shown when no live pass reads what it writes
+    std::string idle_reason = "no pass reads it";  ///< reason to report when no running pass reads the result
 };
 
-/// Walks back from `wanted`: a pass lives when something wanted or read by a live pass is written by it. Dead passes
-/// and passes the scene does not call for are skipped, passes whose key is unchanged are reused, others are to run.
-/// `force` runs cached passes, `uncalled` those that the scene does not call for.
+/// Decides which passes run, walking back from the `wanted` results. A pass is live when its result is wanted or read
+/// by a live pass. Dead and unneeded passes are skipped; passes with an unchanged key are cached; others are drawn.
+/// @param force draws cached passes too
+/// @param draw_unneeded draws live passes even where the scene does not need them
 std::vector<PassInfo> plan_passes(const std::vector<Pass>& passes, const std::vector<ResultRef>& wanted, bool force,
-                                  bool uncalled);
+                                  bool draw_unneeded);
 
-/// An image of a result, and how shaders find it.
+/// Image of a result, with the texture unit by which shaders read it.
 struct PlacedImage {
     const gl::Target* target;
-    int unit = -1;                         ///< of texture; below 0: no shader samples it
-    const gl::Sampler* sampler = nullptr;  ///< it is read with; null: none
+    int unit = -1;                         ///< texture unit; below 0: no shader samples the image
+    const gl::Sampler* sampler = nullptr;  ///< sampler object; null: the texture's own state
 };
 
+/// Ordered passes of one frame, and the images of their results.
 class Plan {
 public:
-    /// Takes a pass whose inputs were added before it, and completes its key by theirs.
-    void add(Pass pass);
-    /// Says where a result will lie once its pass has run. One of several images is placed image by image, and one that
-    /// two units read once for each.
-    void place(const ResultRef& result, PlacedImage image);
-    /// Has something given up when the plan is carried out: what nothing calls for any more.
-    void release(std::function<void()> what) { releases_.push_back(std::move(what)); }
+    /// Appends a pass and completes its key by the keys of its inputs. Passes that write the inputs must be added
+    /// before.
+    void add_pass(Pass pass);
+    /// Registers an image of a result, where it lies once its pass has run. Call once for each image of the result, and
+    /// once for each texture unit.
+    void place_result(const ResultRef& result, PlacedImage image);
+    /// Registers a function that frees memory no longer needed; run_releases() calls it when the plan is carried out.
+    void release_later(std::function<void()> what) { releases_.push_back(std::move(what)); }
 
+    /// Returns the passes in the order of their declaration.
     const std::vector<Pass>& passes() const { return passes_; }
-    /// Empty where no pass of the frame makes it.
+    /// Returns the images of a result; an empty list where no pass of the frame makes it.
     const std::vector<PlacedImage>& images(const ResultRef& result) const;
-    /// An image of a result; one without a texture where no pass of the frame makes it.
+    /// Returns one image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& target(const ResultRef& result, std::size_t image = 0) const;
-    /// Of all that the passes added so far write into it, but aids.
+    /// Returns the combined key of the passes added so far that write a result, aids excepted.
     std::uint64_t key_of(const ResultRef& result) const;
-    /// Whether images still hold what the passes added so far would write into it.
-    bool holds(const ResultRef& result) const;
+    /// Returns true when a result's images already hold what the passes added so far would write.
+    bool is_current(const ResultRef& result) const;
+    /// Frees what release_later() registered.
     void run_releases() const {
         for (const auto& give_up : releases_) give_up();
     }

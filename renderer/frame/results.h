@@ -1,4 +1,4 @@
-// What the passes of a frame make and read.
+// Results that passes of a frame write and read.
 #pragma once
 
 #include <compare>
@@ -6,44 +6,45 @@
 
 namespace si {
 
+/// Kind of image or buffer that one pass writes and others read.
 enum class Result {
-    PagesWanted,          ///< which pages of virtual maps look-ups read
-    DrawnMaps,            ///< the shadow maps as drawn, or the pool of their pages with its page table
-    ShadowMaps,           ///< those that are compared, shown and read back: as drawn, or their depths blurred
-    Moments,              ///< functions of their depths, averaged
-    MapBounds,            ///< their nearest and farthest depths, block by block
-    CameraDepth,          ///< of the surfaces that the camera sees
-    SurfaceIds,           ///< which triangle each pixel shows
-    Blobs,                ///< what blobs leave of each light
-    LightMap,             ///< what rays found of lights, on all surfaces
-    ShadowVolumes,        ///< where no shadow volume of a light is
+    PagesWanted,          ///< pages of virtual maps that look-ups read
+    DrawnMaps,            ///< shadow maps as drawn, or the page pool with its page table
+    ShadowMaps,           ///< maps to compare, show and read back: as drawn, or with blurred depths
+    Moments,              ///< averaged functions of the maps' depths (VSM, ESM, MSM)
+    MapBounds,            ///< nearest and farthest depth of each block of map texels
+    CameraDepth,          ///< depth of visible surfaces
+    SurfaceIds,           ///< triangle number of each pixel
+    Blobs,                ///< visibility by blob shadows
+    LightMap,             ///< baked light maps
+    ShadowVolumes,        ///< visibility by stencil shadow volumes
     Visibility,           ///< a layer a light: 1 lit, 0 in shadow
     UnfilteredMap,        ///< the maps without polygon offset and with masks at their finest level
-    SurfacesSeen,         ///< position and normals of every pixel
-    Reference,            ///< what rays found
-    Compared,             ///< which pixels differ from it
-    Judged,               ///< and why
-    Error,                ///< how far off the picture is, in numbers
-    Evidence,             ///< all trials of every pixel
-    ReferenceLitPicture,  ///< lit as the truth says
-    Precision,            ///< how far look-ups are off by single precision
-    Shaded,               ///< the picture
-    Smooth,               ///< the mean of pictures from a camera turned by parts of a pixel
-    Overlay,              ///< a pane's values
-    Composed,             ///< those over the picture
-    Slabs,                ///< a pane's picture with texels as slabs in it
-    MapCoordinates,       ///< where in the map each pixel's kernel is centred
-    TexelsRead,           ///< which texels of the map some kernel fetches
-    MapChannel,           ///< one of the moments of the map that the viewer shows
-    DepthRange,           ///< smallest and largest depth of what the map viewer shows
-    MapView,              ///< the map viewer's picture
-    Health,               ///< which numbers of all these are none, or lie where none can
+    VisibleSurfaces,      ///< position and normals of every pixel
+    Reference,            ///< ray-traced reference
+    Compared,             ///< pixels that differ from the reference
+    Classified,           ///< causes of the wrong pixels
+    Error,                ///< error metrics of the picture
+    Evidence,             ///< CauseEvidence of every pixel
+    ReferenceLitPicture,  ///< picture with the reference's visibility
+    Precision,            ///< look-up errors by single precision
+    Shaded,               ///< shaded picture
+    Smooth,               ///< mean of pictures by a jittered camera
+    Overlay,              ///< overlay values of one pane
+    Composed,             ///< picture with the overlay of one pane
+    Slabs,                ///< picture of one pane with map texels as quads
+    MapCoordinates,       ///< kernel centre of each pixel in the map
+    TexelsRead,           ///< map texels that some kernel fetches
+    MapChannel,           ///< one moment of the shown map
+    DepthRange,           ///< smallest and largest depth in the map viewer
+    MapView,              ///< picture of the map viewer
+    Health,               ///< invalid numbers in all other results
 };
 
-/// A result in words: "shadow maps".
+/// Returns a result's name for people: "shadow maps".
 std::string_view result_name(Result result);
 
-/// A result; of those that each pane has, one pane's.
+/// Reference to a result. Results that every pane has are told apart by the pane's slot.
 struct ResultRef {
     Result what;
     int slot = 0;

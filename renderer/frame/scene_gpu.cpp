@@ -19,7 +19,7 @@ struct Attributes {
     glm::vec2 uv;
 };
 
-/// What only normal-mapped materials need.
+/// Vertex attributes of normal-mapped materials.
 struct NormalMapAttributes {
     glm::vec2 uv;
     float scale;
@@ -33,9 +33,9 @@ struct InstanceData {
     glm::vec3 normal_rows[3];
 };
 
-/// The matrix that keeps normals perpendicular, up to length: the cofactors, right for any scale (singular ones too)
-/// and without a division. A mirroring turns their sign, which is undone. Scaled to 1 so that floats hold it at any
-/// size.
+/// Returns the matrix that transforms normals, up to length: the cofactors of the world matrix. Cofactors need no
+/// division and are valid for any scale, singular ones included. A mirroring flips their sign, which is undone. The
+/// result is scaled to 1 so that floats hold it at any size.
 glm::dmat3 normal_matrix(const glm::dmat3& m) {
     glm::dmat3 c(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
     double largest = 0;
@@ -50,9 +50,9 @@ ObjectSettings object_settings(const Scene& scene, const Settings& settings, con
     return it == settings.objects.end() ? ObjectSettings{} : it->second;
 }
 
-/// Of each mesh the size of its largest object, in powers of two metres. What is large lies mostly behind what is
-/// small, a ground or a room's walls: drawn after it, most of what is hidden is never shaded. No camera is asked, so
-/// that of coplanar surfaces the same one wins wherever it stands.
+/// Returns for each mesh the size of its largest object, as a power of two in metres. Large objects, such as a ground
+/// or a room's walls, lie mostly behind small ones. Drawn after them, most of their hidden fragments are never shaded.
+/// The order is independent of the camera, so that the same one of two coplanar surfaces always wins.
 std::vector<int> mesh_sizes(const Scene& scene) {
     std::vector<int> sizes(scene.meshes.size(), std::numeric_limits<int>::min());
     for (const Object& o : scene.objects) {
@@ -103,7 +103,7 @@ void SceneGpu::find_watertight_meshes(const Scene& scene, SceneGpu* before) {
         const Mesh& m = scene.meshes[i];
         if (before && i < before->bodies_.size() && before->meshes_as_uploaded_[i].is(scene, m))
             bodies_[i] = std::move(before->bodies_[i]);
-        // What is deformed changes with each pose.
+        // Deformed meshes change with each pose.
         else if (!m.deformer && material_of(scene, m).alpha == AlphaMode::Opaque)
             bodies_[i] = check_watertight(m.positions, m.indices);
     }
@@ -239,7 +239,7 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
         gl::clear_gl_errors();
         glTextureStorage2D(texture.id(), levels, t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, t.width, t.height);
         gl::check_memory_errors(fmt::format("the texture {} ({} x {})", printable(t.name), t.width, t.height),
-                                "use a scene with smaller textures, or map.resolution below what it is");
+                                "use a scene with smaller textures, or a lower map.resolution");
         glTextureSubImage2D(texture.id(), 0, 0, 0, t.width, t.height, GL_RGBA, GL_UNSIGNED_BYTE, t.rgba.data());
         if (levels > 1) glGenerateTextureMipmap(texture.id());
         gl::track_image_memory(texture, "scene's textures", {.levels = levels});
@@ -261,13 +261,13 @@ void SceneGpu::upload_textures(const Scene& scene, bool anisotropy) {
             glGenTextures(1, &id);
             glTextureView(id, GL_TEXTURE_2D, texture.id(), t.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, 0, 1, 0, 1);
             finest = gl::Texture::adopt("finest level", id);
-            set(id, mag_filter);  // however small it is drawn, as where it is magnified
+            set(id, mag_filter);  // minified as where magnified
         }
         textures_.push_back({std::move(texture), std::move(finest)});
     }
 }
 
-void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
+void SceneGpu::update_batches(const Scene& scene, const Settings& settings) {
     Key key;
     const bool blend_casts = settings.caster.blend == BlendCasters::Mask;
     key.add(scene.id).add(settings.shading.textures).add(blend_casts);
@@ -283,7 +283,7 @@ void SceneGpu::arrange(const Scene& scene, const Settings& settings) {
         int mesh;
         ObjectCull cull;
         bool cast, mirrored;
-        /// What instances of one batch have in common.
+        /// State shared by the instances of one batch.
         auto batch() const {
             return std::tuple(blend, masked, size, texture, normal_texture, mesh, cull, cast, mirrored);
         }
@@ -377,7 +377,7 @@ void SceneGpu::set_camera_instances(std::span<const std::uint32_t> instances) {
     }
 }
 
-void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn) {
+void SceneGpu::bind_vertices(const Scene& scene, const Settings& settings, const glm::dvec3& origin, Drawn drawn) {
     Slot& slot = slots_[std::size_t(drawn)];
     const bool seen = drawn == Drawn::Seen;
     const std::vector<std::uint32_t>& order = seen ? seen_order_ : order_;
@@ -389,13 +389,13 @@ void SceneGpu::bind(const Scene& scene, const Settings& settings, const glm::dve
             const Object& o = scene.objects[order[i]];
             const Material& material = material_of(scene, scene.meshes[std::size_t(o.mesh)]);
             glm::dmat4 m = o.world;
-            m[3] -= glm::dvec4(origin, 0);  // in double: what is left is small
+            m[3] -= glm::dvec4(origin, 0);  // in double precision, as the difference is small
             for (int r = 0; r < 3; ++r) data[i].rows[r] = glm::vec4(m[0][r], m[1][r], m[2][r], m[3][r]);
             const glm::dmat3 normal = normal_matrix(glm::dmat3(o.world));
             for (int r = 0; r < 3; ++r) data[i].normal_rows[r] = glm::vec3(normal[0][r], normal[1][r], normal[2][r]);
             data[i].base_colour = material.base_colour;
             const bool receives = settings.objects.empty() || object_settings(scene, settings, o).receive;
-            // Blended ones have a cutoff for the light's depth only.
+            // Blended objects have an alpha cutoff for shadow maps only.
             const float cutoff = material.alpha == AlphaMode::Mask    ? material.alpha_cutoff
                                  : material.alpha == AlphaMode::Blend ? 0.5f
                                                                       : -1.f;
@@ -422,7 +422,7 @@ void SceneGpu::bind_transforms(GLuint vao, GLuint binding, Drawn drawn) const {
     glVertexArrayVertexBuffer(vao, binding, slots_[std::size_t(drawn)].buffer.id(), 0, sizeof(InstanceData));
 }
 
-void SceneGpu::draw(const Batch& b) const {
+void SceneGpu::draw_batch(const Batch& b) const {
     glDrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, b.index_count, GL_UNSIGNED_INT,
                                                   reinterpret_cast<const void*>(b.first_index * 4), b.instances,
                                                   b.base_vertex, b.first_instance);

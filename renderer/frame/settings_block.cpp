@@ -26,8 +26,8 @@ void for_shader_params(F&& f) {
         if (p.shader && p.scope == Scope::Scene) f(p);
 }
 
-/// Of those that are numbers in the block, each with its place, counted in numbers. What begins with another word
-/// begins with another texel: what shaders read together then lies in few.
+/// Returns the numeric settings of the block with their offsets, counted in numbers. Settings whose key begins with
+/// another word begin at another texel, as shaders read settings of one group together.
 template <typename F>
 void for_block_params(F&& f) {
     std::size_t place = 0;

@@ -1,4 +1,4 @@
-// The settings as shaders see them, made from the table: defines for what chooses code, a uniform block for the rest.
+// Settings as shaders see them, made from the settings table: defines for choices of code, a uniform block for numbers.
 #pragma once
 
 #include <cstddef>
@@ -12,17 +12,18 @@
 
 namespace si {
 
-/// One define per Cost::Program row that shaders see ("map_wrap" 3).
+/// Returns a define for each setting that selects shader code (Cost::Program rows): "map_wrap" 3.
 std::vector<gl::Define> settings_defines(const Settings& s);
-/// GLSL text that is the same under all settings: a define per choice ("map_wrap_range" 3), and every other row that
-/// shaders see by its name, as a member of a std140 block or as a number of an image's texels.
+/// Returns GLSL text that declares the settings for shaders, independent of their values. It has a define per choice
+/// ("map_wrap_range" 3) and a member of a std140 block per other setting.
+/// @param as_image numbers are texels of a buffer image in place of block members
 std::string settings_block_text(bool as_image);
-/// What the block or the image holds; a multiple of 16 bytes.
+/// Returns the contents of the settings block or image for these settings; a multiple of 16 bytes.
 std::vector<std::byte> settings_block_bytes(const Settings& s);
-/// Adds the value of every setting that shaders see.
+/// Adds to `key` the value of every setting that shaders see.
 void add_shader_settings(Key& key, const Settings& s);
 
-/// Adds what a kind of pass reads itself of the settings, but for those without effect.
+/// Adds to `key` the settings that a kind of pass reads, except those without effect now.
 void add_settings(Key& key, const Settings& s, ReadBy pass);
 
 }  // namespace si

@@ -32,7 +32,7 @@ GLuint FrameState::program(std::string_view vertex, std::string_view fragment, s
     return gl.programs.get(wanted);
 }
 
-void FrameState::bind(std::span<const ResultRef> results) const {
+void FrameState::bind_results(std::span<const ResultRef> results) const {
     for (const ResultRef& r : results)
         for (const PlacedImage& image : plan.images(r)) {
             if (image.unit < 0 || !image.target->texture) continue;
@@ -46,7 +46,7 @@ void FrameState::begin_camera_pass(GLuint framebuffer) const {
     glViewport(0, 0, request.width, request.height);
     glClipControl(GL_LOWER_LEFT, camera.curve.convention.zero_to_one ? GL_ZERO_TO_ONE : GL_NEGATIVE_ONE_TO_ONE);
     glEnable(GL_DEPTH_TEST);
-    // Of coplanar surfaces the last drawn wins, in the first pass as in those that find its depth already there.
+    // The last drawn of two coplanar surfaces wins, in passes that draw the depth and in passes that test against it.
     glDepthFunc(camera.curve.convention.reversed ? GL_GEQUAL : GL_LEQUAL);
     glDepthMask(GL_TRUE);
     glDisable(GL_POLYGON_OFFSET_FILL);
@@ -141,7 +141,7 @@ void FrameState::bind_textures(const Batch& batch) const {
 
 void FrameState::draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra,
                                   PassInfo& info) const {
-    gl.scene->bind(scene, settings, origin, SceneGpu::Drawn::Seen);
+    gl.scene->bind_vertices(scene, settings, origin, SceneGpu::Drawn::Seen);
     const Batch* previous = nullptr;
     for (const Batch& batch : gl.scene->seen_batches()) {
         if (batch.blend) continue;
@@ -155,7 +155,7 @@ void FrameState::draw_from_camera(std::string_view fragment, const std::vector<g
             batch.double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         if (!previous || previous->mirrored != batch.mirrored) glFrontFace(batch.mirrored ? GL_CW : GL_CCW);
         if (!previous) glCullFace(GL_BACK);
-        gl.scene->draw(batch);
+        gl.scene->draw_batch(batch);
         ++info.draws;
         info.triangles += batch.triangles();
         previous = &batch;
@@ -170,12 +170,12 @@ bool FrameState::has_contact_shadows(std::size_t light) const {
     return light < gl.fitted.size() && gl.fitted[light].shadowed && settings.lights[light].contact > 0;
 }
 
-ResultRef FrameState::picture_of(const ShownPane& pane) const {
+ResultRef FrameState::pane_picture_result(const ShownPane& pane) const {
     if (slabs_shown) return ResultRef{Result::Slabs, pane.slot};
     return pane.row() ? ResultRef{Result::Composed, pane.slot} : ResultRef{Result::Shaded};
 }
 
-ResultRef FrameState::values_of(const ShownPane& pane) const {
+ResultRef FrameState::pane_values_result(const ShownPane& pane) const {
     return ResultRef{Result::Overlay, pane.slot};
 }
 

@@ -1,4 +1,4 @@
-// Everything the passes of one frame share: facts derived from scene and settings, and the context's resources.
+// State that all passes of one frame share: facts derived from scene and settings, and resources of the context.
 #pragma once
 
 #include <array>
@@ -28,26 +28,29 @@
 
 namespace si {
 
+/// Largest number of panes in the split view.
 inline constexpr int kMaxPanes = 4;
+/// Number of images that hold the visible surfaces.
 inline constexpr int kVisibleSurfaceImages = 5;  ///< see lib/seen_surface.glsl
 
-/// Depths of all that a camera sees, as its depth buffer held them.
+/// Measured depth range of the surfaces that a camera sees.
 struct VisibleDepths {
-    std::uint64_t key = 0;          ///< FrameState::surfaces_key() of what was seen
-    std::optional<DepthSpan> span;  ///< metres; nothing: it saw nothing
+    std::uint64_t key = 0;          ///< FrameState::surfaces_key() at the measurement
+    std::optional<DepthSpan> span;  ///< metres; nullopt: no surface is visible
     PassInfo info;
 };
 
-/// Buffers of what all shaders of a frame read: see frame/blocks.h.
+/// Buffers of the uniform blocks that all shaders read: see frame/blocks.h.
 struct Blocks {
     TexelBuffer frame{"frame uniforms"}, settings{"settings uniforms"};
-    TexelBuffer disk{"places of disks"};  ///< of kernels that sample a circle
+    TexelBuffer disk{"places of disks"};  ///< sample positions of disk kernels
 };
 
 struct SceneFindings;
 struct CasterFindings;
 
-/// What outlives a frame and is no pass's own: programs, blocks, samplers, the scene, fitted lights.
+/// GPU resources that outlast a frame and belong to no single pass: programs, blocks, samplers, the scene, fitted
+/// lights.
 struct Resources {
     std::shared_ptr<gl::ProgramCache> shared_programs;  ///< see Renderer's constructor
     gl::ProgramCache& programs;
@@ -55,16 +58,16 @@ struct Resources {
     gl::VertexArray empty_vao;
     gl::Sampler map_nearest, map_compare, map_blended;
     std::unique_ptr<SceneGpu> scene;
-    gl::Target camera_depth;               ///< of the picture's size; its key is of the surfaces that are in it
-    std::shared_ptr<SceneFindings> found;  ///< see optimisations/scene_findings.h
+    gl::Target camera_depth;                          ///< depth of the picture's surfaces, with their key
+    std::shared_ptr<SceneFindings> found;             ///< see optimisations/scene_findings.h
     std::shared_ptr<CasterFindings> caster_findings;  ///< see passes/caster_findings.h
     PlacedLights placed;
-    std::vector<FittedLight> fitted_without_camera;  ///< fitted without a camera
+    std::vector<FittedLight> fitted_without_camera;  ///< lights fitted without a camera
     std::uint64_t as_placed_key = 0;
-    std::vector<FittedLight> fitted;  ///< for the frame's camera where a fit reads it
+    std::vector<FittedLight> fitted;  ///< lights fitted for the frame's camera
     std::uint64_t fit_key = 0;
     VisibleDepths seen;
-    /// Which drawing each key of contents is from; drawings are counted.
+    /// Number of the last drawing by the address of its content key; drawings are counted up.
     std::map<const std::uint64_t*, std::uint64_t> drawings;
     std::uint64_t last_drawing = 0;
 
@@ -72,6 +75,7 @@ struct Resources {
         : shared_programs(std::move(of)), programs(*shared_programs) {}
 };
 
+/// State of one frame during planning and drawing: inputs, derived facts, plan and resources.
 struct FrameState {
     const Scene& scene;
     Settings settings;  ///< sanitised and within the driver's limits
@@ -80,100 +84,121 @@ struct FrameState {
     const DriverInfo& driver;
 
     Camera camera;
-    std::optional<DepthSpan> seen_m;  ///< depths of all that it sees, where a fit asks for them
-    glm::dvec3 origin{0};             ///< of camera-relative positions
-    std::vector<int> first_view;      ///< per light: its first layer
+    std::optional<DepthSpan> seen_m;  ///< measured depths of visible surfaces, where a fit needs them
+    glm::dvec3 origin{0};             ///< world origin of camera-relative positions
+    std::vector<int> first_view;      ///< by light: layer of its first view
     int view_count = 0;
     int map_resolution = 0;
-    /// As gl::Target counts layers: 0 for a single view.
+    /// Returns the layer count of map textures; 0 for a single view, which is a plain 2-D texture.
     int map_layers() const { return view_count > 1 ? view_count : 0; }
-    GLenum map_format() const;                          ///< as OpenGL names it
-    bool blurs_depths() const;                          ///< map.blur_texels has maps to blur
-    bool has_contact_shadows(std::size_t light) const;  ///< contact shadows darken the light
-    bool may_light_picture(std::size_t light) const;  ///< the light may change the picture: else shading leaves it out
-    bool shades_as_lit(std::size_t light) const;      ///< shading looks nothing up of it: see is_always_lit()
-    bool paged = false;  ///< the maps are drawn by pages: there are some, and map.virtual acts
+    /// Returns the OpenGL format of map textures.
+    GLenum map_format() const;
+    /// Returns true when map.blur_texels blurs stored depths of some map.
+    bool blurs_depths() const;
+    /// Returns true when contact shadows darken a light.
+    bool has_contact_shadows(std::size_t light) const;
+    /// Returns true when a light may change the picture; shading leaves out other lights.
+    bool may_light_picture(std::size_t light) const;
+    /// Returns true when shading treats a light as unshadowed and skips its look-up: see is_always_lit().
+    bool shades_as_lit(std::size_t light) const;
+    bool paged = false;  ///< maps are virtual and drawn by pages (map.virtual)
     bool separate_visibility = false;
-    glm::ivec2 pixel_origin{0};                ///< of the picture's pixel that is (0, 0) in what is drawn
-    std::vector<glm::vec2> disk_texels;        ///< places of the kernel's disks that shaders read from an image
+    glm::ivec2 pixel_origin{0};                ///< picture position of pixel (0, 0) of the target
+    std::vector<glm::vec2> disk_texels;        ///< disk sample positions that shaders read from an image
     bool filter_sampler = false;               ///< the kernel compares in a shadow sampler
-    std::vector<gl::Define> defines;           ///< from settings and kernel
-    Key geometry_key, camera_key, lights_key;  ///< what results depend on
+    std::vector<gl::Define> defines;           ///< defines from settings and kernel
+    Key geometry_key, camera_key, lights_key;  ///< keys of the inputs that results depend on
     std::vector<std::string> notes;
 
-    /// Panes that show the same share one slot, which is the first such pane's number.
+    /// One pane of the split view. Panes that show the same share a slot: the number of the first such pane.
     struct ShownPane {
         int overlay = 0;  ///< as view.overlay
         int slot = 0;
-        bool lacks_reference = false;  ///< `overlay` is 0 for that
+        bool lacks_reference = false;  ///< `overlay` is 0 for lack of a reference
+        /// Returns the table row of the pane's overlay; null without an overlay.
         const Overlay* row() const { return overlay > 0 ? &overlays()[std::size_t(overlay - 1)] : nullptr; }
     };
     std::vector<ShownPane> panes;
-    bool slabs_shown = false;           ///< view.slabs has a map to show
-    ReferenceNeed reference;            ///< what the frame needs of a truth, and whether request.truth is it
-    std::vector<ReferenceNeed> traced;  ///< as FrameResult::traced
-    /// What rays found for a light whose source is ray traced; null: its source is another, or they are not traced yet.
+    bool slabs_shown = false;           ///< view.slabs shows texels of a map as quads
+    ReferenceNeed reference;            ///< reference that the frame needs, see FrameResult::reference
+    std::vector<ReferenceNeed> traced;  ///< by light, see FrameResult::traced
+    /// Ray-traced visibility by light. Null: the light's source is not ray tracing, or it is not traced yet.
     std::vector<const ReferencePicture*> traced_pictures;
-    std::vector<LightMapNeed> light_maps;  ///< as FrameResult::light_maps
-    /// The baked one of a light whose source it is; null: its source is another, or it is not baked yet.
+    std::vector<LightMapNeed> light_maps;  ///< by light, see FrameResult::light_maps
+    /// Baked light map by light. Null: the light's source is not a light map, or it is not baked yet.
     std::vector<const LightMap*> light_map_of_light;
-    std::uint64_t reference_content = 0;  ///< key of what of it is used
+    std::uint64_t reference_content = 0;  ///< key of the reference's values in use
     Plan plan;                            ///< see plan_frame()
-    /// What of each of the maps is drawn: of the rest nothing is read. Once their passes are planned.
+    /// Drawn cells of each map layer; look-ups read nothing outside them. Valid once the map passes are planned.
     std::vector<MapCells> drawn_cells_by_layer;
-    Key maps_extent;                    ///< of what the maps hold of all that they could; the same
-    bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; the same
-    bool camera_depth_renewed = false;  ///< where the request forces it: once a frame
+    Key maps_extent;                    ///< key of drawn_cells_by_layer; valid once the map passes are planned
+    bool maps_are_whole = true;         ///< FrameResult::maps_are_whole; valid once the map passes are planned
+    bool camera_depth_renewed = false;  ///< camera depth was redrawn in this frame, for FrameRequest::force
 
-    /// How shaders read numbers of Blocks.
+    /// Returns true when shaders read the blocks' numbers from buffer images in place of uniform blocks.
     bool blocks_as_images() const { return request.blocks_as_images.value_or(driver.blocks_as_images); }
-    /// An image of a result; one without a texture where nothing of the frame makes it.
+    /// Returns an image of a result. The target has no texture where no pass of the frame makes the result.
     const gl::Target& result(const ResultRef& of, std::size_t image = 0) const { return plan.target(of, image); }
-    /// Binds results to the texture units that they were placed at. Done before each pass for what it reads.
-    void bind(std::span<const ResultRef> results) const;
-    void bind(std::initializer_list<ResultRef> results) const { bind(std::span(results.begin(), results.size())); }
+    /// Binds results to the texture units at which the plan placed them. Done for each pass before it runs, for its
+    /// reads.
+    void bind_results(std::span<const ResultRef> results) const;
+    /// Binds results to their texture units.
+    void bind_results(std::initializer_list<ResultRef> results) const {
+        bind_results(std::span(results.begin(), results.size()));
+    }
 
-    /// The view of a light whose map is shown (view.light, view.face), or null. `layer` is its layer of the maps.
+    /// Returns the map view of view.light and view.face; null without a map.
+    /// @param[out] layer layer of this view in the map textures
     const LightView* shown_view(int* layer = nullptr) const;
-    /// The depth curve of what the map viewer shows, or null when there is nothing to show.
+    /// Returns the depth curve of the image in the map viewer; null when the viewer shows none.
     const DepthCurve* shown_curve() const;
-    /// The mip level of the moment that the map viewer shows.
+    /// Returns the mip level of the moments that the map viewer shows.
     int shown_mip() const;
-    /// Whether the map viewer's greys follow what is drawn (view.map_fit).
+    /// Returns true when the map viewer's grey range follows the drawn depths (view.map_fit).
     bool fits_grey_range() const;
-    /// Of the surfaces that the camera sees, in the size of the picture.
+    /// Returns the key of the surfaces that the camera sees, at the picture's size.
     Key surfaces_key() const;
-    /// Of the settings that a kind of pass reads itself (Param::read_by), on top of `from`.
+    /// Returns `from` plus the settings that a kind of pass reads itself (Param::read_by).
     Key with_settings(Key from, ReadBy pass) const;
-    /// Of what shaders find out about their light and shadow, but for what they sample.
+    /// Returns the key of visible surfaces, lights and look-ups, without the contents of sampled textures.
     Key lighting_key() const;
-    /// The same for the light shown.
+    /// Returns lighting_key() for a pass that evaluates view.light alone.
     Key shown_light_key() const { return with_settings(lighting_key(), ReadBy::OneLight); }
-    /// The results that are a pane's finished picture and its overlay's values.
-    ResultRef picture_of(const ShownPane& pane) const;
-    ResultRef values_of(const ShownPane& pane) const;
+    /// Returns the result that is a pane's finished picture.
+    ResultRef pane_picture_result(const ShownPane& pane) const;
+    /// Returns the result that holds the values of a pane's overlay.
+    ResultRef pane_values_result(const ShownPane& pane) const;
     std::string preamble;      ///< GLSL before every shader: settings block, facts about the lights
-    bool mask_levels = false;  ///< some caster's mask may be read from a coarser mip level
-    /// Whether the unfiltered map is not the map as drawn, but one of its own.
+    bool mask_levels = false;  ///< some caster's mask may be sampled at a coarser mip level
+    /// Returns true when the unfiltered map differs from the map as drawn and needs a pass of its own.
     bool needs_unfiltered_map() const;
     bool surface_flags = false;  ///< some object or material needs the per-object flags
 
-    /// The program of a scene or full-screen pass under the frame's settings. Of the extra defines those whose name
-    /// ends in _FILE say which file such an include stands for; others take the place of the frame's of their name.
+    /// Returns the shader program of a scene or full-screen pass under the frame's settings, compiled on first use.
+    /// @param extra more defines, which override the frame's; one whose name ends in _FILE selects an include's file
+    /// @throws Error when a shader does not compile
     GLuint program(std::string_view vertex, std::string_view fragment, std::vector<gl::Define> extra = {}) const;
-    /// Draws the batches that `filter` accepts from the camera with the fragment shader given, textures bound.
+    /// Draws the opaque and masked batches that the camera sees, with textures bound.
+    /// @param fragment fragment shader file
+    /// @param[out] info draw and triangle counts
     void draw_from_camera(std::string_view fragment, const std::vector<gl::Define>& extra, PassInfo& info) const;
-    /// The program for one batch, with what its material and objects call for.
+    /// Returns the shader program for one batch, with the defines for its material.
+    /// @param alpha_only leaves out textures other than the alpha mask
     GLuint batch_program(std::string_view vertex, std::string_view fragment, const std::vector<gl::Define>& extra,
                          const Batch& batch, bool alpha_only) const;
-    /// Binds what the batch's fragments sample.
+    /// Binds the textures that a batch's fragments sample.
     void bind_textures(const Batch& batch) const;
-    /// Prepares depth test and write as passes from the camera have them; see CameraPass for those of the picture.
+    /// Binds a framebuffer of the picture's size and sets depth test, clip control and blending for drawing from the
+    /// camera. CameraPass does this for the picture's own passes.
     void begin_camera_pass(GLuint framebuffer) const;
-    /// Prepares a pass that computes every pixel of a framebuffer by one triangle; draw it with draw_fullscreen().
+    /// Binds a framebuffer and sets the state for computing every pixel by one triangle. Follow with draw_fullscreen().
+    /// @param width, height pixels
     void begin_fullscreen_pass(GLuint framebuffer, int width, int height) const;
+    /// Draws one triangle over the whole viewport, after begin_fullscreen_pass().
+    /// @param[out] info draw and triangle counts
     static void draw_fullscreen(PassInfo& info);
-    /// Draws no more than these pixels of it.
+    /// Draws one triangle over these rectangles of the viewport only, after begin_fullscreen_pass().
+    /// @param[out] info draw and triangle counts
     static void draw_fullscreen(std::span<const TexelRect> rects, PassInfo& info);
 };
 

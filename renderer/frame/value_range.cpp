@@ -6,9 +6,9 @@
 namespace si {
 namespace {
 
-constexpr double kCutShare = 0.01;  ///< of the values at each end
+constexpr double kCutShare = 0.01;  ///< share of values cut at each end
 
-/// The value below which `share` of all lie (nearest rank).
+/// Returns the value below which `share` of all values lie (nearest rank).
 float percentile(std::vector<float>& values, double share) {
     const auto rank = std::ptrdiff_t(std::lround(share * double(values.size() - 1)));
     std::nth_element(values.begin(), values.begin() + rank, values.end());

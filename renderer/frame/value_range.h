@@ -1,4 +1,4 @@
-// A colour scale's range from the values it is to show.
+// Range of a colour scale, found from the values to show.
 #pragma once
 
 #include <optional>
@@ -7,16 +7,17 @@
 
 namespace si {
 
+/// Smallest and largest value of a colour scale.
 struct ValueRange {
     float min = 0, max = 1;
     bool operator==(const ValueRange&) const = default;
 };
 
-/// From the 1st to the 99th percentile of the finite values where something was drawn, so that a few extreme pixels
-/// do not flatten the scale. At least a thousandth of its largest value wide.
-/// @param values RGBA as FrameResult::overlay has them: the value in x, a > 0 where drawn
+/// Fits a colour scale to overlay values: from the 1st to the 99th percentile of finite values. Extreme pixels
+/// therefore do not flatten the scale. The range is at least a thousandth of its largest value wide.
+/// @param values RGBA as in FrameResult::overlay: the value in x, a > 0 where drawn
 /// @param diverging the scale is centred on zero: the range is symmetric
-/// @return nothing when no pixel has a value
+/// @return nullopt when no pixel has a value
 std::optional<ValueRange> fitted_range(const FloatImage& values, bool diverging);
 
 }  // namespace si

@@ -79,7 +79,7 @@ void page_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
             fmt::format("{} of {} pages that look-ups may read were drawn before, and nothing in them changed.", p.kept,
                         p.wanted));
     if (unread > 0)
-        add("pages that nothing reads", EffectState::NotNeeded,
+        add("pages that no pass reads", EffectState::NotNeeded,
             fmt::format("{} of {} pages are within no visible pixel's kernel.", unread, maps * side * side));
     out.push_back(part_of(pass, "alpha test in pages", f.masked_casters > 0, masks_text(f)));
 }
@@ -114,7 +114,7 @@ bool skips(const EffectFacts& f, std::string_view name) {
 }
 
 std::string reference_unrequested(const EffectFacts& f) {
-    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "no requested output needs the reference" : "";
 }
 
 std::string viewer_unasked(const EffectFacts& f) {
@@ -123,7 +123,7 @@ std::string viewer_unasked(const EffectFacts& f) {
 }
 
 std::string causes_unasked(const EffectFacts& f) {
-    return skips(f, "causes found") && skips(f, "trials of every pixel") ? "not needed: causes are not shown" : "";
+    return skips(f, "causes found") && skips(f, "trials of all pixels") ? "not needed: causes are not shown" : "";
 }
 
 // The table -----------------------------------------------------------------------------------------------------------
@@ -133,10 +133,10 @@ std::string causes_unasked(const EffectFacts& f) {
 
 /// The first row that a pass's name begins like counts.
 const EffectRow kRows[] = {
-    {.pass = "depths seen",
+    {.pass = "visible depths",
      .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
-     .absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
-    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
+     .absent = SI_ABSENT("no map is fitted to visible depths (light.depth_bounds)")},
+    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: look-ups need some pages")},
     {.pass = "pages of shadow maps",
      .why = why_pages,
      .parts = page_parts,
@@ -151,8 +151,8 @@ const EffectRow kRows[] = {
      .why = [](const EffectFacts& f,
                const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
     {.pass = "moments", .why = why_moments, .parts = moment_parts},
-    {.pass = "camera depth", .why = SI_WHY("something reads the depth that the camera sees")},
-    {.pass = "surface ids", .why = SI_WHY("somebody asks which triangle each pixel shows")},
+    {.pass = "camera depth", .why = SI_WHY("a pass reads the camera's depth")},
+    {.pass = "surface ids", .why = SI_WHY("a pass reads triangle numbers")},
     {.pass = "shadow volumes",
      .why =
          [](const EffectFacts& f, const PassInfo& pass) {
@@ -160,7 +160,7 @@ const EffectRow kRows[] = {
              return fmt::format("{} is {}", light_setting_key(light, "source"), source_of(f.settings, int(light)).key);
          },
      .absent = SI_ABSENT("no light's source is shadow volumes")},
-    {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
+    {.pass = "visible surfaces", .why = SI_WHY("a pass evaluates pixels again, apart from the picture")},
     {.pass = "blobs",
      .why = SI_WHY("light.source of a light is blob"),
      .absent = SI_ABSENT("no light's source is blob")},
@@ -169,40 +169,38 @@ const EffectRow kRows[] = {
      .absent = SI_ABSENT("no light's source is a light map that is baked")},
     {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
     {.pass = "unfiltered map",
-     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
+     .why = SI_WHY("wrong pixels are requested, and polygon offset or masks with mip levels change the map"),
      .unasked = causes_unasked},
-    {.pass = "truth uploaded",
-     .name = "truth on the GPU",
-     .why = SI_WHY("something shown needs the traced truth"),
+    {.pass = "reference uploaded",
+     .name = "reference on the GPU",
+     .why = SI_WHY("a shown value needs the ray-traced reference"),
      .unasked = reference_unrequested},
-    {.pass = "pixels compared",
-     .why = SI_WHY("somebody asks which pixels are wrong"),
-     .unasked = reference_unrequested},
-    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = reference_unrequested},
-    {.pass = "errors summed up",
+    {.pass = "pixels compared", .why = SI_WHY("wrong pixels are requested"), .unasked = reference_unrequested},
+    {.pass = "causes found", .why = SI_WHY("causes of wrong pixels are requested"), .unasked = reference_unrequested},
+    {.pass = "error metrics",
      .name = "metrics",
-     .why = SI_WHY("somebody asks for the picture's errors"),
+     .why = SI_WHY("error metrics are requested"),
      .unasked = reference_unrequested},
-    {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
-    {.pass = "shading by the truth",
-     .why = SI_WHY("the picture is compared with the one lit by the truth"),
+    {.pass = "trials of all pixels", .why = SI_WHY("all trials are requested")},
+    {.pass = "shading by the reference",
+     .why = SI_WHY("the picture is compared with one lit by the reference"),
      .unasked = reference_unrequested},
-    {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
-    {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
+    {.pass = "shading", .why = SI_WHY("the picture is requested"), .parts = shading_parts},
+    {.pass = "smoothing", .why = SI_WHY("the view is static, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
     {.pass = "texel slabs",
      .name = "stored-depth quads",
      .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
-    {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
-    {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
+    {.pass = "map coordinates", .why = SI_WHY("texels read by pixels are shown")},
+    {.pass = "texels read", .why = SI_WHY("the exact set of texels read is requested")},
     {.pass = "map channel",
      .why = SI_WHY("view.map_channel shows a moment in place of depth"),
      .unasked = viewer_unasked},
     {.pass = "drawn depth range",
      .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
      .unasked = viewer_unasked},
-    {.pass = "numeric health", .why = SI_WHY("somebody asks whether all numbers are sound")},
+    {.pass = "numeric health", .why = SI_WHY("a check of all numbers is requested")},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
 
@@ -262,12 +260,12 @@ void add_static(const EffectFacts& f, int animation, Effects& out) {
         for (const PartInfo& part : pass.parts)
             if (part.by == Optimisation::StaticCasterCache) return;
     const auto has_map = [](const FittedLight& light) { return light.casts; };
-    std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
+    std::string_view why = "nothing moved since the previous frame: maps are cached or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
-        why = "nothing moves here: maps are kept as they are, or drawn whole";
-    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::StaticCasterCache});
+        why = "nothing moves in this scene: maps are cached or drawn whole";
+    out.push_back({.name = "static casters", .reason = sentence(why), .saving = Optimisation::StaticCasterCache});
 }
 
 void count_casters(EffectFacts& f) {

@@ -46,9 +46,7 @@ std::string search_text(const EffectFacts& f, const std::string& no_size) {
     const std::string kernel = f.kernel();
     const Search search = search_of(f.filter());
     const bool forced = f.forced.contains(Optimisation::BlockerSearch);
-    if (search == Search::None)
-        return fmt::format("kernel {} is as wide however far off what stands before a pixel is: nothing looks for it",
-                           kernel);
+    if (search == Search::None) return fmt::format("the kernel {} has a fixed width", kernel);
     if (search == Search::Rays) {
         if (no_size.empty())
             return fmt::format("kernel {} follows rays from each pixel to places of the light, up to what they meet",

@@ -46,7 +46,7 @@ public:
         depth_.ensure("probe depth", GL_DEPTH_COMPONENT32F, 2, 2);
         framebuffer_ = gl::make_framebuffer("probe", targets_, depth_);
         f.begin_camera_pass(framebuffer_.id());
-        f.bind(kernel_inputs(f));
+        f.bind_results(kernel_inputs(f));
         const float far_depth = float(f.camera.curve.convention.far_depth());
         glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far_depth);
         glViewportIndexedf(0, float(-(x_ & ~1)) + at.shift.x, float(-(y_ & ~1)) + at.shift.y, float(f.request.width),
@@ -99,7 +99,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     taps.ensure("taps", GL_RGBA32F, width, 1);
     const gl::Framebuffer framebuffer = gl::make_framebuffer("taps", &taps, nullptr);
     f.begin_fullscreen_pass(framebuffer.id(), width, 1);
-    f.bind(kernel_inputs(f));
+    f.bind_results(kernel_inputs(f));
     bind_visible_surfaces(seen.block.targets());
     defines.push_back({"LIGHT_INDEX", std::to_string(light)});
     const GLuint program = f.program("passes/fullscreen.vert.glsl", "passes/taps.frag.glsl", std::move(defines));
@@ -156,7 +156,7 @@ KernelFacts draw_kernel_facts(FrameState& f, const SeenPixel& seen, int light) {
 
 CauseEvidence draw_trials(FrameState& f, const BlockPlace& at, int light) {
     const Block<kEvidenceImages> block(f, at);
-    f.bind({Result::UnfilteredMap});
+    f.bind_results({Result::UnfilteredMap});
     PassInfo info;
     draw_evidence(f, light, false, info);
     std::array<glm::vec4, kEvidenceImages> values;
@@ -205,7 +205,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
     maps.force = maps.timing = false;
     const FrameResult frame = render(scene, settings, maps);
     const SurfaceIds ids = read_surface_ids(frame.surface_ids);
-    FrameState f = impl_->prepare(scene, settings, maps);
+    FrameState f = impl_->prepare_frame(scene, settings, maps);
     f.pixel_origin = {x & ~1, (request.height - 1 - y) & ~1};  // the block of pixels that is drawn
     impl_->plan_frame(f);
     upload_blocks(f);

@@ -1,4 +1,4 @@
-// A soft disc below each caster, along the light, for lights whose source that is.
+// Pass that draws blob shadows: a soft disc below each caster, along the light.
 #include "renderer/passes/blobs.h"
 
 #include <fmt/format.h>
@@ -12,23 +12,24 @@
 namespace si {
 namespace {
 
-constexpr double kWidest = 0.25;  ///< of the scene's radius: wider casters are what others stand on
+constexpr double kMaxCasterShare = 0.25;  ///< share of the scene's radius; wider casters carry others and have no blob
 
 bool draws_blobs(const FrameState& f, std::size_t light) {
     return f.gl.fitted[light].shadowed && source_of(f.settings, int(light)).needs.blobs;
 }
 
-/// Middle, relative to the frame's origin, and radius of the disc there, metres.
+/// Returns the discs of a light: centre relative to the frame's origin, and radius, metres.
 std::vector<glm::vec4> discs(const FrameState& f, const FittedLight& light) {
     std::vector<glm::vec4> out;
-    const double widest = kWidest * f.scene.bounds.radius();
+    const double widest = kMaxCasterShare * f.scene.bounds.radius();
     for (const Object& object : f.scene.objects) {
         if (!can_cast(f.scene, f.settings, object)) continue;
         const Bounds& local = f.scene.meshes[std::size_t(object.mesh)].bounds;
         const glm::dvec3 middle(object.world * glm::dvec4(local.centre(), 1));
         const glm::dvec3 axis =
             light.type == LightType::Directional ? light.to_light : glm::normalize(light.position - middle);
-        // A box's half width along a direction is the sum of its half axes' parts; the mean square of two across.
+        // Half width of a box along a direction: the sum over its half axes. The radius is the root mean square of two
+        // perpendicular directions.
         double squares = 0;
         for (int k = 0; k < 3; ++k) {
             const glm::dvec3 half = 0.5 * (local.hi[k] - local.lo[k]) * glm::dvec3(object.world[k]);
@@ -69,7 +70,7 @@ void draw_light(const FrameState& f, const gl::Target& into, int light, PassInfo
     const double endless = 2 * f.scene.bounds.radius();
     glUniform1f(glGetUniformLocation(id, "end_m"), float(blob.reach > 0 ? blob.reach * widest : endless));
     glUniform4f(glGetUniformLocation(id, "blob"), float(blob.softness), float(blob.opacity), float(blob.reach), 0);
-    // The far sides alone: each pixel once, also with the camera inside.
+    // Only back faces are drawn: each pixel once, even with the camera inside.
     glEnable(GL_CULL_FACE);
     glCullFace(GL_FRONT);
     glFrontFace(GL_CCW);
@@ -91,22 +92,22 @@ void BlobPass::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (draws_blobs(f, i)) lights.push_back(int(i));
     if (lights.empty()) {
-        f.plan.release([this] { lit_ = {}; });
+        f.plan.release_later([this] { lit_ = {}; });
         return;
     }
-    f.plan.place(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
+    f.plan.place_result(Result::Blobs, {&lit_, shared::UNIT_BLOBS});
     Pass pass;
     pass.name = "blobs";
     pass.category = PassCategory::Maps;
-    pass.reads = {Result::SurfacesSeen};
+    pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::Blobs};
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Blobs);
     for (const int light : lights) key.add(light);
     pass.key = key.value();
     pass.cached = &lit_.key;
     pass.run = [this, &f, lights](PassInfo& info) { run(f, lights, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void BlobPass::run(const FrameState& f, const std::vector<int>& lights, PassInfo& info) {

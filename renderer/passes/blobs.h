@@ -1,4 +1,4 @@
-// Blob shadows.
+// Pass that draws blob shadows.
 #pragma once
 
 #include <vector>
@@ -14,9 +14,12 @@ public:
     void declare(FrameState& f) override;
 
 private:
+    /// Draws the blob shadows of `lights` into their layers of the visibility image. Called when the plan runs the
+    /// pass.
+    /// @param[out] info draw counts
     void run(const FrameState& f, const std::vector<int>& lights, PassInfo& info);
 
-    gl::Target lit_;  ///< R16F, a layer a light: what the blobs leave of it
+    gl::Target lit_;  ///< R16F, a layer for each light: visibility 1 to 0
 };
 
 }  // namespace si

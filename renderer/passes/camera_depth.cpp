@@ -1,5 +1,5 @@
-// The camera's depth: brought by the first pass from the camera, or by itself for what reads it, the map viewer and the
-// texel slabs.
+// Camera depth: drawn by the first pass from the camera, or by its own pass where only the map viewer or texel quads
+// read it.
 #include "renderer/passes/camera_depth.h"
 
 #include "renderer/passes/camera_pass.h"
@@ -7,7 +7,8 @@
 namespace si {
 namespace {
 
-/// As large as the picture; of unknown contents where a frame is to be drawn anew.
+/// Returns the camera depth image, resized to the picture. Its key is cleared once a frame if the request forces a
+/// redraw.
 gl::Target& camera_depth(FrameState& f) {
     gl::Target& depth = f.gl.camera_depth;
     depth.ensure("camera depth", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
@@ -54,15 +55,15 @@ CameraPass& CameraPass::clear(const glm::uvec4& value) {
 
 void CameraDepthPass::declare(FrameState& f) {
     gl::Target& depth = f.gl.camera_depth;
-    f.plan.place(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
+    f.plan.place_result(Result::CameraDepth, {&depth, shared::UNIT_CAMERA_DEPTH});
     Pass pass;
     pass.name = "camera depth";
     pass.writes = {Result::CameraDepth};
-    pass.idle_reason = "nothing reads it: each pass from the camera brings its own depth test";
+    pass.idle_reason = "no pass reads it: each pass from the camera tests depth itself";
     pass.key = f.surfaces_key().value();
     pass.cached = &depth.key;
     pass.run = [&f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void CameraDepthPass::run(FrameState& f, PassInfo& info) {

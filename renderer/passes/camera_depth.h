@@ -1,4 +1,4 @@
-// The camera's depth as a pass of its own.
+// Pass that draws the camera's depth alone.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,13 +6,15 @@
 
 namespace si {
 
-/// Draws the depth that the camera sees (Resources::camera_depth) for passes that read it. Where any pass from the
-/// camera (CameraPass) has run before, it is there already.
+/// Draws the depth of visible surfaces (Resources::camera_depth) for passes that read it. Does nothing where another
+/// pass from the camera (CameraPass) has already drawn the depth.
 class CameraDepthPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
+    /// Draws the depth of visible surfaces for the camera. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     static void run(FrameState& f, PassInfo& info);
 };
 

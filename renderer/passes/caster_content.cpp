@@ -27,7 +27,9 @@ std::uint64_t content_of(const Texture& t) {
     return key.bytes(t.rgba.data(), t.rgba.size()).value();
 }
 
-/// @param deformed of the meshes that change with the pose, by number
+/// Returns the content key of a mesh.
+/// @param masked with the alpha mask's content
+/// @param[in,out] deformed keys of deformed meshes by number, 0: not computed yet
 std::uint64_t content_of_mesh(const FrameState& f, std::size_t number, bool masked,
                               std::vector<std::uint64_t>& deformed) {
     const Mesh& mesh = f.scene.meshes[number];

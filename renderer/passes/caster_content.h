@@ -1,4 +1,5 @@
-// What casters are, whichever scene they are of: by it what is drawn of them outlasts what moves elsewhere.
+// Keys of casters by their content, independent of the scene object. Cached map contents stay valid while other objects
+// move.
 #pragma once
 
 #include "renderer/frame/state.h"
@@ -6,7 +7,8 @@
 
 namespace si {
 
-/// Found once for each arrangement of a scene; meshes and textures that poses share once for all of these.
+/// Returns the content keys of all casters in the frame's scene. Keys are computed once for each arrangement; keys of
+/// meshes and textures are shared by all poses.
 const CasterContent& caster_content(const FrameState& f);
 
 }  // namespace si

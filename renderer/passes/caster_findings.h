@@ -1,4 +1,4 @@
-// Facts that passes find of the casters once and keep between frames.
+// Facts about casters that passes compute once and keep between frames.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@
 namespace si {
 namespace {
 
-/// Culling of casters: the object's own choice before the scene's.
+/// Returns the culling of a batch's casters: the object's choice, else the scene's.
 Cull cull_of(const FrameState& f, const Batch& batch) {
     return cull_in_force(batch.cull, f.settings.caster.cull);
 }
@@ -51,22 +51,22 @@ void set_raster_bias(const FrameState& f, bool reversed) {
 
 constexpr std::size_t kMostSides = 1024;
 
-/// Sine of the angle to a ray below which a side is taken to be seen edge-on.
+/// Sine of the angle to a ray below which a side counts as edge-on.
 constexpr double kEdgeOn = 1e-4;
 
-/// Of meshes of which each instance is asked whether it is seen well: more are seldom all seen so.
-constexpr std::size_t kMostFlatSides = 64;
-/// Texels that a triangle has to be wide for what floats make of its corners.
-constexpr double kLeastWidth = 0.01;
-/// Steps of a rasteriser's grid by which a texel that it takes for covered may lie beside a triangle.
-constexpr double kStepsBeside = 4;
-/// Of a map's side, in which depths of triangles are counted from one corner: what floats make of that.
-constexpr double kFloatSide = 1e-6;
+/// Largest number of sides for the per-instance edge-on test. Meshes with more sides rarely pass it.
+constexpr std::size_t kMaxFlatSides = 64;
+/// Smallest height of a triangle in texels at which rounding of its corners does not matter.
+constexpr double kMinTriangleTexels = 0.01;
+/// Distance from a triangle, in steps of the rasteriser's grid, at which a texel may still count as covered.
+constexpr double kRasterPadSteps = 4;
+/// Rounding error of single-precision positions within a map, as share of its side.
+constexpr double kFloatPositionError = 1e-6;
 
-/// Of a view's near plane: what begins nearer to a light may cover any texel.
-constexpr double kBeforeShare = 1e-3;
-/// Around what a caster covers.
-constexpr double kCasterRoomTexels = 2;
+/// Share of a view's near plane. Casters nearer to the light may cover any texel.
+constexpr double kMinDepthShare = 1e-3;
+/// Padding in texels around the texels that a caster covers.
+constexpr double kCasterPadTexels = 2;
 
 MeshSides sides_of(const Mesh& mesh) {
     std::map<std::array<int, 3>, MeshSide> sides;
@@ -94,8 +94,8 @@ const MeshSides& sides_of(FrameState& f, std::size_t mesh) {
     return *sides;
 }
 
-/// Where a view's rays come from, relative to its origin: a point with w of 1 or, of parallel rays, a direction with w
-/// of 0, up to a factor.
+/// Returns the origin of a view's rays, relative to the view's origin: a point with w = 1, or for parallel rays a
+/// direction with w = 0, up to a factor.
 glm::dvec4 ray_source(const glm::dmat4& clip) {
     const auto without = [&](int column) {
         glm::dmat3 m;
@@ -106,10 +106,10 @@ glm::dvec4 ray_source(const glm::dmat4& clip) {
     return {without(0), -without(1), without(2), -without(3)};
 }
 
-/// The programs that casters of one batch after another are drawn with.
+/// Shader programs for drawing casters, batch after batch.
 class CasterPrograms {
 public:
-    /// @param drops what rounding draws from beyond the range is left out
+    /// @param drops discards fragments that rounding moved outside the depth range
     CasterPrograms(const FrameState& f, const CasterView& view, bool drops) : f_(f), view_(view), drops_(drops) {}
 
     void use(const Batch& batch, bool bare) {
@@ -139,7 +139,7 @@ private:
     const CasterView& view_;
     const bool drops_;
     std::optional<Batch> previous_;
-    std::array<GLuint, 2> made_{};  ///< for such batches: with a fragment shader, and bare
+    std::array<GLuint, 2> made_{};  ///< programs for opaque batches: with and without fragment shader
     GLuint current_ = 0, texture_ = 0;
 };
 
@@ -150,7 +150,7 @@ public:
                  PassInfo& info)
         : f_(f),
           view_(view),
-          which_(view.which),
+          choice_(view.choice),
           seen_(seen),
           programs_(programs),
           info_(info),
@@ -170,7 +170,7 @@ public:
         finish(run);
     }
 
-    SkippedCasters spared;
+    SkippedCasters skipped;
 
 private:
     struct Run {
@@ -180,7 +180,7 @@ private:
 
     FrameState& f_;
     const CasterView& view_;
-    const CasterChoice& which_;
+    const CasterChoice& choice_;
     const InstancePartsQuery& seen_;
     CasterPrograms& programs_;
     PassInfo& info_;
@@ -190,36 +190,38 @@ private:
     glm::dmat4 uvd_from_relative_;
     std::vector<IndexRange> parts_;
 
-    /// Lengthens the run by an instance, or draws it and what can be seen of the instance.
+    /// Adds an instance to the run, or draws the run and the needed parts of the instance.
     void add(const Batch& batch, GLuint instance, bool closed, Run& run) {
-        if (which_.only && !(*which_.only)[instance]) return finish(run);
+        if (choice_.only && !(*choice_.only)[instance]) return finish(run);
         if (skips_ && sight_.is_outside(box_of(instance))) {
-            ++spared.beside;
+            ++skipped.outside_map;
             return finish(run);
         }
-        if (which_.called && !covers_needed(box_of(instance))) {
-            ++spared.unread;
+        if (choice_.needed && !covers_needed(box_of(instance))) {
+            ++skipped.unread;
             return finish(run);
         }
-        const Seen what = seen_ ? seen_(instance, parts_) : which_.called ? needed_part_of(instance) : Seen::Whole;
-        if (what == Seen::Parts && parts_.empty()) {
-            ++spared.unread;
+        const InstanceParts what = seen_            ? seen_(instance, parts_)
+                                   : choice_.needed ? needed_part_of(instance)
+                                                    : InstanceParts::Whole;
+        if (what == InstanceParts::Parts && parts_.empty()) {
+            ++skipped.unread;
             return finish(run);
         }
-        if (which_.covered && what != Seen::Nothing) note_covered(box_of(instance));
-        const bool fronts_alone =
-            closed && what != Seen::Nothing && sight_.is_in_front(box_of(instance)) && !shows_edge(instance);
-        const bool bare = bares_ && !batch.masked && what != Seen::Nothing && leaves_no_strays(instance);
-        spared.closed += fronts_alone;
-        spared.bare += bare;
-        if (what != Seen::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
+        if (choice_.covered && what != InstanceParts::Nothing) add_covered_cells(box_of(instance));
+        const bool fronts_alone = closed && what != InstanceParts::Nothing && sight_.is_in_front(box_of(instance)) &&
+                                  !has_edge_on_side(instance);
+        const bool bare = bares_ && !batch.masked && what != InstanceParts::Nothing && stays_in_depth_range(instance);
+        skipped.front_faces_only += fronts_alone;
+        skipped.without_shader += bare;
+        if (what != InstanceParts::Whole || fronts_alone != run.fronts_alone || bare != run.bare) finish(run);
         run.fronts_alone = fronts_alone;
         run.bare = bare;
-        if (what == Seen::Whole) {
+        if (what == InstanceParts::Whole) {
             if (run.batch.instances++ == 0) run.batch.first_instance = instance;
             return;
         }
-        for (const IndexRange& range : what == Seen::Parts ? parts_ : std::vector<IndexRange>{}) {
+        for (const IndexRange& range : what == InstanceParts::Parts ? parts_ : std::vector<IndexRange>{}) {
             Run part{batch, fronts_alone, bare};
             part.batch.first_instance = instance;
             part.batch.instances = 1;
@@ -229,24 +231,25 @@ private:
         }
     }
 
-    /// Of an instance of which something is called for. Large meshes are drawn in runs.
-    Seen needed_part_of(GLuint instance) {
+    /// Returns the needed parts of an instance that covers needed cells. Large meshes are drawn by index ranges.
+    InstanceParts needed_part_of(GLuint instance) {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         const std::span<const Bounds> runs = mesh_run_boxes(f_, std::size_t(object.mesh));
-        if (runs.empty()) return Seen::Whole;
+        if (runs.empty()) return InstanceParts::Whole;
         const std::size_t indices = f_.scene.meshes[std::size_t(object.mesh)].indices.size();
         parts_.clear();
         for (std::size_t k = 0; k < runs.size(); ++k)
             if (covers_needed({runs[k], object.world}))
-                add_part(parts_, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
-        return Seen::Parts;
+                append_index_range(parts_,
+                                   {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+        return InstanceParts::Parts;
     }
 
-    /// What it may cover; nothing: any texel.
+    /// Returns the cells that a box may cover; nullopt: any.
     std::optional<MapRect> covered_by(const SkewBox& box) const {
-        const double before = view_.curve.perspective ? kBeforeShare * view_.curve.near : 0;
+        const double before = view_.curve.perspective ? kMinDepthShare * view_.curve.near : 0;
         std::optional<MapRect> rect = projected_rect(box, uvd_from_relative_, view_.origin, before);
-        const glm::dvec2 room(kCasterRoomTexels / view_.resolution);
+        const glm::dvec2 room(kCasterPadTexels / view_.resolution);
         if (rect) {
             rect->lo -= room;
             rect->hi += room;
@@ -256,12 +259,12 @@ private:
 
     bool covers_needed(const SkewBox& box) const {
         const std::optional<MapRect> rect = covered_by(box);
-        return !rect || which_.called->overlaps(*rect);
+        return !rect || choice_.needed->overlaps(*rect);
     }
 
-    void note_covered(const SkewBox& box) {
+    void add_covered_cells(const SkewBox& box) {
         const std::optional<MapRect> rect = covered_by(box);
-        rect ? which_.covered->add(*rect, false) : which_.covered->add(MapCells::whole());
+        rect ? choice_.covered->add(*rect, false) : choice_.covered->add(MapCells::whole());
     }
 
     SkewBox box_of(GLuint instance) const {
@@ -269,9 +272,9 @@ private:
         return {f_.scene.meshes[std::size_t(object.mesh)].bounds, object.world};
     }
 
-    /// Whether a side is seen edge-on. What a rasteriser makes of it is less than a step of its grid wide, or nothing:
-    /// a texel's centre may then be covered by a back face alone.
-    bool shows_edge(GLuint instance) const {
+    /// Returns true when some side is edge-on to the light's rays. Such a side covers less than a step of the raster
+    /// grid, or nothing. A texel centre may then be covered by a back face alone.
+    bool has_edge_on_side(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         glm::dmat4 world = object.world;
         world[3] -= glm::dvec4(view_.origin, 0);
@@ -283,13 +286,13 @@ private:
         return false;
     }
 
-    /// Whether no texel that a rasteriser takes for covered gets a depth from before the map's range: all sides are
-    /// seen so far from their edges that their planes do not rise so far beside their triangles. Of parallel rays.
-    bool leaves_no_strays(GLuint instance) const {
+    /// Returns true when no covered texel can get a depth outside the map's range. All sides must be far from edge-on,
+    /// so that their planes stay in range a few raster steps outside their triangles. For parallel rays.
+    bool stays_in_depth_range(GLuint instance) const {
         const Object& object = f_.scene.objects[f_.gl.scene->instance_objects()[instance]];
         if (f_.scene.meshes[std::size_t(object.mesh)].deformer) return false;
         const MeshSides& mesh = sides_of(f_, std::size_t(object.mesh));
-        if (mesh.sides.empty() || mesh.sides.size() > kMostFlatSides) return false;
+        if (mesh.sides.empty() || mesh.sides.size() > kMaxFlatSides) return false;
         const glm::dmat4& m = uvd_from_relative_;
         const glm::dvec3 u(m[0][0], m[1][0], m[2][0]), v(m[0][1], m[1][1], m[2][1]), z(m[0][2], m[1][2], m[2][2]);
         const SkewBox box = box_of(instance);
@@ -299,11 +302,12 @@ private:
         const double before = view_.curve.convention.reversed ? 1 - middle - half : middle - half;
         if (!(before > 0)) return false;
         const glm::dmat3 back = glm::inverse(glm::dmat3(object.world));
-        double shrinks = 0;  // at least what lengths in the mesh are divided by in the world
+        double shrinks = 0;  // lower bound of the factor between world and mesh lengths
         for (int i = 0; i < 3; ++i) shrinks += glm::dot(back[i], back[i]);
         const double texels = std::min(glm::length(u), glm::length(v)) * view_.resolution;
-        const double least_sine = kLeastWidth * std::sqrt(shrinks) / (mesh.least_height * texels);
-        const double beside = std::ldexp(kStepsBeside, -f_.driver.subpixel_bits) + kFloatSide * view_.resolution;
+        const double least_sine = kMinTriangleTexels * std::sqrt(shrinks) / (mesh.least_height * texels);
+        const double beside =
+            std::ldexp(kRasterPadSteps, -f_.driver.subpixel_bits) + kFloatPositionError * view_.resolution;
         const double least_tangent = beside * glm::length(z) / (texels * before);
         const glm::dvec3 ray = glm::normalize(glm::cross(u, v));
         return std::ranges::all_of(mesh.sides, [&](const MeshSide& side) {
@@ -321,8 +325,8 @@ private:
         run.batch.instances = 0;
     }
 
-    /// Behind where they are: where a texel's centre lies on a silhouette, front and back are one point, and rounding
-    /// would decide which is nearer.
+    /// Draws back faces, moved away from the light. At a silhouette front and back coincide, and rounding would decide
+    /// which is nearer.
     void draw_backs(const Batch& batch) {
         const float away = view_.curve.convention.reversed ? -1.f : 1.f;
         set_cull(Cull::Front, batch.mirrored);
@@ -333,7 +337,7 @@ private:
     }
 
     void draw_now(const Batch& batch) {
-        f_.gl.scene->draw(batch);
+        f_.gl.scene->draw_batch(batch);
         ++info_.draws;
         info_.triangles += batch.triangles();
     }
@@ -341,7 +345,7 @@ private:
 
 }  // namespace
 
-void add_part(std::vector<IndexRange>& parts, IndexRange next) {
+void append_index_range(std::vector<IndexRange>& parts, IndexRange next) {
     if (!parts.empty() && parts.back().first + std::size_t(parts.back().count) == next.first)
         parts.back().count += next.count;
     else
@@ -383,8 +387,8 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
     else
         set_raster_bias(f, convention.reversed);
     if (view.clamps_near) glEnable(GL_DEPTH_CLAMP);
-    f.gl.scene->bind(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
-    // Beyond the range lies what a near plane flattens, and what is moved there.
+    f.gl.scene->bind_vertices(f.scene, f.settings, view.origin, SceneGpu::Drawn::Casters);
+    // Casters outside the range: flattened by the near plane, or moved there by polygon offset.
     const bool strays = !view.clamps_near && (view.unfiltered || !offsets_polygons(f.settings));
     CasterPrograms programs(f, view, strays);
     CasterDrawer drawer(f, view, seen, programs, info);
@@ -396,23 +400,23 @@ SkippedCasters draw_casters(FrameState& f, const CasterView& view, const Instanc
     }
     glDisable(GL_POLYGON_OFFSET_FILL);
     glDisable(GL_DEPTH_CLAMP);
-    return drawer.spared;
+    return drawer.skipped;
 }
 
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                            const LightView& view, PassInfo& info, const CasterChoice& which) {
+                            const LightView& view, PassInfo& info, const CasterChoice& choice) {
     const GLuint framebuffer = into.id();
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glViewport(0, 0, f.map_resolution, f.map_resolution);
-    if (!which.over) clear_casters(f, framebuffer, view.curve.convention);
+    if (!choice.keeps_contents) clear_casters(f, framebuffer, view.curve.convention);
     CasterView whole{view.clip_from_relative(light.map_origin),
                      view.curve,
                      light.map_origin,
                      unfiltered,
                      view.clamps_near,
                      f.map_resolution,
-                     which};
-    if (which.called && which.called->is_whole()) whole.which.called = nullptr;
+                     choice};
+    if (choice.needed && choice.needed->is_whole()) whole.choice.needed = nullptr;
     return draw_casters(f, whole, {}, info);
 }
 

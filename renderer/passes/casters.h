@@ -1,4 +1,4 @@
-// What casts, drawn as a light sees it.
+// Drawing of shadow casters from a light's view.
 #pragma once
 
 #include <functional>
@@ -9,58 +9,68 @@
 
 namespace si {
 
-/// Which of the casters that lie in a map are drawn.
+/// Choice of the casters to draw into a map, by needed cells and by instance.
 struct CasterChoice {
-    const MapCells* called = nullptr;         ///< what of the map is read; null: all
-    const std::vector<bool>* only = nullptr;  ///< by instance as SceneGpu orders them; null: all
-    bool over = false;                        ///< over what the map holds; else it is cleared first
-    MapCells* covered = nullptr;              ///< takes up all that those drawn may cover; null: nobody asks
+    const MapCells* needed = nullptr;         ///< map cells that look-ups read; null: all
+    const std::vector<bool>* only = nullptr;  ///< instances to draw, in the order of SceneGpu; null: all
+    bool keeps_contents = false;              ///< true: draws over the map's contents; false: clears the map first
+    MapCells* covered = nullptr;              ///< receives all cells that drawn casters may cover; may be null
 };
 
+/// View from a light for drawing casters: projection, origin and resolution.
 struct CasterView {
     glm::dmat4 clip_from_relative{1.0};  ///< from positions relative to `origin`
     DepthCurve curve;
     glm::dvec3 origin{0};
     bool unfiltered = false;   ///< without polygon offset, masks at their finest level
-    bool clamps_near = false;  ///< what lies before the near plane is drawn at it
+    bool clamps_near = false;  ///< casters in front of the near plane are flattened onto it
     int resolution = 1;        ///< texels along a side
-    CasterChoice which;
+    CasterChoice choice;
 };
 
-/// Indices of a mesh, counted from its first.
+/// Range of a mesh's indices, counted from the mesh's first.
 struct IndexRange {
     std::size_t first = 0;
     GLsizei count = 0;
 };
 
-/// Adds what follows in the mesh, to the last part where that ends there.
-void add_part(std::vector<IndexRange>& parts, IndexRange next);
+/// Appends an index range to `parts`. Extends the last range where `next` begins at its end, to save draw calls.
+void append_index_range(std::vector<IndexRange>& parts, IndexRange next);
 
-enum class Seen { Nothing, Whole, Parts };
+/// Part of an instance that a map needs: nothing, the whole mesh, or some of its index ranges.
+enum class InstanceParts { Nothing, Whole, Parts };
 
-/// What can be seen of an instance, counted as SceneGpu orders them. @param[out] parts what to draw where it is Parts
-using InstancePartsQuery = std::function<Seen(std::size_t instance, std::vector<IndexRange>& parts)>;
+/// Callback that returns which part of an instance to draw. Instances count in the order of SceneGpu.
+/// @param[out] parts index ranges to draw for InstanceParts::Parts
+using InstancePartsQuery = std::function<InstanceParts(std::size_t instance, std::vector<IndexRange>& parts)>;
 
-/// Whether an object casts, whatever its masks and its triangles' sides; blended ones do only if asked.
+/// Returns true when an object may cast shadows under the settings. Alpha masks and culling are not considered; blended
+/// objects cast only with caster.blend.
 bool can_cast(const Scene& scene, const Settings& settings, const Object& object);
-/// Whether a batch is drawn into maps, where blended materials can cast by their mask alone.
+/// Returns true when a batch is drawn into shadow maps. Blended materials can cast by their alpha mask alone.
 bool is_drawn_into_maps(const FrameState& f, const Batch& batch);
 
-/// Empties the bound framebuffer, or what of it the scissor test leaves, to the far depth.
+/// Clears the bound framebuffer to the far depth, within the scissor rectangle if enabled.
+/// @param framebuffer the bound one
 void clear_casters(const FrameState& f, GLuint framebuffer, const DepthConvention& convention);
 
-/// What drawing left out.
+/// Counts of casters that a map skipped or drew in a cheaper way.
 struct SkippedCasters {
-    std::uint64_t beside = 0;  ///< instances of which nothing lies in the map
-    std::uint64_t unread = 0;  ///< instances that cover nothing of what is called for
-    std::uint64_t closed = 0;  ///< instances that were drawn by their front faces alone
-    std::uint64_t bare = 0;    ///< instances that were drawn without a fragment shader
+    std::uint64_t outside_map = 0;       ///< instances entirely outside the map
+    std::uint64_t unread = 0;            ///< instances that cover no needed cell
+    std::uint64_t front_faces_only = 0;  ///< instances drawn by front faces alone
+    std::uint64_t without_shader = 0;    ///< instances drawn without a fragment shader
 };
 
-/// Draws every caster, or what of them can be seen, into the bound framebuffer and viewport.
+/// Draws casters into the bound framebuffer and viewport, for a view given by its matrix. Used for pages of virtual
+/// maps.
+/// @param seen parts to draw of each instance; empty: every caster as a whole
+/// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const CasterView& view, const InstancePartsQuery& seen, PassInfo& info);
-/// Draws what of a light's casters lies in its view into the framebuffer of a whole map.
+/// Draws the casters inside one of a light's views into the framebuffer of a whole map.
+/// @param unfiltered without polygon offset, with masks at their finest mip level
+/// @param[out] info draw counts
 SkippedCasters draw_casters(FrameState& f, const gl::Framebuffer& into, bool unfiltered, const FittedLight& light,
-                            const LightView& view, PassInfo& info, const CasterChoice& which = {});
+                            const LightView& view, PassInfo& info, const CasterChoice& choice = {});
 
 }  // namespace si

@@ -1,5 +1,6 @@
-// Blurs the stored depths themselves: wrong on purpose. The comparison then tests against a surface between occluder
-// and receiver that is not there ("corresponds to filtered geometry"), where a filter averages the tests' results.
+// Pass that blurs the stored depths themselves, which is wrong on purpose. The comparison then tests against a surface
+// between occluder and receiver that does not exist ("corresponds to filtered geometry"). A filter averages test
+// results instead.
 #include "renderer/passes/depth_blur.h"
 
 #include <fmt/format.h>
@@ -11,7 +12,7 @@
 namespace si {
 namespace {
 
-/// Both axes of one layer: rows of the map into `rows`, columns of that into the blurred map.
+/// Blurs one layer: rows of the map into `rows`, then columns of `rows` into the blurred map.
 void blur_layer(FrameState& f, const DepthBlurPass::Targets& t, const gl::Framebuffer& rows, int layer,
                 PassInfo& info) {
     const int n = f.map_resolution;
@@ -46,19 +47,19 @@ void DepthBlurPass::declare(FrameState& f) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::ShadowMaps};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     const int radius = f.settings.map.blur_texels;
     if (!f.blurs_depths()) {
-        pass.unneeded = radius == 0 ? "map.blur_texels is 0: depths stay as drawn" : "no light has a shadow map";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        pass.unneeded = radius == 0 ? "map.blur_texels is 0" : "no light has a shadow map";
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     place_compared_maps(f, targets_.maps);
     pass.key = f.with_settings({}, ReadBy::DepthBlur).add(f.maps_extent).value();
     pass.cached = &targets_.maps.key;
     pass.run = [this, &f, radius](PassInfo& info) { run(f, radius, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
@@ -69,9 +70,10 @@ void DepthBlurPass::run(FrameState& f, int radius, PassInfo& info) {
     const auto rows = gl::make_framebuffer("shadow map blurred along x", &t.rows, nullptr);
     for (int layer = 0; layer < f.view_count; ++layer)
         if (!f.drawn_cells_by_layer[std::size_t(layer)].empty()) blur_layer(f, t, rows, layer, info);
-    if (std::optional<PartInfo> part = unread_texels_part(f, "blurred depths that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels_part(f, "blurred depths that no pass reads"))
         info.parts.push_back(std::move(*part));
-    info.reason += fmt::format("; mean of {0} x {0} texels' depths, wrong on purpose", 2 * radius + 1);
+    info.reason +=
+        fmt::format("; mean of {0} x {0} texels' depths, which gives wrong shadows on purpose", 2 * radius + 1);
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Blurred depths: the wrong way to soften a shadow map.
+// Pass that blurs stored depths: the wrong way to soften a shadow map.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,16 +6,19 @@
 
 namespace si {
 
-/// Averages the depths of the shadow maps themselves (map.blur_texels).
+/// Averages the stored depths of the shadow maps themselves (map.blur_texels), to demonstrate why that fails.
 class DepthBlurPass : public FramePass {
 public:
+    /// Targets of DepthBlurPass, kept between frames: images of the blur.
     struct Targets {
-        gl::Target maps, rows;  ///< as the maps are laid out, and one layer along x only
+        gl::Target maps, rows;  ///< blurred maps, a layer for each view; one layer blurred along x
     };
 
     void declare(FrameState& f) override;
 
 private:
+    /// Blurs all map layers by a box filter. Called when the plan runs the pass.
+    /// @param radius texels on each side
     void run(FrameState& f, int radius, PassInfo& info);
 
     Targets targets_;

@@ -1,4 +1,4 @@
-// The scene's depth as each light sees it.
+// Passes that draw the shadow maps: the scene's depth from each light.
 #include "renderer/passes/light_depth.h"
 
 #include <fmt/format.h>
@@ -22,26 +22,28 @@ std::string_view type_name(LightType type) {
     return type == LightType::Directional ? "directional" : type == LightType::Spot ? "spot" : "point";
 }
 
-/// @returns whether what they held is lost
+/// Resizes the map textures where needed.
+/// @return true when their contents are lost
 bool ensure_maps(const FrameState& f, gl::Target& maps, std::string_view label) {
     return maps.ensure(label, f.map_format(), f.map_resolution, f.map_resolution, f.map_layers());
 }
 
-/// @param map one of `t`
-/// @param emptied nothing is drawn into it
+/// Draws the casters of one view into one layer of a map texture.
+/// @param map one of the textures in `t`
+/// @param emptied draws no caster
 SkippedCasters draw_view(FrameState& f, DrawnMaps& t, const gl::Target& map, const FittedLight& light,
-                         const LightView& view, int layer, PassInfo& info, const CasterChoice& which = {},
+                         const LightView& view, int layer, PassInfo& info, const CasterChoice& choice = {},
                          bool emptied = false) {
     if (map.layers == 0) layer = -1;  // a plain texture
     const bool colour = is_colour(f.settings.map.format);
     if (colour)
-        t.depth.ensure("depth beside the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
+        t.depth.ensure("depth of the colour map", GL_DEPTH_COMPONENT32F, f.map_resolution, f.map_resolution);
     else
         t.depth = {};
     const gl::Framebuffer into = colour ? gl::make_framebuffer("shadow map", &map, &t.depth, layer)
                                         : gl::make_framebuffer("shadow map", nullptr, &map, -1, layer);
     if (f.driver.software) gl::limit_pending_draws();
-    if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, which);
+    if (!emptied) return draw_casters(f, into, &map == &t.unfiltered, light, view, info, choice);
     clear_casters(f, into.id(), view.curve.convention);
     return {};
 }
@@ -51,63 +53,65 @@ std::string name_of_view(const FittedLight& light, std::size_t view, std::size_t
     return fmt::format("{} of light {}", name.empty() ? "map" : name, number);
 }
 
-/// Draws one of a light's views, and says what was left out of it.
+/// Draws one of a light's views, and reports its skipped casters.
 SkippedCasters draw_part(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view, const MapCells& called,
                          PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    const SkippedCasters spared =
-        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.called = &called},
+    const SkippedCasters skipped =
+        draw_view(f, t, t.maps, l, l.views[view], f.first_view[light] + int(view), info, {.needed = &called},
                   f.request.emptied == MapOfLight{int(light), int(view)});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
-    part.left_out = spared.beside + spared.unread;
+    part.left_out = skipped.outside_map + skipped.unread;
     part.unit = "casters";
-    if (spared.beside > 0) part.by = Optimisation::CasterCulling;
-    if (spared.unread > 0) part.by = Optimisation::UnreadViews;
-    const char* plural = spared.unread == 1 ? "" : "s";
-    const char* cover = spared.unread == 1 ? "covers" : "cover";
-    if (spared.unread == 0)
-        part.reason = part.draws == 0 ? "no caster lies in it: it is only cleared" : "its casters are drawn";
+    if (skipped.outside_map > 0) part.by = Optimisation::CasterCulling;
+    if (skipped.unread > 0) part.by = Optimisation::UnreadViews;
+    const char* plural = skipped.unread == 1 ? "" : "s";
+    const char* cover = skipped.unread == 1 ? "covers" : "cover";
+    if (skipped.unread == 0)
+        part.reason = part.draws == 0 ? "cleared only: no caster lies in the map" : "casters drawn";
     else if (part.draws == 0)
-        part.reason = fmt::format("it is only cleared: {} caster{} {} nothing that the camera can read", spared.unread,
-                                  plural, cover);
+        part.reason = fmt::format("cleared only: {} caster{} {} no texel that the camera's picture reads",
+                                  skipped.unread, plural, cover);
     else
-        part.reason = fmt::format("its casters are drawn, but for {} that {} nothing that the camera can read",
-                                  spared.unread, cover);
+        part.reason = fmt::format("casters drawn, except {} that {} no texel that the camera's picture reads",
+                                  skipped.unread, cover);
     info.parts.push_back(std::move(part));
-    return spared;
+    return skipped;
 }
 
-/// A view that is not drawn.
-PartInfo left_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
+/// Returns the report on a view that this frame does not draw.
+/// @param kept its needed texels are cached
+PartInfo undrawn_part(const FrameState& f, std::size_t light, std::size_t view, bool kept) {
     PartInfo part{.name = name_of_view(f.gl.fitted[light], view, light)};
     part.state = kept ? PassState::Cached : PassState::Skipped;
-    part.reason = kept ? "what is called for of it was drawn before"
-                       : "nothing that the camera sees is looked up in it: it is not drawn";
+    part.reason = kept ? "the needed texels were drawn in an earlier frame"
+                       : "not drawn: no surface that the camera sees looks up this map";
     if (!kept) part.by = Optimisation::UnreadViews;
     return part;
 }
 
-/// @param closed casters, each counted once a view
+/// Returns the report on skipped back faces.
+/// @param closed casters, counted once for each view
 PartInfo back_faces_part(const FrameState& f, std::size_t light, std::uint64_t closed) {
     PartInfo part{.name = fmt::format("back faces in maps of light {}", light)};
     const bool forced = f.request.forced.contains(Optimisation::CasterBackFaces);
     part.by = Optimisation::CasterBackFaces;
     part.state = forced ? PassState::Drawn : PassState::Skipped;
-    part.reason =
-        fmt::format("{} closed caster{} drawn by {}", closed, closed == 1 ? " is" : "s are",
-                    forced ? "both their faces, which is forced" : "front faces alone, which hide the back ones");
+    part.reason = fmt::format("{} closed caster{} drawn with {}", closed, closed == 1 ? " is" : "s are",
+                              forced ? "both faces (forced)" : "front faces alone: front faces hide back faces");
     return part;
 }
 
-/// @param bare casters, each counted once a view
+/// Returns the report on skipped fragment shaders.
+/// @param bare casters, counted once for each view
 PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
     PartInfo part{.name = fmt::format("fragments in maps of light {}", light), .unit = "fragment shaders"};
     part.by = Optimisation::CasterFragments;
     part.left_out = bare;
-    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is seen edge-on", bare,
+    part.reason = fmt::format("{} caster{} drawn without a fragment shader: no side is edge-on to the light", bare,
                               bare == 1 ? " is" : "s are");
     return part;
 }
@@ -116,20 +120,22 @@ PartInfo fragments_part(std::size_t light, std::uint64_t bare) {
 
 namespace {
 
-/// What a frame draws of a light's views, and what they then hold.
-struct MapWork {
-    std::vector<MapCells> holds;
+/// Cells that a frame draws of each view of a light, and cells valid afterwards.
+struct MapPlan {
+    std::vector<MapCells> drawn_cells;
     std::vector<bool> drawn;
-    std::string unneeded_reason;  ///< why nothing of them is called for
+    std::string unneeded_reason;  ///< reason why no cell is needed; empty: some are
 
-    /// @param held what they hold, where that is of this very map; else empty
-    MapWork(NeededMaps called, const std::vector<MapCells>& held) : unneeded_reason(std::move(called.unneeded_reason)) {
+    /// @param held valid cells of the light's current maps; empty if outdated
+    MapPlan(NeededMaps called, const std::vector<MapCells>& held) : unneeded_reason(std::move(called.unneeded_reason)) {
         const bool kept = held.size() == called.views.size();
         for (std::size_t v = 0; v < called.views.size(); ++v) {
             const bool enough = kept && held[v].contains(called.views[v]);
             drawn.push_back(!enough && !called.views[v].empty());
-            // One that is drawn again is drawn whole: a camera that goes on moving pays for each map once.
-            holds.push_back(enough ? held[v] : kept && !called.views[v].empty() ? MapCells::whole() : called.views[v]);
+            // A view that needs more cells is drawn whole, so that a moving camera pays for each map once.
+            drawn_cells.push_back(enough                             ? held[v]
+                                  : kept && !called.views[v].empty() ? MapCells::whole()
+                                                                     : called.views[v]);
         }
     }
     bool draws() const { return std::ranges::find(drawn, true) != drawn.end(); }
@@ -139,7 +145,7 @@ bool all_whole(const std::vector<MapCells>& regions) {
     return std::ranges::all_of(regions, [](const MapCells& r) { return r.is_whole(); });
 }
 
-/// Of all that a light's maps depend on but what casts into them.
+/// Returns the key of everything a light's maps depend on, except its casters.
 Key light_views_key(const FrameState& f, std::size_t light) {
     const FittedLight& l = f.gl.fitted[light];
     Key key = f.with_settings({}, ReadBy::Maps);
@@ -162,35 +168,35 @@ void clear_layers(const FrameState& f, const gl::Target& maps) {
     glClearTexImage(maps.texture.id(), 0, gl::single_channel_format(maps.format), GL_FLOAT, &far_depth);
 }
 
-/// How the maps of one light are drawn, by what of its casters rests.
-struct StaticWork {
+/// Way to draw the maps of one light, given its static and moving casters.
+struct StaticPlan {
     StaticCasters::Draws draws = StaticCasters::Draws::All;
-    std::string reason;                       ///< why all are drawn, where some moved
-    std::vector<bool> static_casters, moved;  ///< by instance, unless all are drawn
-    std::uint64_t count = 0;                  ///< of those that rest
+    std::string reason;                       ///< reason why all casters are drawn although only some moved
+    std::vector<bool> static_casters, moved;  ///< by instance; empty if all casters are drawn
+    std::uint64_t count = 0;                  ///< number of static casters
 };
 
-/// Why no map of what rests is made, whatever moves. Empty: there may be one.
-std::string why_none_rests(const FrameState& f) {
+/// Returns the reason why no map of static casters is possible; empty: it is possible.
+std::string why_no_static_map(const FrameState& f) {
     if (is_colour(f.settings.map.format))
-        return "map.format keeps colours: the depths that what moves would be tested against are not kept";
+        return "map.format is a colour format, which keeps no depths to test moving casters against";
     const double texels = double(f.map_resolution) * f.map_resolution * f.view_count;
     if ((stored_texel_bytes(f.settings) + 4) * texels > kMapBudgetBytes)
-        return "a second map of what rests would take more than the 2 GiB that maps may";
+        return "a second map for static casters would exceed the limit of 2 GiB for all maps";
     return {};
 }
 
-StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
+StaticPlan choose_static(const FrameState& f, std::size_t light, StaticMapState& known) {
     using Draws = StaticCasters::Draws;
-    StaticWork work;
+    StaticPlan work;
     const std::uint64_t views = light_views_key(f, light).value(), geometry = f.geometry_key.value();
     const bool moved = known.geometry != 0 && known.geometry != geometry;
     const std::uint64_t views_before = std::exchange(known.views, views);
     known.geometry = geometry;
     if (f.request.forced.contains(Optimisation::StaticCasterCache))
-        work.reason = "all are drawn, which is forced";
+        work.reason = "all casters are drawn (forced)";
     else if (moved)
-        work.reason = why_none_rests(f);
+        work.reason = why_no_static_map(f);
     if (f.request.force || f.request.emptied || !work.reason.empty()) {
         known.casters.reset();
         if (!moved) work.reason.clear();
@@ -204,7 +210,9 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
             triangles.push_back(f.scene.meshes[std::size_t(f.scene.objects[object].mesh)].indices.size() / 3);
         std::string_view reason;
         work.draws = known.casters.choose(views, group_by_content(content.of, triangles), reason);
-        work.reason = views == views_before ? reason : "its views changed with what moved, and with them every texel";
+        work.reason = views == views_before
+                          ? reason
+                          : "the light's views changed with the moving casters, and with them every texel";
     } else if (views != views_before) {
         known.casters.reset();
     } else if (known.casters.has_cache_for(views)) {
@@ -219,9 +227,9 @@ StaticWork choose_static(const FrameState& f, std::size_t light, StaticMapState&
     return work;
 }
 
-PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& work) {
+PartInfo static_part(const FrameState& f, std::size_t light, const StaticPlan& work) {
     using Draws = StaticCasters::Draws;
-    PartInfo part{.name = fmt::format("casters at rest in maps of light {}", light), .unit = "casters"};
+    PartInfo part{.name = fmt::format("static casters in maps of light {}", light), .unit = "casters"};
     part.by = Optimisation::StaticCasterCache;
     if (f.request.forced.contains(Optimisation::StaticCasterCache)) part.state = PassState::Drawn;
     part.reason = work.reason;
@@ -230,8 +238,9 @@ PartInfo static_part(const FrameState& f, std::size_t light, const StaticWork& w
     if (work.draws == Draws::MovingOnly) part.left_out = work.count;
     part.reason =
         work.draws == Draws::StaticAndMoving
-            ? fmt::format("{} that did not move are drawn into a map of their own, and what moved over it", work.count)
-            : "they are kept in a map of their own, and what moves is drawn over it";
+            ? fmt::format("{} static casters are drawn into a map of their own, and moving casters over a copy of it",
+                          work.count)
+            : "static casters are cached in a map of their own; moving casters are drawn over a copy of it";
     return part;
 }
 
@@ -242,21 +251,21 @@ void copy_texels(const gl::Target& from, const gl::Target& to, int layer, const 
                            r.from.x, r.from.y, layer, r.to.x - r.from.x, r.to.y - r.from.y, 1);
 }
 
-/// Draws one of a light's views as a copy of what rests with what moved over it.
-/// @param of what the light's map is made of so far
+/// Draws one of a light's views as a copy of its static map with the moving casters over it.
+/// @param[in,out] of state of the view's static map
 SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, std::size_t view,
-                                const MapCells& called, const StaticWork& work, StaticView& of, PassInfo& info) {
+                                const MapCells& called, const StaticPlan& work, StaticView& of, PassInfo& info) {
     const FittedLight& l = f.gl.fitted[light];
     const int layer = f.first_view[light] + int(view);
     const std::uint64_t draws = info.draws, triangles = info.triangles;
-    SkippedCasters spared;
+    SkippedCasters skipped;
     const bool kept = of.cached && of.cached_cells.contains(called);
     if (!kept) {
-        // One that is drawn again is drawn whole: what is called for goes with what moves.
+        // A static map that needs more cells is drawn whole, as needed cells follow the moving casters.
         of.cached_cells = of.cached ? MapCells::whole() : called;
         of.is_copy = false;
-        spared = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
-                           {.called = &of.cached_cells, .only = &work.static_casters});
+        skipped = draw_view(f, t, t.static_casters, l, l.views[view], layer, info,
+                            {.needed = &of.cached_cells, .only = &work.static_casters});
         of.cached = true;
     }
     copy_texels(t.static_casters, t.maps, layer, of.is_copy ? of.moving_cells : MapCells::whole());
@@ -264,60 +273,60 @@ SkippedCasters draw_over_static(FrameState& f, DrawnMaps& t, std::size_t light, 
     of.is_copy = true;
     const SkippedCasters over =
         draw_view(f, t, t.maps, l, l.views[view], layer, info,
-                  {.called = &called, .only = &work.moved, .over = true, .covered = &of.moving_cells});
+                  {.needed = &called, .only = &work.moved, .keeps_contents = true, .covered = &of.moving_cells});
     PartInfo part{.name = name_of_view(l, view, light), .state = PassState::Drawn};
     part.draws = info.draws - draws;
     part.triangles = info.triangles - triangles;
     if (kept) part.by = Optimisation::StaticCasterCache;
-    part.reason = !kept             ? "what rests in it is drawn apart, and what moved over it"
-                  : part.draws == 0 ? "what rests in it is kept, and nothing that moves covers what is called for"
-                                    : "what rests in it is kept, and what moves is drawn over it";
+    part.reason = !kept             ? "static casters drawn into their own map, moving casters over a copy of it"
+                  : part.draws == 0 ? "static casters are cached, and no moving caster covers a needed texel"
+                                    : "static casters are cached; moving casters are drawn over a copy of their map";
     info.parts.push_back(std::move(part));
-    spared.closed += over.closed;
-    spared.bare += over.bare;
-    return spared;
+    skipped.front_faces_only += over.front_faces_only;
+    skipped.without_shader += over.without_shader;
+    return skipped;
 }
 
-void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& work, PassInfo& info) {
+void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapPlan& work, PassInfo& info) {
     const bool lost = ensure_maps(f, t.maps, "shadow maps");
     if (lost) {
         t.keys = {};
         clear_layers(f, t.maps);
-        t.at_rest = {};
+        t.static_states = {};
     }
-    // A light that is not in this frame would take its layers for kept.
+    // Keys of lights absent from this frame are cleared, so that they do not count as cached when they return.
     for (std::size_t other = 0; other < t.keys.size(); ++other)
         if (other >= f.gl.fitted.size() || !f.gl.fitted[other].casts) {
             t.keys[other] = 0;
-            t.at_rest[other] = {};
+            t.static_states[other] = {};
         }
-    t.held[i].clear();
+    t.drawn_cells[i].clear();
     const FittedLight& l = f.gl.fitted[i];
-    StaticMapState rest = std::exchange(t.at_rest[i], {});  // of what an exception leaves nothing is known
-    const StaticWork static_casters = choose_static(f, i, rest);
+    StaticMapState rest = std::exchange(t.static_states[i], {});  // an exception leaves the state cleared
+    const StaticPlan static_casters = choose_static(f, i, rest);
     const bool apart = static_casters.draws != StaticCasters::Draws::All;
-    if (apart && ensure_maps(f, t.static_casters, "casters at rest")) {
-        for (StaticMapState& other : t.at_rest) other.casters.views.clear();
+    if (apart && ensure_maps(f, t.static_casters, "static casters")) {
+        for (StaticMapState& other : t.static_states) other.casters.views.clear();
         rest.casters.views.clear();
     }
     std::vector<StaticView>& views = rest.casters.views;
     views.resize(apart ? l.views.size() : 0);
     std::uint64_t closed = 0, bare = 0;
-    const auto count = [&](const SkippedCasters& spared) {
-        closed += spared.closed;
-        bare += spared.bare;
+    const auto count = [&](const SkippedCasters& skipped) {
+        closed += skipped.front_faces_only;
+        bare += skipped.without_shader;
     };
     for (std::size_t v = 0; v < l.views.size(); ++v) {
-        if (!work.drawn[v] && !(lost && !work.holds[v].empty()))
-            info.parts.push_back(left_part(f, i, v, !work.holds[v].empty()));
+        if (!work.drawn[v] && !(lost && !work.drawn_cells[v].empty()))
+            info.parts.push_back(undrawn_part(f, i, v, !work.drawn_cells[v].empty()));
         else if (apart)
-            count(draw_over_static(f, t, i, v, work.holds[v], static_casters, views[v], info));
+            count(draw_over_static(f, t, i, v, work.drawn_cells[v], static_casters, views[v], info));
         else
-            count(draw_part(f, t, i, v, work.holds[v], info));
+            count(draw_part(f, t, i, v, work.drawn_cells[v], info));
     }
-    t.held[i] = work.holds;
+    t.drawn_cells[i] = work.drawn_cells;
     if (apart || !static_casters.reason.empty()) info.parts.push_back(static_part(f, i, static_casters));
-    t.at_rest[i] = std::move(rest);
+    t.static_states[i] = std::move(rest);
     if (closed > 0) info.parts.push_back(back_faces_part(f, i, closed));
     if (bare > 0) info.parts.push_back(fragments_part(i, bare));
     if (!work.unneeded_reason.empty()) {
@@ -328,13 +337,14 @@ void draw_maps_of(FrameState& f, DrawnMaps& t, std::size_t i, const MapWork& wor
     const auto& batches = f.gl.scene->batches();
     const bool masks =
         std::any_of(batches.begin(), batches.end(), [](const Batch& b) { return b.cast && b.masked && !b.blend; });
-    info.reason += masks ? "; masked materials bring their alpha test" : "; no masked material, so no alpha variant";
+    info.reason +=
+        masks ? "; masked materials are drawn with their alpha test" : "; no masked material, so no alpha variant";
 }
 
-/// Whether some light's map still is one over which what moves may be drawn.
+/// Returns true when some light's static map is still valid.
 bool keeps_static(const FrameState& f, const DrawnMaps& t) {
     for (std::size_t i = 0; !f.paged && i < f.gl.fitted.size(); ++i)
-        if (f.gl.fitted[i].casts && t.at_rest[i].casters.has_cache_for(light_views_key(f, i).value())) return true;
+        if (f.gl.fitted[i].casts && t.static_states[i].casters.has_cache_for(light_views_key(f, i).value())) return true;
     return false;
 }
 
@@ -343,9 +353,9 @@ bool keeps_static(const FrameState& f, const DrawnMaps& t) {
 void LightDepthPasses::declare(FrameState& f) {
     f.drawn_cells_by_layer.assign(std::size_t(f.view_count), MapCells::whole());
     DrawnMaps& t = maps_;
-    if (!keeps_static(f, t)) f.plan.release([&t] { t.static_casters = {}; });
+    if (!keeps_static(f, t)) f.plan.release_later([&t] { t.static_casters = {}; });
     if (f.paged) return;
-    f.plan.place(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::DrawnMaps, {&t.maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     std::vector<ResultRef> writes = {Result::DrawnMaps};
     if (!f.blurs_depths()) {
         writes.push_back(Result::ShadowMaps);
@@ -358,33 +368,33 @@ void LightDepthPasses::declare(FrameState& f) {
         pass.category = PassCategory::Maps;
         pass.light = int(i);
         pass.writes = writes;
-        pass.idle_reason = "nothing samples a shadow map";
+        pass.idle_reason = "no pass samples a shadow map";
         if (!light.casts) {
             pass.unneeded = light.reason;
-            f.plan.add(std::move(pass));
+            f.plan.add_pass(std::move(pass));
             continue;
         }
         pass.key = light_maps_key(f, i).value();
         pass.cached = &t.keys[i];
         const bool kept = !f.request.force && t.keys[i] == pass.key;
-        MapWork work = kept && all_whole(t.held[i])
-                           ? MapWork({t.held[i], {}}, t.held[i])
-                           : MapWork(find_needed_maps(f, i, pass.key), kept ? t.held[i] : std::vector<MapCells>());
-        pass.lacks = kept && work.draws();
+        MapPlan work = kept && all_whole(t.drawn_cells[i]) ? MapPlan({t.drawn_cells[i], {}}, t.drawn_cells[i])
+                                                           : MapPlan(find_needed_maps(f, i, pass.key),
+                                                                     kept ? t.drawn_cells[i] : std::vector<MapCells>());
+        pass.is_incomplete = kept && work.draws();
         if (kept) pass.unneeded = work.unneeded_reason;
-        for (std::size_t v = 0; v < work.holds.size(); ++v) {
-            f.drawn_cells_by_layer[std::size_t(f.first_view[i]) + v] = work.holds[v];
-            work.holds[v].add_to(f.maps_extent);
+        for (std::size_t v = 0; v < work.drawn_cells.size(); ++v) {
+            f.drawn_cells_by_layer[std::size_t(f.first_view[i]) + v] = work.drawn_cells[v];
+            work.drawn_cells[v].add_to(f.maps_extent);
         }
-        f.maps_are_whole &= all_whole(work.holds);
+        f.maps_are_whole &= all_whole(work.drawn_cells);
         pass.run = [&f, &t, i, work = std::move(work)](PassInfo& info) { draw_maps_of(f, t, i, work, info); };
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
     }
     if (f.gl.fitted.empty())
-        f.plan.add({.name = "shadow maps",
-                    .category = PassCategory::Maps,
-                    .writes = std::move(writes),
-                    .unneeded = "there are no lights"});
+        f.plan.add_pass({.name = "shadow maps",
+                         .category = PassCategory::Maps,
+                         .writes = std::move(writes),
+                         .unneeded = "there are no lights"});
 }
 
 void UnfilteredMapPass::declare(FrameState& f) {
@@ -394,21 +404,21 @@ void UnfilteredMapPass::declare(FrameState& f) {
     pass.category = PassCategory::Tool;
     pass.reads = {Result::DrawnMaps};
     pass.writes = {Result::UnfilteredMap};
-    pass.idle_reason = "nothing asks what is wrong";
+    pass.idle_reason = "no output shows wrong pixels";
     if (f.paged) return pages_.declare_unfiltered(f, std::move(pass));
     const bool own = f.view_count > 0 && f.needs_unfiltered_map();
-    f.plan.place(Result::UnfilteredMap,
-                 {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::UnfilteredMap,
+                        {own ? &t.unfiltered : &t.maps, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
         pass.unneeded = f.view_count == 0 ? "no light has a shadow map"
-                                          : "the map as drawn is it: no polygon offset, no mask with mip levels";
-        if (f.view_count > 0) f.plan.release([&t] { t.unfiltered = {}; });
+                                          : "equal to the map as drawn: no polygon offset, no mask with mip levels";
+        if (f.view_count > 0) f.plan.release_later([&t] { t.unfiltered = {}; });
     } else {
         pass.key = Key().add("unfiltered").value();
         pass.cached = &t.unfiltered.key;
         pass.run = [this, &f](PassInfo& info) { run(f, info); };
     }
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void UnfilteredMapPass::run(FrameState& f, PassInfo& info) {

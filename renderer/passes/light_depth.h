@@ -1,4 +1,4 @@
-// The shadow maps.
+// Passes that draw the shadow maps.
 #pragma once
 
 #include <array>
@@ -13,40 +13,45 @@ namespace si {
 
 class PagePasses;
 
-/// What of a light is drawn apart from what moves.
+/// Cached static-caster map of one light: its casters and the keys of its contents.
 struct StaticMapState {
     StaticCasters casters;
-    std::uint64_t geometry = 0;  ///< that was drawn last
-    std::uint64_t views = 0;     ///< key of that map but for its casters
+    std::uint64_t geometry = 0;  ///< key of the geometry drawn last
+    std::uint64_t views = 0;     ///< key of the light's views, without its casters
 };
 
+/// Shadow map textures of all lights, with the keys of their contents.
 struct DrawnMaps {
-    gl::Target maps, unfiltered;                   ///< a layer a view
-    gl::Target static_casters;                     ///< the same of the casters that rest; none where nothing moves
-    gl::Target depth;                              ///< beside a colour map, of one view
-    std::array<std::uint64_t, kMaxLights> keys{};  ///< by light, of its layers' contents
-    /// By light, what of each of its layers was drawn: of the rest nothing has been called for yet.
-    std::array<std::vector<MapCells>, kMaxLights> held;
-    std::array<StaticMapState, kMaxLights> at_rest;
+    gl::Target maps, unfiltered;                   ///< a layer for each view
+    gl::Target static_casters;                     ///< maps of static casters alone; empty where nothing moves
+    gl::Target depth;                              ///< depth buffer for one view of a colour map
+    std::array<std::uint64_t, kMaxLights> keys{};  ///< by light: key of its layers' contents
+    /// Drawn cells by light and view. No look-up has needed the other cells yet.
+    std::array<std::vector<MapCells>, kMaxLights> drawn_cells;
+    std::array<StaticMapState, kMaxLights> static_states;
 };
 
-/// Draws the scene's depth as each light sees it, a pass a light.
+/// Draws the shadow maps: the scene's depth from each light, one pass for each light.
 class LightDepthPasses : public FramePass {
 public:
     void declare(FrameState& f) override;
+    /// Returns the map textures of all lights.
     DrawnMaps& maps() { return maps_; }
 
 private:
     DrawnMaps maps_;
 };
 
-/// Draws the maps again where what is compared is not what a caster's surface is.
+/// Draws the shadow maps without polygon offset and with masks at their finest mip level. Trials of wrong pixels read
+/// them to find the caster's true depth.
 class UnfilteredMapPass : public FramePass {
 public:
     UnfilteredMapPass(LightDepthPasses& light_depth, PagePasses& pages) : light_depth_(light_depth), pages_(pages) {}
     void declare(FrameState& f) override;
 
 private:
+    /// Draws the unfiltered maps of all lights. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     LightDepthPasses& light_depth_;

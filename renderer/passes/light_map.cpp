@@ -1,4 +1,4 @@
-// Baked light maps on the GPU: an atlas with a layer a light, and where in it each triangle lies.
+// Pass that uploads baked light maps: an atlas with a layer for each light, and the chart of each triangle.
 #include "renderer/passes/light_map.h"
 
 #include <fmt/format.h>
@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// std430, see sources/light_map.glsl.
+/// Chart of the atlas in std430 layout, see sources/light_map.glsl.
 struct ChartRow {
     glm::vec4 u, v, reach;
 };
@@ -19,13 +19,14 @@ struct ChartRow {
 template <typename T>
 gl::Buffer buffer_of(std::string_view label, const std::vector<T>& data) {
     gl::Buffer buffer = gl::Buffer::create(label);
-    // OpenGL knows no empty buffers.
+    // OpenGL has no empty buffers.
     gl::fill_buffer(buffer, label, GLsizeiptr(std::max<std::size_t>(data.size(), 1) * sizeof(T)),
                     data.empty() ? nullptr : data.data(), GL_STATIC_DRAW);
     return buffer;
 }
 
-/// The first 16 bytes are the way from the frame's origin, which LightMapPass::bind() fills in.
+/// Uploads the charts of the atlas. The first 16 bytes of the object buffer are the offset from the frame's origin,
+/// which LightMapPass::bind_buffers() fills in.
 void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
     std::vector<glm::uvec2> objects(2);
     for (const auto& part : layout.objects) objects.emplace_back(part.first, part.count);
@@ -35,7 +36,7 @@ void upload_layout(LightMapPass::Targets& t, const LightMapLayout& layout) {
     charts.reserve(layout.charts.size());
     for (const LightMapChart& c : layout.charts) {
         const double n = layout.texels_per_metre;
-        // No look-up reaches over the middles of the outermost texels.
+        // Look-ups are clamped to the centres of the chart's outermost texels.
         const glm::vec4 reach(c.rect.x + 0.5, c.rect.y + 0.5, c.rect.x + c.rect.z - 0.5, c.rect.y + c.rect.w - 0.5);
         charts.push_back({glm::vec4(glm::vec3(c.u * n), c.at.x), glm::vec4(glm::vec3(c.v * n), c.at.y), reach});
     }
@@ -58,7 +59,7 @@ void LightMapPass::declare(FrameState& f) {
     for (const LightMap* map : f.light_map_of_light)
         if (map) maps.push_back(map);
     if (maps.empty()) {
-        f.plan.release([this] { targets_ = {}; });
+        f.plan.release_later([this] { targets_ = {}; });
         return;
     }
     Targets& t = targets_;
@@ -69,18 +70,18 @@ void LightMapPass::declare(FrameState& f) {
         for (const GLenum side : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
             glSamplerParameteri(t.bilinear.id(), side, GL_CLAMP_TO_EDGE);
     }
-    f.plan.place(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
+    f.plan.place_result(Result::LightMap, {&t.atlas, shared::UNIT_LIGHT_MAP, &t.bilinear});
     Pass pass;
     pass.name = "light map";
     pass.category = PassCategory::Maps;
     pass.writes = {Result::LightMap};
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     Key key;
     for (const LightMap* map : maps) key.add(map->version);
     pass.key = key.value();
     pass.cached = &t.atlas.key;
     pass.run = [this, maps](PassInfo& info) { run(maps, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info) {
@@ -95,7 +96,7 @@ void LightMapPass::run(const std::vector<const LightMap*>& maps, PassInfo& info)
     upload_layout(targets_, layout);
 }
 
-void LightMapPass::bind(const FrameState& f) const {
+void LightMapPass::bind_buffers(const FrameState& f) const {
     const Targets& t = targets_;
     glm::dvec3 centre(0);
     for (const LightMap* map : f.light_map_of_light)

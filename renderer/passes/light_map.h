@@ -1,4 +1,4 @@
-// Baked light maps on the GPU.
+// Pass that uploads baked light maps.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,25 @@
 
 namespace si {
 
-/// Uploads what was baked, for lights whose source is a light map: an atlas with a layer a light, and where in it each
-/// triangle lies.
+/// Uploads baked visibility for lights whose source is a light map. The atlas has a layer for each light; buffers map
+/// each triangle to its chart.
 class LightMapPass : public FramePass {
 public:
+    /// Targets of LightMapPass, kept between frames: GPU copy of the baked light maps.
     struct Targets {
-        gl::Target atlas;  ///< R8, a layer for each light that has one
+        gl::Target atlas;  ///< R8, a layer for each light with a light map
         gl::Sampler bilinear;
-        gl::Buffer objects, triangles, charts;  ///< as sources/light_map.glsl reads them
+        gl::Buffer objects, triangles, charts;  ///< layout in sources/light_map.glsl
     };
 
     void declare(FrameState& f) override;
-    /// Binds the buffers by which shaders find a surface in the atlas.
-    void bind(const FrameState& f) const;
+    /// Binds the buffers by which shaders find a surface point in the atlas.
+    void bind_buffers(const FrameState& f) const;
 
 private:
+    /// Uploads baked light maps, one atlas layer each. Called when the plan runs the pass.
+    /// @param maps the frame's light maps, not null, all with one layout
+    /// @param[in,out] info sizes are appended to its reason
     void run(const std::vector<const LightMap*>& maps, PassInfo& info);
 
     Targets targets_;

@@ -47,23 +47,23 @@ void MapBoundsPass::declare(FrameState& f) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::MapBounds};
-    pass.idle_reason = "nothing samples a shadow map";
-    pass.aid = true;
+    pass.idle_reason = "no pass samples a shadow map";
+    pass.only_saves_work = true;
     pass.unneeded = map_bounds_skip_reason(f);
     define_kernel_taps(f, pass.unneeded.empty());
     if (!pass.unneeded.empty()) {
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
-    f.plan.place(Result::MapBounds, {&targets_.bounds, shared::UNIT_MAP_BOUNDS});
+    f.plan.place_result(Result::MapBounds, {&targets_.bounds, shared::UNIT_MAP_BOUNDS});
     Key key;
     key.add(f.settings.map.wrap).add(f.gl.programs.source().generation()).add(f.maps_extent);
     for (const FittedLight& light : f.gl.fitted) key.add(light.casts ? bounds_reach_cells(f, light) : 0);
     pass.key = key.value();
     pass.cached = &targets_.bounds.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MapBoundsPass::run(const FrameState& f, PassInfo& info) {

@@ -1,4 +1,4 @@
-// Bounds of the shadow maps' depths, by block.
+// Pass that finds nearest and farthest depths of shadow maps, by block.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,18 +6,21 @@
 
 namespace si {
 
-/// Finds between which planes the maps' depths lie within the kernel's reach of each block. Look-ups that find both on
-/// one side of their receiver fetch no taps (Optimisation::EarlyOut).
+/// Finds the nearest and farthest depth within the kernel's reach of each block of map texels. Look-ups whose receiver
+/// lies on one side of both fetch no taps (Optimisation::EarlyOut).
 class MapBoundsPass : public FramePass {
 public:
+    /// Targets of MapBoundsPass, kept between frames: images of the depth bounds.
     struct Targets {
-        gl::Target bounds;  ///< RGBA32F, a layer a view
-        gl::Target cells;   ///< of one view, of cells alone
+        gl::Target bounds;  ///< RGBA32F, a layer for each view
+        gl::Target cells;   ///< bounds of single cells, before widening by the kernel's reach; one view
     };
 
     void declare(FrameState& f) override;
 
 private:
+    /// Computes the depth bounds of all map layers. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(const FrameState& f, PassInfo& info);
 
     Targets targets_;

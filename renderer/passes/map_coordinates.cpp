@@ -1,4 +1,4 @@
-// Where in the shown light's map each pixel's kernel is centred.
+// Pass that draws the map coordinates of each pixel's kernel centre, for view.light.
 #include "renderer/passes/map_coordinates.h"
 
 #include "renderer/passes/camera_pass.h"
@@ -6,21 +6,21 @@
 namespace si {
 
 void MapCoordinatesPass::declare(FrameState& f) {
-    f.plan.place(Result::MapCoordinates, {&coordinates_});
+    f.plan.place_result(Result::MapCoordinates, {&coordinates_});
     Pass pass;
     pass.name = "map coordinates";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::MapCoordinates};
-    pass.idle_reason = "not needed: nothing shows which texels are read";
+    pass.idle_reason = "not needed: no output shows which texels are read";
     if (!f.shown_view()) {
-        pass.unneeded = "the light shown has no map";
-        f.plan.add(std::move(pass));
+        pass.unneeded = "view.light has no shadow map";
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.shown_light_key().value();
     pass.cached = &coordinates_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MapCoordinatesPass::run(FrameState& f, PassInfo& info) {

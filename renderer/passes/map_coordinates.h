@@ -1,4 +1,4 @@
-// Places of the picture's look-ups in the shown map.
+// Pass that finds where each pixel looks up the shown shadow map.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,12 +6,14 @@
 
 namespace si {
 
-/// Draws where in the shown light's map each pixel's kernel is centred.
+/// Draws for each pixel the map coordinates of the kernel's centre, in the map of view.light.
 class MapCoordinatesPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
+    /// Draws the map coordinates of all pixels. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target coordinates_;  ///< RGBA32F

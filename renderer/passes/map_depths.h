@@ -1,4 +1,4 @@
-// Shadow maps read back.
+// Read-back of shadow maps.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,17 @@ namespace si {
 
 class PagePasses;
 
-/// Which layer of the shadow maps is whose, and how they are kept.
+/// Layer of the shadow map textures, with its storage and depth curve.
 struct MapLayer {
     DepthCurve curve;
     int layer = 0;
     bool paged = false, holds_distances = false;
 };
 
-/// Depths of a part of a layer of the maps, bottom row first, whatever the maps are kept in.
+/// Reads back stored depths of a rectangle of one shadow map layer, bottom row first. Works for depth formats, colour
+/// formats and virtual maps.
+/// @param first lower left texel
+/// @param size width and height in texels
 std::vector<float> read_map_depths(const PagePasses& pages, const gl::Target& maps, const MapLayer& of,
                                    glm::ivec2 first, glm::ivec2 size);
 

@@ -1,4 +1,4 @@
-// A depth image as a picture for people: a shadow map, or the camera's depth.
+// Passes that draw the map viewer's picture of a shadow map or of the camera's depth.
 #include "renderer/passes/map_view.h"
 
 #include <algorithm>
@@ -12,9 +12,9 @@ namespace si {
 namespace {
 
 constexpr int kLargestPicture = 4096;
-constexpr int kBlocks = 64;  ///< per axis, of which the GPU finds the range
+constexpr int kBlocks = 64;  ///< blocks per axis; the GPU finds the depth range of each
 
-/// Sets what shaders/lib/shown_depth.glsl reads.
+/// Binds a program that includes shaders/lib/shown_depth.glsl, and sets its uniforms.
 GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     const bool camera = f.settings.view.map_source == MapSource::Camera;
     std::vector<gl::Define> extra;
@@ -33,9 +33,9 @@ GLuint use_program(const FrameState& f, std::string_view fragment, int layer) {
     return id;
 }
 
-/// One moment of the map shown as a number a texel, or the share of the range that alone would have it.
+/// Returns the pass that draws the shown moment as one number for each texel.
 Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) {
-    f.plan.place(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
+    f.plan.place_result(Result::MapChannel, {&t.channel, shared::UNIT_MAP_CHANNEL, nullptr});
     Pass pass;
     pass.name = "map channel";
     pass.category = PassCategory::Tool;
@@ -43,8 +43,8 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
     pass.writes = {Result::MapChannel};
     pass.idle_reason = "the map viewer is closed";
     if (shown_channel(f.settings) == 0) {
-        pass.unneeded = "view.map_channel asks for depth";
-        f.plan.release([&t] { t.channel = {}; });
+        pass.unneeded = "view.map_channel shows depth, no moment";
+        f.plan.release_later([&t] { t.channel = {}; });
     }
     pass.key = key.add(f.settings.view.map).add(f.settings.filter.kernel).value();
     pass.cached = &t.channel.key;
@@ -65,12 +65,12 @@ Pass channel_pass(FrameState& f, MapViewPasses::Targets& t, Key key, int layer) 
 }
 
 Pass range_pass(FrameState& f, MapViewPasses::Targets& t, const Key& shown, int layer) {
-    f.plan.place(Result::DepthRange, {&t.range});
+    f.plan.place_result(Result::DepthRange, {&t.range});
     Pass pass;
     pass.name = "drawn depth range";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::DepthRange};
-    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit does not ask for it";
+    if (!f.fits_grey_range()) pass.unneeded = "view.map_fit is off";
     pass.key = shown.value();
     pass.cached = &t.range.key;
     pass.run = [&f, &t, layer](PassInfo& info) {
@@ -97,7 +97,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
     const glm::vec2 drawn = targets_.drawn;
     const ViewSettings& s = f.settings.view;
     if (!f.fits_grey_range() || drawn.x > drawn.y) return {s.map_black, s.map_white};
-    // Of a warped map no less than what is drawn: in which row a depth lies is not read back.
+    // The range of a warped map covers at least the drawn depths, as the row of each depth is not read back.
     double lo = std::numeric_limits<double>::infinity(), hi = -lo;
     for (const double row : {0.0, 1.0})
         for (const float stored : {drawn.x, drawn.y}) {
@@ -109,7 +109,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
         lo = drawn.x;
         hi = drawn.y;
     }
-    const double least = 1e-6;  // one depth alone is shown in the middle of the greys
+    const double least = 1e-6;  // a single depth is shown in middle grey
     if (hi - lo < least) {
         lo = 0.5 * (lo + hi - least);
         hi = lo + least;
@@ -119,7 +119,7 @@ glm::vec2 MapViewPasses::grey_range(const FrameState& f) const {
 
 void MapViewPasses::declare(FrameState& f) {
     Targets& t = targets_;
-    f.plan.place(Result::MapView, {&t.picture});
+    f.plan.place_result(Result::MapView, {&t.picture});
     const ViewSettings& v = f.settings.view;
     const bool camera = v.map_source == MapSource::Camera;
     int layer = 0;
@@ -134,21 +134,21 @@ void MapViewPasses::declare(FrameState& f) {
     if (!camera && !view) {
         const bool exists = std::size_t(v.light) < f.gl.fitted.size();
         pass.unneeded = exists ? f.gl.fitted[std::size_t(v.light)].reason : "there is no such light";
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
         return;
     }
     Key shown;
     shown.add(camera ? -1 : layer).add(f.gl.programs.source().generation());
-    if (!camera) f.plan.add(channel_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer));
+    if (!camera) f.plan.add_pass(channel_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer));
     Pass range = range_pass(f, t, f.with_settings(shown, ReadBy::MapRange), layer);
     range.reads = pass.reads;
     range.idle_reason = pass.idle_reason;
     if (f.fits_grey_range()) pass.reads.push_back(Result::DepthRange);
-    f.plan.add(std::move(range));
+    f.plan.add_pass(std::move(range));
     pass.key = f.with_settings(shown, ReadBy::MapView).value();
     pass.cached = &t.picture.key;
     pass.run = [this, &f, camera, layer](PassInfo& info) { run(f, camera, layer, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MapViewPasses::run(FrameState& f, bool camera, int layer, PassInfo& info) {

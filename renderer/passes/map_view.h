@@ -1,4 +1,4 @@
-// The map viewer's picture.
+// Passes that draw the map viewer's picture.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,21 +6,25 @@
 
 namespace si {
 
-/// Draws a depth image as a picture for people, a shadow map or the camera's depth: the moment shown
-/// (Result::MapChannel), the range of what was drawn (Result::DepthRange) and the picture (Result::MapView).
+/// Draws the map viewer's picture of a shadow map or of the camera's depth. Three passes: the shown moment
+/// (Result::MapChannel), the drawn depth range (Result::DepthRange) and the picture (Result::MapView).
 class MapViewPasses : public FramePass {
 public:
+    /// Targets of MapViewPasses, kept between frames: images of the map viewer, and the range of the drawn depths.
     struct Targets {
         gl::Target picture, range, channel;
-        glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth, as `range` has them
+        glm::vec2 drawn{0, 1};  ///< smallest and largest drawn depth
     };
 
     void declare(FrameState& f) override;
-    /// Returns which values are black and white, as shares of the range: fitted to what was drawn (view.map_fit), else
-    /// view.map_black and view.map_white.
+    /// Returns the values shown black and white, on the scale of shown_depth(). They are fitted to drawn depths
+    /// (view.map_fit), or view.map_black and view.map_white.
     glm::vec2 grey_range(const FrameState& f) const;
 
 private:
+    /// Draws the map viewer's picture. Called when the plan runs the pass.
+    /// @param camera shows the camera's depth in place of a map
+    /// @param layer layer of the shadow maps
     void run(FrameState& f, bool camera, int layer, PassInfo& info);
 
     Targets targets_;

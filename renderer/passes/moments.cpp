@@ -1,4 +1,4 @@
-// Functions of the maps' depths, averaged about each texel, for the kernels that read those in place of depths.
+// Pass that averages functions of the maps' depths around each texel, for kernels that read moments in place of depths.
 #include "renderer/passes/moments.h"
 
 #include <fmt/format.h>
@@ -19,7 +19,7 @@
 namespace si {
 namespace {
 
-/// Where a draw's moments come from, as passes/moments.frag.glsl names it.
+/// Input of a moment draw, as named in passes/moments.frag.glsl.
 enum class From { Depths, Samples, Moments };
 
 GLenum stored_format(const FrameState& f) {
@@ -36,19 +36,20 @@ GLenum stored_format(const FrameState& f) {
     }
 }
 
-/// What is between two draws is never of fewer bits.
+/// Returns the format of intermediate layers, with at least the bits of the stored moments.
 GLenum step_format(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
     if (m.summed) return stored_format(f);
     return m.names.size() == 1 ? GL_R32F : m.names.size() == 2 ? GL_RG32F : GL_RGBA32F;
 }
 
-/// Makes one view's layer of the moments, step by step.
+/// Computes the moments of one view's layer, step by step.
 class LayerMaker {
 public:
     LayerMaker(FrameState& f, MomentsPass::Targets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
-    /// @param held what of the view's map is drawn
+    /// Computes the moments of one view.
+    /// @param held drawn cells of the view's map
     void make(const FittedLight& light, const LightView& view, int layer, const MapCells& held) {
         const FilterSettings& s = f_.settings.filter;
         view_ = &view;
@@ -81,10 +82,10 @@ private:
     MomentsPass::Targets& t_;
     PassInfo& info_;
     const LightView* view_ = nullptr;
-    std::vector<TexelRect> texels_;  ///< that the map holds
-    int layer_ = 0, filled_ = 0;     ///< which of the steps holds what was drawn last
+    std::vector<TexelRect> texels_;  ///< drawn texels of the map
+    int layer_ = 0, filled_ = 0;     ///< index in `steps` of the last draw's output
 
-    /// Of what the next draw writes into: the layer itself, or the step that is not read.
+    /// Returns the framebuffer of the next draw: the layer itself, or the step that the draw does not read.
     gl::Framebuffer begin(bool last) {
         gl::Target& step = t_.steps[1 - filled_];
         if (!last) step.ensure("moments, a step", step_format(f_), f_.map_resolution, f_.map_resolution);
@@ -97,18 +98,20 @@ private:
         return into;
     }
 
+    /// Averages along one axis.
     /// @param axis 0 along x, 1 along y
     void average(From from, int radius, int axis, bool last) {
         const gl::Framebuffer into = begin(last);
-        // Only near the map's sides are windows cut: to find how far, texel by texel, costs a frame's fifteenth.
+        // Windows are clipped near the map's sides only. Clipping every texel's window would cost a fifteenth of a
+        // frame.
         const int n = f_.map_resolution, cut = std::min(radius, (n + 1) / 2);
         const glm::ivec2 inner[] = {{cut, n - cut}}, sides[] = {{0, cut}, {std::max(cut, n - cut), n}};
         average_strips(from, radius, axis, last, true, inner);
         average_strips(from, radius, axis, last, false, sides);
     }
 
-    /// Of what is held, texels from the first to before the second number along the axis.
-    /// @param whole none of their windows is cut
+    /// Averages the drawn texels in strips [first, second) along the axis.
+    /// @param whole no window is clipped
     void average_strips(From from, int radius, int axis, bool last, bool whole, std::span<const glm::ivec2> strips) {
         std::vector<TexelRect> rects;
         for (const glm::ivec2& strip : strips)
@@ -137,7 +140,7 @@ private:
         f_.draw_fullscreen(rects, info_);
     }
 
-    /// Sums along an axis, of what was drawn last; along the last axis into the layer.
+    /// Sums the last draw's output along an axis; the last axis writes into the layer.
     void sum(int axis) {
         const GLuint id = f_.program("passes/fullscreen.vert.glsl", "passes/sums.frag.glsl",
                                      {{"BLUR_COLUMNS", std::to_string(axis)}});
@@ -154,7 +157,7 @@ private:
         t_.samples.ensure("samples of a map", colour ? GLenum(GL_DEPTH_COMPONENT32F) : f_.map_format(),
                           f_.map_resolution, f_.map_resolution, 0, {.samples = f_.settings.map.samples});
         const gl::Framebuffer into = gl::make_framebuffer("samples of a map", nullptr, &t_.samples);
-        draw_casters(f_, into, false, light, view, info_, {.called = &held});
+        draw_casters(f_, into, false, light, view, info_, {.needed = &held});
     }
 };
 
@@ -162,7 +165,7 @@ bool samples_moments(const FrameState& f) {
     return f.view_count > 0 && filter_of(f.settings).samples == Samples::Moments;
 }
 
-/// What was done, in words.
+/// Returns a description of the moments for the pass's reason.
 std::string description(const FrameState& f) {
     const Filter& row = filter_of(f.settings);
     std::string names;
@@ -189,21 +192,21 @@ void MomentsPass::declare(FrameState& f) {
     pass.reads = {Result::ShadowMaps};
     pass.writes = {Result::Moments};
     pass.category = PassCategory::Maps;
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     if (!samples_moments(f)) {
-        pass.unneeded =
-            f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, not averages of them";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        pass.unneeded = f.view_count == 0 ? "no light has a shadow map" : "filter.kernel reads depths, no moments";
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     const bool summed = filter_of(f.settings).moments.summed;
-    // Tables of sums are fetched texel by texel.
-    f.plan.place(Result::Moments, {&targets_.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
+    // Summed-area tables are fetched without filtering.
+    f.plan.place_result(Result::Moments,
+                        {&targets_.moments, shared::UNIT_MOMENTS, summed ? nullptr : &f.gl.map_blended});
     pass.key = f.with_settings(Key().add(filter_of(f.settings).key), ReadBy::Moments).add(f.maps_extent).value();
     pass.cached = &targets_.moments.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void MomentsPass::run(FrameState& f, PassInfo& info) {
@@ -221,7 +224,7 @@ void MomentsPass::run(FrameState& f, PassInfo& info) {
                 maker.make(light, light.views[v], int(layer), f.drawn_cells_by_layer[layer]);
     }
     if (mips) glGenerateTextureMipmap(t.moments.texture.id());
-    if (std::optional<PartInfo> part = unread_texels_part(f, "moments that nothing reads"))
+    if (std::optional<PartInfo> part = unread_texels_part(f, "moments that no pass reads"))
         info.parts.push_back(std::move(*part));
     info.reason += description(f);
 }

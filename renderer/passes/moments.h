@@ -1,4 +1,4 @@
-// Averages of functions of the maps' depths.
+// Pass that filters functions of shadow map depths, for VSM, ESM, MSM and the like.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,25 @@
 
 namespace si {
 
-/// Returns what a pass reads that evaluates the kernel.
+/// Returns the results that a pass reads when it evaluates the filter kernel, for Pass::reads.
 std::vector<ResultRef> kernel_inputs(const FrameState& f);
 
-/// Makes functions of the maps' depths, averaged about each texel, for kernels that read those in place of depths.
+/// Computes functions of the maps' depths, averaged around each texel. Kernels with pre-filtered maps (VSM, ESM, MSM)
+/// read these moments in place of depths.
 class MomentsPass : public FramePass {
 public:
+    /// Targets of MomentsPass, kept between frames: images of the moments and of their intermediate steps.
     struct Targets {
-        gl::Target moments;   ///< a layer a view
-        gl::Target steps[2];  ///< one layer between two draws
-        gl::Target samples;   ///< one view's map with several samples a texel
+        gl::Target moments;   ///< a layer for each view
+        gl::Target steps[2];  ///< intermediate layer between two draws
+        gl::Target samples;   ///< multisampled depth of one view
     };
 
     void declare(FrameState& f) override;
 
 private:
+    /// Computes the moments of all map layers. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     Targets targets_;

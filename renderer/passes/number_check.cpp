@@ -14,7 +14,8 @@ class NumberCheck {
 public:
     explicit NumberCheck(NumericHealth& health) : health_(health) {}
 
-    /// @param across numbers of a column
+    /// Searches an array for NaN and infinity.
+    /// @param across numbers in a column
     void check(std::span<const float> numbers, int across, const std::string& place, int light = -1, int view = -1) {
         health_.numbers += numbers.size();
         for (const NumberFault fault : {NumberFault::NotANumber, NumberFault::Infinite}) {

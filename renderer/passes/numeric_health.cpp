@@ -1,5 +1,5 @@
-// Numbers that are none, or lie where none can: every map, whatever is made of it, and the visibility are searched on
-// the GPU layer by layer, of which as little as a record a layer is read back. Matrices and blocks: number_check.cpp.
+// Pass that searches every map, its moments and the visibility for invalid numbers on the GPU, layer by layer. Only one
+// record a layer is read back. number_check.cpp searches matrices and blocks.
 #include "renderer/passes/numeric_health.h"
 
 #include <fmt/format.h>
@@ -24,10 +24,10 @@ namespace {
 constexpr int kMinTileTexels = 32;    ///< texels that one invocation searches along a side
 constexpr int kMaxTilesPerSide = 64;  ///< along a side; larger images have larger tiles
 
-/// What shares of light may be off 0 to 1 by: the weights of kernels are rounded.
+/// Tolerance of visibility outside 0 to 1, as kernel weights are rounded.
 constexpr double kLightSlack = 1e-5;
 
-/// What a fault is known by in passes/numeric_health.frag.glsl.
+/// Returns the numbers of the faults as defines for passes/numeric_health.frag.glsl.
 const std::vector<gl::Define>& fault_defines() {
     static const std::vector<gl::Define> defines = {
         {"HEALTH_FAULTS", std::to_string(kNumberFaults)},
@@ -39,35 +39,35 @@ const std::vector<gl::Define>& fault_defines() {
     return defines;
 }
 
-/// What the numbers of an image have to be.
+/// Requirements on the numbers of an image.
 struct Demands {
     int channels = 1;
-    bool in_range = false;              ///< the first is between 0 and 1
-    bool warped = false;                ///< powers of e
-    bool quantised = false;             ///< of the moments' transform
+    bool in_range = false;              ///< first channel must lie in 0 to 1
+    bool warped = false;                ///< channels are exponentials
+    bool quantised = false;             ///< channels are quantised in a transformed space
     int variances = 0;                  ///< pairs of mean and mean square
-    double relative = 0, absolute = 0;  ///< what they are rounded by: by the mean square, and in all
+    double relative = 0, absolute = 0;  ///< rounding error: relative to the mean square, and absolute
 };
 
-/// An image whose layers are searched.
+/// Image to search, with the requirements on its numbers.
 struct Searched {
     Result of;
     const gl::Target* image;
     std::string name;  ///< "shadow map"
     Demands demands;
-    bool of_maps = true;    ///< a layer a view; else a layer a light, of pixels
-    bool of_pages = false;  ///< a pool of them
+    bool of_maps = true;    ///< a layer for each view; else a layer for each light, of pixels
+    bool of_pages = false;  ///< image is a page pool
     bool has_layers() const { return image->layers > 0; }
 };
 
-/// One layer of it, at one level.
+/// Layer of a searched image at one mip level.
 struct SearchedLayer {
-    NumberFinding place;  ///< but what was found there
+    NumberFinding place;  ///< place without count and value
     int layer = 0;
     glm::ivec2 size{0};
 };
 
-/// What the shader writes of a kind of fault.
+/// Record that the shader writes for one kind of fault.
 struct FaultRecord {
     std::uint32_t count, first, worst, bits;
     glm::ivec2 first_at() const { return {int(first & 0xffffu), int(first >> 16)}; }
@@ -76,10 +76,10 @@ struct FaultRecord {
 };
 static_assert(sizeof(FaultRecord) == 16);
 
-// What is searched ----------------------------------------------------------------------------------------------------
+// Searched images ---------------------------------------------------------------------------------------------------
 
-/// How far a variance may fall below 0 by rounding: of the mean square and the mean's square as they are stored, of the
-/// sums that they are, and of the mip levels that are made of them.
+/// Returns the requirements on stored moments. A variance may fall below 0 by rounding of the stored mean and mean
+/// square, of their sums, and of mip levels.
 Demands moment_demands(const FrameState& f) {
     const StoredMoments& m = filter_of(f.settings).moments;
     const bool wide = f.settings.filter.moment_format == MomentFormat::Bits32;
@@ -91,8 +91,9 @@ Demands moment_demands(const FrameState& f) {
     const double terms = 2 * (2 * f.settings.filter.blur + 1) + std::max(f.settings.map.samples, 1) + 8;
     d.quantised = m.quantised && !wide;
     d.relative = 4 * terms * single + (wide || d.quantised ? single : half) * (4 + 4 * levels);
-    if (!wide && !d.quantised) d.absolute = std::exp2(-24);  // the least that a 16-bit float holds
-    // Rounded to steps of the transformed moments, which the way back multiplies by at most 3.6 in b.y - b.x^2.
+    if (!wide && !d.quantised) d.absolute = std::exp2(-24);  // smallest positive 16-bit float
+    // Quantised moments are rounded in a transformed space; the inverse transform scales the error of b.y - b.x^2 by at
+    // most 3.6.
     if (d.quantised) d.absolute = 3.6 * step * (1 + levels);
     return d;
 }
@@ -117,7 +118,7 @@ std::vector<Searched> searched_images(const FrameState& f) {
     return out;
 }
 
-/// Whose a layer of the maps is, in words.
+/// Returns the place of a map layer in words.
 NumberFinding place_of_view(const FrameState& f, const Searched& s, std::size_t light, std::size_t view) {
     const FittedLight& l = f.gl.fitted[light];
     const std::string name = view_name(l.chooser.choice, view, l.views.size());
@@ -128,7 +129,7 @@ NumberFinding place_of_view(const FrameState& f, const Searched& s, std::size_t 
             .unit = "texel"};
 }
 
-/// All layers and levels of an image, one after the other.
+/// Returns all layers and mip levels of an image.
 std::vector<SearchedLayer> layers_of(const FrameState& f, const Searched& s) {
     std::vector<SearchedLayer> out;
     const auto add = [&](NumberFinding place, int layer) {
@@ -142,7 +143,7 @@ std::vector<SearchedLayer> layers_of(const FrameState& f, const Searched& s) {
     if (!s.of_maps) {
         for (int layer = 0; layer < std::max(s.image->layers, 1); ++layer) {
             const bool lit = s.has_layers();
-            // Of other lights nothing is drawn into theirs, nor read.
+            // Layers of lights without blobs are neither drawn nor read.
             if (s.of == Result::Blobs &&
                 !(f.gl.fitted[std::size_t(layer)].shadowed && source_of(f.settings, layer).needs.blobs))
                 continue;
@@ -179,7 +180,7 @@ class FaultSearch {
 public:
     FaultSearch(const FrameState& f, NumericHealthPass::Targets& t, PassInfo& info) : f_(f), t_(t), info_(info) {}
 
-    /// Finds the faults of each tile of a layer.
+    /// Counts the faults in each tile of a layer.
     glm::ivec2 search(const Searched& s, const SearchedLayer& layer, int tile) {
         const glm::ivec2 tiles = (layer.size + tile - 1) / tile;
         t_.tiles.ensure("numeric health, tiles", GL_RGBA32UI, std::max(tiles.x, kMaxTilesPerSide),
@@ -200,7 +201,7 @@ public:
         return tiles;
     }
 
-    /// Adds them up into a column of what was found.
+    /// Sums the tiles' faults into a column of the result.
     void add_up(const gl::Framebuffer& found, int column, glm::ivec2 tiles) {
         f_.begin_fullscreen_pass(found.id(), 1, 1);
         glViewport(column, 0, 1, 1);
@@ -214,7 +215,7 @@ public:
     }
 
 private:
-    /// It reads nothing of settings and lights: once made it serves all of them.
+    /// Returns a program for the search. It reads neither settings nor lights, so that one program serves all of them.
     GLuint program(std::vector<gl::Define> defines) const {
         return f_.gl.programs.get({.vertex = "passes/fullscreen.vert.glsl",
                                    .fragment = "passes/numeric_health.frag.glsl",
@@ -228,7 +229,7 @@ private:
     PassInfo& info_;
 };
 
-/// Has a target's contents copied into a buffer, without waiting for it.
+/// Starts copying a target's contents into a buffer, without waiting.
 void begin_read_back(gl::Buffer& to, const gl::Target& from) {
     const auto bytes = GLsizeiptr(sizeof(FaultRecord)) * from.width * from.height * from.layers;
     to = gl::Buffer::create("numeric health");
@@ -246,7 +247,7 @@ std::vector<FaultRecord> records_of(const gl::Buffer& buffer, std::size_t count)
 }
 
 PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searched& s) {
-    const ReadPages read = pages.read();
+    const ReadPages read = pages.read_pages();
     PoolTiles out{.read_back = {}, .page = read.texels, .layers = {}};
     std::map<int, std::size_t> of_layer;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
@@ -260,7 +261,7 @@ PoolTiles pool_tiles(const FrameState& f, const PagePasses& pages, const Searche
     return out;
 }
 
-// All of it -----------------------------------------------------------------------------------------------------------
+// The whole search --------------------------------------------------------------------------------------------------
 
 void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPass::Targets& t, PassInfo& info) {
     t.health = nullptr;
@@ -288,7 +289,8 @@ void search_frame(const FrameState& f, const PagePasses& pages, NumericHealthPas
         if (s.of_pages) {
             PoolTiles pool = pool_tiles(f, pages, s);
             const glm::ivec2 size(s.image->width, s.image->height);
-            // The tiles of a pool are its pages, of which those that nothing reads hold anything.
+            // Tiles of a pool are its pages. Pages that no look-up reads may hold old numbers and are skipped on the
+            // CPU.
             search.search(s, {.place = {}, .layer = 0, .size = size}, std::max(pool.page, 1));
             pool.tiles = {t.tiles.width, t.tiles.height};
             begin_read_back(pool.read_back, t.tiles);
@@ -329,9 +331,9 @@ double amount_of(NumberFault fault, double value) {
                                                     : 0;
 }
 
-/// What was found in the pages of one map.
-void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<const FaultRecord> tiles,
-               NumericHealth& health) {
+/// Adds the faults in the pages of one map to `health`.
+void add_page_findings(const PoolTiles& pool, const SearchedPages& layer, std::span<const FaultRecord> tiles,
+                       NumericHealth& health) {
     const std::size_t per_fault = tiles.size() / kNumberFaults;
     for (std::size_t k = 0; k < kNumberFaults; ++k) {
         NumberFinding sum = layer.place;
@@ -356,7 +358,7 @@ void put_pages(const PoolTiles& pool, const SearchedPages& layer, std::span<cons
 
 }  // namespace
 
-std::shared_ptr<const NumericHealth> NumericHealthPass::read(bool wait) {
+std::shared_ptr<const NumericHealth> NumericHealthPass::read_result(bool wait) {
     Targets& t = targets_;
     if (t.health || !t.done) return t.health;
     const GLenum state = glClientWaitSync(t.done, GL_SYNC_FLUSH_COMMANDS_BIT, wait ? GLuint64(60e9) : 0);
@@ -370,7 +372,7 @@ std::shared_ptr<const NumericHealth> NumericHealthPass::read(bool wait) {
     if (t.pool) {
         const std::size_t count = std::size_t(t.pool->tiles.x) * std::size_t(t.pool->tiles.y) * kNumberFaults;
         const std::vector<FaultRecord> tiles = records_of(t.pool->read_back, count);
-        for (const SearchedPages& layer : t.pool->layers) put_pages(*t.pool, layer, tiles, health);
+        for (const SearchedPages& layer : t.pool->layers) add_page_findings(*t.pool, layer, tiles, health);
     }
     glDeleteSync(t.done);
     t.done = nullptr;
@@ -390,18 +392,18 @@ void NumericHealthPass::declare(FrameState& f) {
     pass.writes = {Result::Health};
     pass.idle_reason = "not needed: the numbers are not checked";
     if (!f.request.outputs.health) {
-        // Frames without a picture are drawn beside one that is shown, which may still want what was found.
-        if (f.request.outputs.colour) f.plan.release([this] { targets_ = Targets(); });
-        f.plan.add(std::move(pass));
+        // Frames without a picture keep the findings, as a shown frame may still need them.
+        if (f.request.outputs.colour) f.plan.release_later([this] { targets_ = Targets(); });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     Targets& t = targets_;
-    f.plan.place(Result::Health, {&t.found});
+    f.plan.place_result(Result::Health, {&t.found});
     pass.key =
         Key().add(f.geometry_key).add(f.camera_key).add(f.lights_key).add(f.gl.programs.source().generation()).value();
     pass.cached = &t.found.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void NumericHealthPass::run(const FrameState& f, PassInfo& info) {

@@ -1,4 +1,4 @@
-// The search for numbers that are none: its pass, and what it found, back from the GPU.
+// Pass that searches a frame's images for invalid numbers such as NaN, and read-back of its findings.
 #pragma once
 
 #include <memory>
@@ -14,29 +14,32 @@ namespace si {
 
 class PagePasses;
 
-/// The pages of one map in a pool whose tiles are read back.
+/// Pages of one virtual map in a pool whose tiles are read back.
 struct SearchedPages {
     NumberFinding place;
     std::vector<PlacedPage> pages;
 };
 
+/// Read-back of the fault counts in a page pool, one tile for each page.
 struct PoolTiles {
-    gl::Buffer read_back;
-    glm::ivec2 tiles{0};  ///< across and up
-    int page = 0;         ///< texels along a side of one
+    gl::Buffer read_back;  ///< copy of `found` for the CPU
+    glm::ivec2 tiles{0};   ///< columns and rows
+    int page = 0;          ///< texels along a page's side
     std::vector<SearchedPages> layers;
 };
 
-/// Searches all that the frame made so far, maps and visibility, for what is no number.
+/// Searches the frame's maps and visibility for NaN, infinity and other number faults.
 class NumericHealthPass : public FramePass {
 public:
+    /// Targets of NumericHealthPass, kept between frames: GPU images and buffers of the search, and its findings so
+    /// far.
     struct Targets {
-        gl::Target tiles, found;  ///< RGBA32UI, a layer a kind of fault
-        gl::Buffer read_back;     ///< of `found`
+        gl::Target tiles, found;  ///< RGBA32UI, a layer for each kind of fault
+        gl::Buffer read_back;     ///< copy of `found` for the CPU
         GLsync done = nullptr;
-        std::vector<NumberFinding> places;  ///< one a column of `found`
+        std::vector<NumberFinding> places;  ///< one for each column of `found`
         std::optional<PoolTiles> pool;
-        NumericHealth so_far;  ///< found by the CPU
+        NumericHealth so_far;  ///< findings of the CPU
         std::shared_ptr<const NumericHealth> health;
 
         Targets() = default;
@@ -59,10 +62,13 @@ public:
 
     explicit NumericHealthPass(const PagePasses& pages) : pages_(pages) {}
     void declare(FrameState& f) override;
-    /// Returns what the last run found; null while the driver is not through with it. @param wait for it
-    std::shared_ptr<const NumericHealth> read(bool wait);
+    /// Returns the findings of the last search; null while the GPU has not finished it.
+    /// @param wait waits for the GPU
+    std::shared_ptr<const NumericHealth> read_result(bool wait);
 
 private:
+    /// Starts the search of all images of the frame, without waiting for the GPU. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(const FrameState& f, PassInfo& info);
 
     Targets targets_;

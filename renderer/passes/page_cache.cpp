@@ -17,7 +17,7 @@ namespace {
 using Place = std::pair<int, int>;           // y and x of a page in its grid
 using Pages = std::vector<std::set<Place>>;  // by layer
 
-/// The page of the next coarser level that holds a page, where that level has it.
+/// Finds the page of the next coarser level that contains a page. Returns false if there is none.
 bool coarser_page(const std::vector<PageGrid>& grids, int layer, glm::ivec2 page, int& coarser, glm::ivec2& of) {
     const PageGrid& grid = grids[std::size_t(layer)];
     coarser = grid.coarser;
@@ -29,12 +29,12 @@ bool coarser_page(const std::vector<PageGrid>& grids, int layer, glm::ivec2 page
     return in.x >= 0 && in.y >= 0 && in.x < next.side && in.y < next.side;
 }
 
-/// Gives up pages of the finest levels, those that share a coarser one together, until so many are left.
-void give_way(const std::vector<PageGrid>& grids, Pages& pages, std::size_t most) {
+/// Drops pages of the finest levels until `most` are left. Pages that share a coarser page are dropped together.
+void drop_finest_pages(const std::vector<PageGrid>& grids, Pages& pages, std::size_t most) {
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();
-    // Levels of all lights give way together, the finest of each first.
-    std::vector<int> depth(grids.size(), 0);  // how many finer levels there are
+    // Levels of all lights are dropped together, the finest of each first.
+    std::vector<int> depth(grids.size(), 0);  // number of finer levels
     int deepest = 0;
     for (std::size_t i = 0; i < grids.size(); ++i)
         if (grids[i].coarser >= 0) depth[std::size_t(grids[i].coarser)] = depth[i] + 1;
@@ -65,16 +65,16 @@ void PageCache::clear() {
     std::fill(slots_.begin(), slots_.end(), Slot{});
 }
 
-void PageCache::make_room(int pages) {
+void PageCache::grow_pool(int pages) {
     if (pages <= room()) return;
     side_ = int(std::ceil(std::sqrt(double(pages))));
     slots_.assign(std::size_t(side_) * std::size_t(side_), {});
     by_key_.clear();
 }
 
-PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted,
-                             int table_side, int most,
-                             const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of) {
+PageChoice PageCache::choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted,
+                                   int table_side, int most,
+                                   const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of) {
     PageChoice out;
     out.table_side = table_side;
     out.table.assign(wanted.size(), {});
@@ -92,11 +92,11 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
                     ++out.wanted_by_layer[std::size_t(layer)];
                     ++out.wanted;
                 }
-    give_way(grids, pages, std::size_t(std::max(most, 1)));
+    drop_finest_pages(grids, pages, std::size_t(std::max(most, 1)));
 
     std::size_t total = 0;
     for (const auto& layer : pages) total += layer.size();
-    make_room(int(std::max<std::size_t>(total, std::size_t(std::max(most, 1)))));
+    grow_pool(int(std::max<std::size_t>(total, std::size_t(std::max(most, 1)))));
     ++frames_;
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (const auto& [y, x] : pages[std::size_t(layer)]) {
@@ -105,7 +105,7 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
                 slots_[found->second].last_read = frames_;
             out.read.push_back(page);
         }
-    // Those that were not read for longest go first; which ones makes no difference to any picture.
+    // Least recently read pages are evicted first; the choice does not change any picture.
     std::vector<std::size_t> free;
     for (std::size_t i = 0; i < slots_.size(); ++i)
         if (slots_[i].last_read != frames_) free.push_back(i);
@@ -134,7 +134,7 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
         entry = {glm::u16vec2(page.at), {}, std::uint8_t(shared::PAGE_CACHED), 0};
         if (drawn_slots.contains(page.slot)) entry.state = std::uint8_t(shared::PAGE_DRAWN);
     }
-    // What gave way is found in the coarser page that holds it.
+    // Dropped pages are found in the coarser page that contains them.
     for (int layer = 0; layer < int(grids.size()); ++layer)
         for (int y = 0; y < grids[std::size_t(layer)].side; ++y)
             for (int x = 0; x < grids[std::size_t(layer)].side; ++x) {
@@ -161,9 +161,9 @@ PageChoice PageCache::choose(const std::vector<PageGrid>& grids, const std::vect
 
 std::string page_facts_text(const PageFacts& p) {
     std::string out = fmt::format("{} pages requested, {} drawn, {} cached", p.wanted, p.drawn, p.kept);
-    if (p.coarser > 0) out += fmt::format(", coarser ones for {}", p.coarser);
+    if (p.coarser > 0) out += fmt::format(", {} replaced by coarser ones", p.coarser);
     if (p.evicted > 0) out += fmt::format(", {} evicted", p.evicted);
-    return out + fmt::format("; {:.3g} M texels drawn, {:.3g} M read; a fixed map as sharp has {:.4g} M",
+    return out + fmt::format("; {:.3g} M texels drawn, {:.3g} M read; an unpaged map of equal texel size has {:.4g} M",
                              1e-6 * double(p.drawn_texels()), 1e-6 * double(p.read_texels()),
                              1e-6 * p.fixed_map_texels);
 }

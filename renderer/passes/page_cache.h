@@ -1,4 +1,5 @@
-// Which pages of virtual maps lie where in a pool, and what is to be drawn: no GL, so that it can be tested by itself.
+// Cache of virtual shadow map pages in a pool: placement, eviction, and choice of pages to draw. Has no OpenGL, for
+// tests without a context.
 #pragma once
 
 #include <cstdint>
@@ -10,63 +11,75 @@
 
 namespace si {
 
-/// The pages of one layer of the maps: a square grid, from the lower left.
+/// Grid of pages of one layer of a virtual map: square, from the lower left.
 struct PageGrid {
-    int side = 0;      ///< in pages
+    int side = 0;      ///< pages along a side
     int coarser = -1;  ///< layer of the next coarser level of the same light; -1: none
-    glm::i64vec2 corner{
-        0};  ///< of its first page among its level's pages; those of the coarser level are twice as wide
+    /// Position of the first page among all pages of its level; pages of the coarser level are twice as wide.
+    glm::i64vec2 corner{0};
 };
 
+/// Entry of the page table that shaders read: place of a page in the pool (shared/pages.h).
 struct PageEntry {
-    glm::u16vec2 at{0};        ///< in the pool, in pages
-    glm::u8vec2 part{0};       ///< of a coarser page, in pages of this level
-    std::uint8_t state = 0;    ///< shared/pages.h
-    std::uint8_t coarser = 0;  ///< how many levels
+    glm::u16vec2 at{0};        ///< place in the pool, in pages
+    glm::u8vec2 part{0};       ///< position within a coarser page, in pages of this level
+    std::uint8_t state = 0;    ///< one of the states in shared/pages.h
+    std::uint8_t coarser = 0;  ///< number of levels up to the page that replaces this one
 };
 static_assert(sizeof(PageEntry) == 8);
 
+/// Page of a virtual map with its place in the pool and its content key.
 struct PlacedPage {
     int layer = 0;
-    glm::ivec2 page{0};  ///< of the layer's grid
-    glm::ivec2 at{0};    ///< in the pool, in pages
+    glm::ivec2 page{0};  ///< position in the layer's grid
+    glm::ivec2 at{0};    ///< place in the pool, in pages
     std::size_t slot = 0;
     std::uint64_t key = 0;
 };
 
-/// What one frame reads of the pool.
+/// Pages of the pool that one frame reads, those to draw, and the page table.
 struct PageChoice {
-    std::vector<PageEntry> table;  ///< layer by layer, `table_side` rows of as many
+    std::vector<PageEntry> table;  ///< layer by layer, each `table_side` rows and columns
     int table_side = 0;
-    std::vector<PlacedPage> read;    ///< each page of the pool that is read, once for each layer that it is of
-    std::vector<std::size_t> drawn;  ///< of `read`, what is to be drawn
+    std::vector<PlacedPage> read;    ///< pages to read, once for each layer that uses them
+    std::vector<std::size_t> drawn;  ///< indices in `read` of the pages to draw
     int wanted = 0, coarser = 0, evicted = 0;
     std::vector<int> wanted_by_layer;
+    /// Returns the table entry of a page.
+    /// @param page column and row in the layer's grid
     const PageEntry& entry(int layer, glm::ivec2 page) const {
         return table[(std::size_t(layer) * std::size_t(table_side) + std::size_t(page.y)) * std::size_t(table_side) +
                      std::size_t(page.x)];
     }
 };
 
+/// Cache of virtual shadow map pages by content key, with least-recently-used eviction.
 class PageCache {
 public:
-    /// Finds a place for every page that is wanted, and for no more than `most` unless the coarsest levels alone are
-    /// more: pages of the finest level give way to the coarser ones that hold them, whatever is kept.
-    /// @param wanted a byte a page, laid out as PageChoice::table; not 0: it is
-    /// @param key_of of all that a page's contents depend on; equal keys are one page
-    PageChoice choose(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
-                      int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
-    /// Pages along the pool's side. Grows, which loses all pages, where choose() needs it.
+    /// Assigns a place in the pool to every wanted page. Where they are more than `most`, pages of the finest levels
+    /// are replaced by the coarser pages that contain them. The coarsest level is always kept.
+    /// @param wanted a byte for each page, laid out as PageChoice::table; 0: not wanted
+    /// @param table_side rows and columns of a layer's table
+    /// @param most capacity in pages
+    /// @param key_of hash of everything that a page's contents depend on; pages with equal keys are shared
+    PageChoice choose_pages(const std::vector<PageGrid>& grids, const std::vector<std::uint8_t>& wanted, int table_side,
+                            int most, const std::function<std::uint64_t(int layer, glm::ivec2 page)>& key_of);
+    /// Returns the pages along the pool's side. choose_pages() may enlarge the pool, which drops all pages.
     int side() const { return side_; }
+    /// Returns the number of pages in the pool.
     int held() const { return int(by_key_.size()); }
+    /// Returns the capacity of the pool in pages.
     int room() const { return int(slots_.size()); }
+    /// Drops all pages from the cache.
     void clear();
 
 private:
+    /// Place in the pool, with the key of its page and the frame that read it last.
     struct Slot {
         std::uint64_t key = 0, last_read = 0;
     };
-    void make_room(int pages);
+    /// Enlarges the pool to hold this many pages, which drops all pages.
+    void grow_pool(int pages);
     int side_ = 0;
     std::vector<Slot> slots_;
     std::unordered_map<std::uint64_t, std::size_t> by_key_;

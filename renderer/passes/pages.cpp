@@ -1,4 +1,4 @@
-// Virtual shadow maps: which pages of them look-ups may read, and those drawn that are not kept.
+// Passes of virtual shadow maps: finding the pages that look-ups may read, and drawing those that are not cached.
 #include "renderer/passes/pages.h"
 
 #include <fmt/format.h>
@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPoolBudgetBytes = 2.0 * 1024 * 1024 * 1024;
 
-/// Across a light: metres on its plane, or texels of a map.
+/// Rectangle across a light: metres on its plane, or texels of a map.
 struct Rect {
     glm::dvec2 lo{-std::numeric_limits<double>::infinity()}, hi{std::numeric_limits<double>::infinity()};
     bool meets(const Rect& o) const { return lo.x <= o.hi.x && lo.y <= o.hi.y && hi.x >= o.lo.x && hi.y >= o.lo.y; }
@@ -32,12 +32,12 @@ struct Rect {
 
 using Casters = PagedCasters;
 
-/// Where casters lie across a light.
+/// Rectangles of all casters across a light.
 struct Across {
     std::vector<Rect> whole;
     std::vector<std::vector<Rect>> parts;
     Across() = default;
-    /// @param projected_rect the corners of a box
+    /// @param projected_rect function from the corners of a box to its rectangle
     template <typename RectOf>
     Across(const Casters& casters, RectOf projected_rect)
         : whole(casters.corners.size()), parts(casters.corners.size()) {
@@ -47,20 +47,21 @@ struct Across {
             for (const Box& part : casters.parts[i]) parts[i].push_back(projected_rect(part));
         }
     }
-    Seen seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
-        if (!whole[i].meets(by)) return Seen::Nothing;
-        if (parts[i].empty()) return Seen::Whole;
+    InstanceParts seen(std::size_t i, const Rect& by, std::size_t indices, std::vector<IndexRange>& out) const {
+        if (!whole[i].meets(by)) return InstanceParts::Nothing;
+        if (parts[i].empty()) return InstanceParts::Whole;
         out.clear();
         for (std::size_t k = 0; k < parts[i].size(); ++k) {
             if (!parts[i][k].meets(by)) continue;
-            add_part(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
+            append_index_range(out, {k * kRunIndices, GLsizei(std::min(kRunIndices, indices - k * kRunIndices))});
         }
-        return Seen::Parts;
+        return InstanceParts::Parts;
     }
 };
 
-/// By what there is, not by which scene it is of, so that pages outlast what moves elsewhere.
-void find_casters(const FrameState& f, Casters& casters) {
+/// Finds boxes and content keys of all casters. Keys depend on content alone, so that cached pages outlast changes
+/// elsewhere.
+void update_paged_casters(const FrameState& f, Casters& casters) {
     const CasterContent& content = caster_content(f);
     if (casters.key == content.key) return;
     const Scene& scene = f.scene;
@@ -84,7 +85,7 @@ void find_casters(const FrameState& f, Casters& casters) {
     casters.key = content.key;
 }
 
-/// One layer of the maps, and how pages of it are drawn.
+/// Layer of the virtual maps, for drawing its pages.
 class PagedLayer {
 public:
     PagedLayer(const FrameState& f, std::size_t light, std::size_t view, const Casters& casters, const Across& across)
@@ -118,7 +119,7 @@ public:
             identity_.add(view_.clip_from_relative(light_.map_origin)).add(resolution_);
     }
 
-    /// Casters on the plane of a directional light.
+    /// Returns the casters' rectangles on the plane of a directional light.
     static Across across_light(const Casters& casters, const glm::dmat3& axes) {
         return Across(casters, [&](const Box& corners) {
             Rect rect;
@@ -143,14 +144,14 @@ public:
         return key.value();
     }
 
-    /// Where in a block of pages a page is drawn, in texels.
+    /// Returns the place of a page in the block of pages, in texels.
     glm::ivec2 place_in_block(const PlacedPage& page) const {
         const glm::i64vec2 at = grid.corner + glm::i64vec2(page.page), wide(kBlockPages);
         return glm::ivec2((at % wide + wide) % wide) * page_;
     }
 
-    /// Draws a page into the bound framebuffer, a block of pages, where its own number says: what a rasteriser makes of
-    /// it must not depend on the page's place in the pool.
+    /// Draws a page into the bound framebuffer, a block of pages. Its place follows from the page's number, as
+    /// rasterisation must not depend on the page's place in the pool.
     void draw(FrameState& f, const PlacedPage& page, GLuint framebuffer, bool unfiltered, PassInfo& info) const {
         glm::ivec2 in_view = page.page;
         const LightView view =
@@ -171,9 +172,9 @@ public:
             info);
     }
 
-    /// Of a texel where the view is coarsest.
+    /// Returns the largest texel size of the view, metres.
     double texel_m() const { return view_.texel_size_range(resolution_).longest; }
-    /// Metres along the side of the square that holds these pages; of other views all they hold.
+    /// Returns the side of the square that contains these pages, metres; for other views that of the whole map.
     double width_m(glm::ivec2 lo, glm::ivec2 hi) const {
         if (!level_) return texel_m() * resolution_;
         const glm::ivec2 pages = hi - lo + 1;
@@ -196,7 +197,7 @@ private:
             std::swap(rect.lo, rect.hi);
             for (const glm::dvec3& p : corners) {
                 const glm::dvec4 h = uvd_from_relative * glm::dvec4(p - light_.map_origin, 1);
-                // Beside and behind a light's place it may be anywhere.
+                // A corner beside or behind the light may project anywhere.
                 if (!(h.w > 1e-6 * (view_.warped() ? 1 : view_.curve.near))) return Rect();
                 const glm::dvec2 at = glm::dvec2(h) / h.w * double(resolution_);
                 rect.lo = glm::min(rect.lo, at);
@@ -215,7 +216,7 @@ private:
     Key identity_;
 };
 
-/// All layers, in their order.
+/// Returns all layers of the virtual maps, in order.
 std::vector<PagedLayer> paged_layers(const FrameState& f, const Casters& casters) {
     std::vector<PagedLayer> out;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
@@ -233,7 +234,7 @@ int pages_per_side(const FrameState& f) {
     return (f.map_resolution + page - 1) / page;
 }
 
-/// Most pages of the pool, by the setting and what the driver and the budget hold.
+/// Returns the capacity of the page pool, limited by the setting, the driver and the memory budget.
 int most_pages(const FrameState& f) {
     const double page = page_texels(f.settings), bytes = drawn_texel_bytes(f.settings.map.format);
     const double side = std::floor(f.driver.max_texture_size / page);
@@ -241,7 +242,8 @@ int most_pages(const FrameState& f) {
     return int(std::clamp(double(f.settings.map.page_pool), 1.0, std::max(most, 1.0)));
 }
 
-/// What blended surfaces read is in no picture of surfaces: they are drawn over them.
+/// Marks the pages that blended surfaces read. The images of visible surfaces do not contain them, as they are drawn on
+/// top.
 void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     const auto& batches = f.gl.scene->batches();
     if (std::none_of(batches.begin(), batches.end(), [](const Batch& b) { return b.blend; })) return;
@@ -254,7 +256,7 @@ void mark_blended(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
         glUseProgram(f.batch_program("passes/scene.vert.glsl", "passes/pages_wanted.frag.glsl",
                                      {{"MARK_PAGES", "1"}, {"FROM_SCENE", "1"}}, b, false));
         f.bind_textures(b);
-        f.gl.scene->draw(b);
+        f.gl.scene->draw_batch(b);
         ++info.draws;
         info.triangles += b.triangles();
     }
@@ -265,9 +267,9 @@ Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     Pass pass;
     pass.name = "pages requested";
     pass.category = PassCategory::Maps;
-    pass.reads = {Result::SurfacesSeen};
+    pass.reads = {Result::VisibleSurfaces};
     pass.writes = {Result::PagesWanted};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     pass.key = f.lighting_key().value();
     pass.cached = &t.wanted.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -287,7 +289,7 @@ Pass wanted_pass(FrameState& f, PagePasses::Targets& t) {
     return pass;
 }
 
-/// Draws pages into a pool as large as the cache says, by way of a block of pages.
+/// Draws pages into the pool by way of a block of pages.
 void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<PagedLayer>& layers, gl::Target& pool,
                     const std::vector<const PlacedPage*>& pages, bool unfiltered, PassInfo& info) {
     const bool colour = is_colour(f.settings.map.format);
@@ -295,7 +297,7 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
     pool.ensure(unfiltered ? "pool of unfiltered pages" : "pool of pages", f.map_format(), width, width);
     t.block.ensure("block of pages", f.map_format(), block, block);
     if (colour)
-        t.depth.ensure("depth beside the block of colour pages", GL_DEPTH_COMPONENT32F, block, block);
+        t.depth.ensure("depth of the block of colour pages", GL_DEPTH_COMPONENT32F, block, block);
     else
         t.depth = {};
     const gl::Framebuffer framebuffer = colour ? gl::make_framebuffer("block of pages", &t.block, &t.depth)
@@ -304,8 +306,8 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
         glm::ivec2 from, to;
     };
     std::vector<Copy> drawn;
-    // Flushed on either side: else zink of Mesa 22.3 at times copies a page before it is drawn, or mixes it with the
-    // one drawn there next.
+    // Flushes before and after, as zink of Mesa 22.3 sometimes copies a page before it is drawn, or mixes it with the
+    // next one.
     const auto copy = [&] {
         glFlush();
         for (const Copy& c : drawn)
@@ -327,8 +329,8 @@ void draw_into_pool(FrameState& f, PagePasses::Targets& t, const std::vector<Pag
     copy();
 }
 
-/// Texels of one map a light as fine as its finest page, over the square about its pages; and what else the frame's
-/// pages come to.
+/// Computes the statistics of the frame's pages. The unpaged map for comparison has the texel size of the light's
+/// finest page, over the square around its pages.
 PageFacts facts_of(const FrameState& f, const PagePasses::Targets& t, const std::vector<PagedLayer>& layers) {
     const PageChoice& choice = t.choice;
     PageFacts facts{.page_texels = t.page,
@@ -394,12 +396,12 @@ void choose_and_draw(FrameState& f, PagePasses::Targets& t, PassInfo& info) {
     gl::prepare_read_back();
     glGetTextureImage(t.wanted.texture.id(), 0, GL_RED_INTEGER, GL_UNSIGNED_BYTE, GLsizei(wanted.size()),
                       wanted.data());
-    find_casters(f, t.casters);
+    update_paged_casters(f, t.casters);
     const std::vector<PagedLayer> layers = paged_layers(f, t.casters);
     std::vector<PageGrid> grids;
     for (const PagedLayer& layer : layers) grids.push_back(layer.grid);
-    t.choice = t.cache.choose(grids, wanted, side, most_pages(f),
-                              [&](int layer, glm::ivec2 at) { return layers[std::size_t(layer)].key_of(at); });
+    t.choice = t.cache.choose_pages(grids, wanted, side, most_pages(f),
+                                    [&](int layer, glm::ivec2 at) { return layers[std::size_t(layer)].key_of(at); });
     std::vector<const PlacedPage*> missing;
     for (const std::size_t i : t.choice.drawn) missing.push_back(&t.choice.read[i]);
     draw_into_pool(f, t, layers, t.pool, missing, false, info);
@@ -414,7 +416,7 @@ Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
     pass.category = PassCategory::Maps;
     pass.reads = {Result::PagesWanted};
     pass.writes = {Result::DrawnMaps, Result::ShadowMaps};
-    pass.idle_reason = "nothing samples a shadow map";
+    pass.idle_reason = "no pass samples a shadow map";
     Key key = f.with_settings(f.with_settings(f.geometry_key, ReadBy::Maps), ReadBy::Pages);
     key.add(f.gl.fit_key).add(f.view_count).add(f.gl.programs.source().generation());
     pass.key = key.add(f.settings.caster.blend).add(f.request.forced.value()).value();
@@ -434,28 +436,28 @@ Pass pages_pass(FrameState& f, PagePasses::Targets& t) {
 
 void PagePasses::declare(FrameState& f) {
     if (!f.paged) {
-        f.plan.release([this] { targets_ = {}; });
+        f.plan.release_later([this] { targets_ = {}; });
         return;
     }
     Targets& t = targets_;
-    f.plan.place(Result::PagesWanted, {&t.wanted});
-    f.plan.place(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
-    f.plan.place(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    f.plan.place_result(Result::PagesWanted, {&t.wanted});
+    f.plan.place_result(Result::DrawnMaps, {&t.pool, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::DrawnMaps, {&t.table, shared::UNIT_PAGE_TABLE});
     place_compared_maps(f, t.pool);
-    f.plan.place(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
-    f.plan.add(wanted_pass(f, t));
-    f.plan.add(pages_pass(f, t));
+    f.plan.place_result(Result::ShadowMaps, {&t.table, shared::UNIT_PAGE_TABLE});
+    f.plan.add_pass(wanted_pass(f, t));
+    f.plan.add_pass(pages_pass(f, t));
 }
 
 void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
     Targets& t = targets_;
     const bool own = f.needs_unfiltered_map();
-    f.plan.place(Result::UnfilteredMap,
-                 {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::UnfilteredMap,
+                        {own ? &t.unfiltered : &t.pool, shared::UNIT_UNFILTERED_MAP, &f.gl.map_nearest});
     if (!own) {
-        pass.unneeded = "the pages as drawn are it: no polygon offset, no mask with mip levels";
-        f.plan.release([&t] { t.unfiltered = {}; });
-        f.plan.add(std::move(pass));
+        pass.unneeded = "equal to the pages as drawn: no polygon offset, no mask with mip levels";
+        f.plan.release_later([&t] { t.unfiltered = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = Key().add("unfiltered").value();
@@ -474,14 +476,14 @@ void PagePasses::declare_unfiltered(FrameState& f, Pass pass) {
         }
         draw_into_pool(f, t, layers, t.unfiltered, missing, true, info);
     };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
-ReadPages PagePasses::read() const {
+ReadPages PagePasses::read_pages() const {
     return {targets_.choice.read, targets_.page};
 }
 
-PageFacts PagePasses::facts(bool drawn) const {
+PageFacts PagePasses::page_facts(bool drawn) const {
     PageFacts facts = targets_.facts;
     if (!drawn) {
         facts.kept += facts.drawn;

@@ -1,4 +1,4 @@
-// Virtual shadow maps: their pages, drawn and read back.
+// Passes that draw the pages of virtual shadow maps, and read them back.
 #pragma once
 
 #include <vector>
@@ -9,49 +9,56 @@
 
 namespace si {
 
-/// What is drawn into maps, by instance as SceneGpu orders them.
+/// Boxes and content keys of casters for drawing pages, by instance in the order of SceneGpu.
 struct PagedCasters {
-    std::uint64_t key = 0;                ///< of the scene's arrangement
-    std::vector<std::uint64_t> content;   ///< of all that an instance's depths come of; 0: it never casts
-    std::vector<std::size_t> indices;     ///< how many its mesh has
-    std::vector<Box> corners;             ///< of its box, world
-    std::vector<std::vector<Box>> parts;  ///< of the boxes of its parts; none: it is no large mesh
+    std::uint64_t key = 0;                ///< key of the scene's arrangement
+    std::vector<std::uint64_t> content;   ///< content key of each instance's depths; 0: never casts
+    std::vector<std::size_t> indices;     ///< index count of each instance's mesh
+    std::vector<Box> corners;             ///< corners of each instance's box, world
+    std::vector<std::vector<Box>> parts;  ///< boxes of the parts of large meshes; else empty
 };
 
-/// Pages of the pool that the frame reads, and how many texels a side they have.
+/// Pages of the pool that the frame reads, and the texels along a page's side.
 struct ReadPages {
     std::vector<PlacedPage> pages;
     int texels = 0;
 };
 
-/// Finds which pages of virtual maps look-ups may read, and draws those that are not kept, in place of whole maps.
+/// Finds the pages of virtual maps that look-ups may read, and draws those that are not cached. Replaces the passes
+/// that draw whole maps.
 class PagePasses : public FramePass {
 public:
+    /// Targets of PagePasses, kept between frames: images, cache and page choice of virtual maps.
     struct Targets {
-        gl::Target wanted;            ///< R8UI, a texel a page, a layer a view
-        gl::Target nothing;           ///< a pixel for each of the picture; OpenGL wants something to draw into
-        gl::Target pool, unfiltered;  ///< pages of the maps side by side
-        gl::Target block, depth;      ///< what pages are drawn in, and beside it where that is colour
+        gl::Target wanted;            ///< R8UI, a texel for each page, a layer for each view
+        gl::Target nothing;           ///< unused image of the picture's size, as OpenGL needs an attachment
+        gl::Target pool, unfiltered;  ///< all pages side by side
+        gl::Target block, depth;      ///< page render target; its depth buffer where the map is a colour format
         gl::Target table;             ///< RGBA16UI, see shared/pages.h
         PageCache cache;
         PageChoice choice;
         PageFacts facts;
         int page = 0;                                 ///< texels along a page's side
-        std::vector<std::uint64_t> unfiltered_pages;  ///< by slot, what `unfiltered` holds
+        std::vector<std::uint64_t> unfiltered_pages;  ///< by slot: key of the page in `unfiltered`
         PagedCasters casters;
         int draw_calls = 0;
     };
 
     void declare(FrameState& f) override;
-    /// Adds the pass that draws the pages again without polygon offset and with masks at their finest level.
+    /// Adds to the plan the pass that draws the pages without polygon offset and with masks at their finest level.
+    /// @param pass pass with its name and reasons filled in
     void declare_unfiltered(FrameState& f, Pass pass);
 
-    /// Returns stored depths of a part of a layer of the maps, bottom row first, of the frame whose pages were chosen
-    /// last. What no page was asked for is as deep as what was never drawn on.
+    /// Reads back stored depths of a rectangle of one virtual map layer, bottom row first.
+    /// @param first lower left texel
+    /// @param size width and height in texels
+    /// @param empty_depth value for texels without a page
     std::vector<float> read_depths(int layer, glm::ivec2 first, glm::ivec2 size, float empty_depth) const;
-    ReadPages read() const;
-    /// Returns facts about the frame's pages. @param drawn whether the frame drew any itself
-    PageFacts facts(bool drawn) const;
+    /// Returns the pages that the last frame read, for the search for number faults.
+    ReadPages read_pages() const;
+    /// Returns statistics of the frame's pages.
+    /// @param drawn true: this frame drew the page pass; false: it was cached
+    PageFacts page_facts(bool drawn) const;
 
 private:
     Targets targets_;

@@ -1,4 +1,4 @@
-// The panes: each overlay's values, and the picture with the overlay over it.
+// Passes that draw the panes: overlay values, and the picture with the overlay over it.
 #include "renderer/passes/panes.h"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@ namespace {
 
 using ShownPane = FrameState::ShownPane;
 
-/// The name of a slot's pass or result: plain for the first.
+/// Returns the name of a slot's pass or image; the first slot has no suffix.
 std::string slot_name(std::string_view name, const ShownPane& pane) {
     if (pane.slot == 0) return std::string(name);
     return fmt::format("{} ({})", name, pane.row() ? pane.row()->key : "none");
@@ -34,14 +34,14 @@ std::vector<gl::Define> overlay_defines(const FrameState& f, const Overlay& row)
     return out;
 }
 
-/// The state in which an overlay's triangles are drawn, put back at the end.
+/// Scope that sets the OpenGL state for drawing an overlay's triangles, and restores it at the end.
 class DrawState {
 public:
     DrawState(OverlayDraw draw, bool reversed) : draw_(draw) {
         if (draw == OverlayDraw::Edges) {
             glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
             glDepthMask(GL_FALSE);
-            glEnable(GL_POLYGON_OFFSET_LINE);  // in front of the faces that they bound
+            glEnable(GL_POLYGON_OFFSET_LINE);  // lines lie in front of their faces
             glPolygonOffset(reversed ? 1.f : -1.f, reversed ? 4.f : -4.f);
         } else if (draw == OverlayDraw::Count) {
             glDisable(GL_DEPTH_TEST);
@@ -72,18 +72,18 @@ Pass PanePasses::values_pass(FrameState& f, const ShownPane& pane) {
     pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     if (pane.row() && pane.row()->reads_reference)
-        pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Judged});
+        pass.reads.insert(pass.reads.end(), {Result::Reference, Result::Classified});
     if (pane.row() && pane.row()->reads_precision) pass.reads.push_back(Result::Precision);
     pass.writes = {{Result::Overlay, pane.slot}};
-    pass.idle_reason = "the overlay was not asked for";
+    pass.idle_reason = "the overlay is not requested";
     if (!pane.row()) {
-        pass.unneeded = pane.lacks_reference ? "the truth about this frame is not traced" : "no overlay is chosen";
+        pass.unneeded = pane.lacks_reference ? "the reference of this frame is not traced" : "no overlay is chosen";
         return pass;
     }
-    // Where nothing writes depth, it has to be there.
+    // Overlays drawn without depth writes need the camera depth.
     if (pane.row()->draw != OverlayDraw::Fragments) pass.reads.push_back(Result::CameraDepth);
     Targets& t = targets_of(pane);
-    f.plan.place({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
+    f.plan.place_result({Result::Overlay, pane.slot}, {&t.values, shared::UNIT_OVERLAY_VALUES});
     pass.key = f.shown_light_key().add(pane.overlay).add(f.separate_visibility).value();
     pass.cached = &t.values.key;
     pass.run = [&f, &t, pane](PassInfo& info) {
@@ -100,14 +100,14 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
     pass.name = slot_name("overlay over picture", pane);
     pass.reads = {Result::Shaded, {Result::Overlay, pane.slot}};
     pass.writes = {{Result::Composed, pane.slot}};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     if (!pane.row()) {
         pass.unneeded = "no overlay is chosen";
         return pass;
     }
     Targets& t = targets_of(pane);
-    f.plan.place({Result::Composed, pane.slot}, {&t.composed});
-    pass.key = f.with_settings({}, ReadBy::Compose).value();  // a fitted range follows from the values
+    f.plan.place_result({Result::Composed, pane.slot}, {&t.composed});
+    pass.key = f.with_settings({}, ReadBy::Compose).value();  // fitted ranges follow from the values
     pass.cached = &t.composed.key;
     pass.run = [this, &f, &t, pane](PassInfo& info) {
         t.composed.ensure("picture with overlay", GL_RGBA8, f.request.width, f.request.height);
@@ -126,12 +126,12 @@ Pass PanePasses::compose_pass(FrameState& f, const ShownPane& pane) {
 }
 
 Pass PanePasses::slabs_pass(FrameState& f, const ShownPane& pane) {
-    Pass pass = slabs_.pass(f, pane);
+    Pass pass = slabs_.make_pass(f, pane);
     pass.name = slot_name("texel slabs", pane);
     pass.reads = {pane.row() ? ResultRef(Result::Composed, pane.slot) : Result::Shaded, Result::CameraDepth,
                   Result::ShadowMaps};
     pass.writes = {{Result::Slabs, pane.slot}};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     return pass;
 }
 
@@ -159,12 +159,12 @@ ValueRange PanePasses::range_of(const FrameState& f, const ShownPane& pane) {
 void PanePasses::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.panes.size(); ++i) {
         const ShownPane& pane = f.panes[i];
-        if (pane.slot != int(i)) continue;  // an earlier pane shows the same
+        if (pane.slot != int(i)) continue;  // drawn by an earlier pane of equal content
         if (pane.row() || i == 0) {
-            f.plan.add(values_pass(f, pane));
-            f.plan.add(compose_pass(f, pane));
+            f.plan.add_pass(values_pass(f, pane));
+            f.plan.add_pass(compose_pass(f, pane));
         }
-        f.plan.add(slabs_pass(f, pane));
+        f.plan.add_pass(slabs_pass(f, pane));
     }
 }
 

@@ -1,4 +1,4 @@
-// The panes of the picture.
+// Passes that draw the panes of the split view.
 #pragma once
 
 #include <array>
@@ -9,27 +9,32 @@
 
 namespace si {
 
-/// Draws each overlay's values, the picture with the overlay over it, and texels of the map as quads over that.
+/// Draws each pane: overlay values, the picture with the overlay over it, and texels of a map as quads on top.
 class PanePasses : public FramePass {
 public:
     using ShownPane = FrameState::ShownPane;
 
-    /// What one pane draws into, and the range fitted to its values.
+    /// Targets of PanePasses, kept between frames: images of one pane, and the colour scale fitted to its values.
     struct Targets {
         gl::Target values, composed;
         ValueRange fitted;
-        std::uint64_t fitted_key = 0;  ///< of the values that `fitted` was found in
+        std::uint64_t fitted_key = 0;  ///< key of the values behind `fitted`
     };
 
     explicit PanePasses(const PagePasses& pages) : slabs_(pages) {}
     void declare(FrameState& f) override;
-    /// Returns the colour scale of a pane. A fitted one reads back the pane's values, once for each change of them.
+    /// Returns the colour scale of a pane's overlay. A fitted scale reads back the pane's values, once for each change
+    /// of them.
     ValueRange range_of(const FrameState& f, const ShownPane& pane);
 
 private:
+    /// Returns the pass that draws a pane's overlay values.
     Pass values_pass(FrameState& f, const ShownPane& pane);
+    /// Returns the pass that blends a pane's overlay over the picture.
     Pass compose_pass(FrameState& f, const ShownPane& pane);
+    /// Returns the pass that draws texels of the shown map as quads over a pane's picture.
     Pass slabs_pass(FrameState& f, const ShownPane& pane);
+    /// Returns the images of the pane's slot.
     Targets& targets_of(const ShownPane& pane) { return slots_[std::size_t(pane.slot)]; }
 
     std::array<Targets, kMaxPanes> slots_;

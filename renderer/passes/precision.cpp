@@ -1,4 +1,5 @@
-// How far look-ups are off by single precision: drawn, read back, held against double precision on the CPU.
+// Pass that measures single-precision errors of look-ups: draws map coordinates, reads them back and compares them with
+// double precision on the CPU.
 #include "renderer/passes/precision.h"
 
 #include <cmath>
@@ -32,22 +33,22 @@ void upload(const Precision& found, gl::Target& to) {
 }  // namespace
 
 void PrecisionPass::declare(FrameState& f) {
-    f.plan.place(Result::Precision, {&error_, shared::UNIT_PRECISION});
+    f.plan.place_result(Result::Precision, {&error_, shared::UNIT_PRECISION});
     Pass pass;
-    pass.name = "single against double precision";
+    pass.name = "single-precision errors";
     pass.category = PassCategory::Tool;
     pass.reads = {Result::SurfaceIds};
     pass.writes = {Result::Precision};
-    pass.idle_reason = "not needed: nothing shows how far look-ups are off";
+    pass.idle_reason = "not needed: no output shows precision errors";
     if (!f.shown_view()) {
-        pass.unneeded = "the light shown has no map";
-        f.plan.add(std::move(pass));
+        pass.unneeded = "view.light has no shadow map";
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.shown_light_key().value();
     pass.cached = &error_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void PrecisionPass::run(FrameState& f, PassInfo& info) {

@@ -1,4 +1,4 @@
-// Errors of single precision, pixel by pixel.
+// Pass that measures the errors of single precision, pixel by pixel.
 #pragma once
 
 #include <memory>
@@ -10,18 +10,21 @@ namespace si {
 
 struct Precision;
 
-/// Compares where the shown light's map is looked up with the same in double precision on the CPU.
+/// Compares the map coordinates that the GPU computes in single precision with double precision on the CPU, for
+/// view.light.
 class PrecisionPass : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns what the last run found; null before the first.
+    /// Returns the errors of the last run; null before the first.
     const std::shared_ptr<const Precision>& found() const { return found_; }
 
 private:
+    /// Draws the look-up coordinates, reads them back and compares them on the CPU. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target uvd_;    ///< RGBA32F, see DrawnLookUps
-    gl::Target error_;  ///< RG32F: texels or -1, steps of depth or -1
+    gl::Target error_;  ///< RG32F: error in texels and in depth steps; -1: none
     std::shared_ptr<const Precision> found_;
 };
 

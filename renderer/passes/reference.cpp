@@ -1,4 +1,4 @@
-// The traced truth on the GPU: uploaded, each pixel judged by it, the judgements summed up.
+// Passes that upload the ray-traced reference, classify each pixel by it, and sum up the errors.
 #include "renderer/passes/reference.h"
 
 #include <fmt/format.h>
@@ -20,21 +20,21 @@
 namespace si {
 namespace {
 
-constexpr int kTile = 32;  ///< pixels of the truth a side, summed by one invocation
-// The last three take numbers that no pixel wrong in the same way has: see tile_number() in error_tiles.frag.glsl.
+constexpr int kTile = 32;  ///< pixels along a tile's side, summed by one invocation
+// The last three artefacts share numbers with unused classes: see tile_number() in error_tiles.frag.glsl.
 static_assert(kArtefacts - 3 <= 4 * shared::ARTEFACT_LAYERS && index_of(Artefact::NoMap) == int(kArtefacts) - 3,
               "the sums of tiles have a number for each artefact");
 
-constexpr const char* kUntraced = "the truth about this frame is not traced";
+constexpr const char* kUntraced = "the reference of this frame is not traced";
 
 using ReferenceTargets = ReferencePasses::Targets;
 
-/// What PixelState is for the shader; rows stay from the top.
+/// Uploads the reference's values; rows stay from the top.
 void upload(const TracedReference& traced, ReferenceTargets& to) {
     const Reference& reference = *traced.reference;
     const std::size_t n = reference.state.size();
     std::vector<glm::vec4> pixels(n), more(n);
-    // Not all drivers keep NaN and infinity.
+    // Some drivers lose NaN and infinity.
     const auto metres = [](const FloatImage& image, std::size_t i) {
         return image.data.empty() || std::isnan(image.data[i]) ? -1.f : std::max(image.data[i], 0.f);
     };
@@ -51,24 +51,23 @@ void upload(const TracedReference& traced, ReferenceTargets& to) {
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
         glTextureSubImage2D(t.texture.id(), 0, 0, 0, reference.width, reference.height, GL_RGBA, GL_FLOAT, data.data());
     };
-    put(to.reference, "truth", pixels);
-    put(to.more_reference, "more of the truth", more);
+    put(to.reference, "reference", pixels);
+    put(to.more_reference, "more of the reference", more);
 }
 
 Pass upload_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "truth uploaded";
+    pass.name = "reference uploaded";
     pass.category = PassCategory::Tool;
     pass.writes = {Result::Reference};
-    pass.idle_reason = "nothing asks for the truth";
+    pass.idle_reason = "no output needs the reference";
     pass.key = f.reference_content;
     pass.cached = &t.reference.key;
     pass.run = [&f, &t](PassInfo&) { upload(f.request.reference->traced, t); };
     return pass;
 }
 
-/// Whether nothing of the scene lies beyond the map of the light, or nothing that could be in shadow, or there is
-/// no map.
+/// Returns true when the light's map contains the whole scene or all possible receivers, or the light has no map.
 bool map_holds_all(const FrameState& f, int number) {
     const auto light = std::size_t(number);
     if (light >= f.gl.fitted.size()) return false;
@@ -78,15 +77,17 @@ bool map_holds_all(const FrameState& f, int number) {
            fitted.chooser.choice == ViewChoice::One && !fitted.is_perspective();
 }
 
-/// Whether taps beyond the map's sides may tell anything but the truth: nothing lies there, and they answer that.
+/// Returns true when taps outside the map may change visibility wrongly. They cannot where nothing lies outside and the
+/// border counts as lit.
 bool seams_matter(const FrameState& f, int light) {
     const MapSettings& m = f.settings.map;
     const bool lit = m.outside == Outside::Lit && (m.wrap == MapWrap::Border || m.wrap == MapWrap::Range);
     return !map_holds_all(f, light) || !lit;
 }
 
-/// The kernels once more, with other biases and on the unfiltered map. What hardware samplers do is done by hand.
-/// @param light that is asked, whichever is shown
+/// Returns the defines for shaders that run trials: the kernel with other biases and on the unfiltered map. Comparison
+/// and filtering by hardware samplers are done in the shader.
+/// @param light light of the trials, shown or not
 std::vector<gl::Define> trial_defines(const FrameState& f, int light) {
     const CauseContext c = cause_context(f.settings, f.gl.fitted[std::size_t(light)], f.map_resolution, f.mask_levels);
     std::vector<gl::Define> out = reference_defines(f);
@@ -108,16 +109,16 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "pixels compared";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Visibility, Result::SurfacesSeen, Result::Reference};
+    pass.reads = {Result::Visibility, Result::VisibleSurfaces, Result::Reference};
     pass.writes = {Result::Compared};
-    pass.idle_reason = "nothing asks what is wrong";
+    pass.idle_reason = "no output shows wrong pixels";
     pass.key = f.shown_light_key().value();
     pass.cached = &t.classified.key;
     pass.run = [&f, &t](PassInfo& info) {
         t.causes_key = 0;
-        t.classified.ensure("judged pixels", GL_RG32F, f.request.width, f.request.height);
+        t.classified.ensure("classified pixels", GL_RG32F, f.request.width, f.request.height);
         t.marks.ensure("marks of wrong pixels", GL_DEPTH_COMPONENT32F, f.request.width, f.request.height);
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);  // without the test nothing is written
         glDepthFunc(GL_ALWAYS);
@@ -131,21 +132,21 @@ Pass compare_pass(FrameState& f, ReferenceTargets& t) {
     return pass;
 }
 
-/// Makes trials of the pixels that the comparison marked, kind by kind, as a CPU rasteriser takes both ways of a
-/// branch.
+/// Returns the pass that runs trials of the marked pixels. Each kind of error has a draw of its own, as a CPU
+/// rasteriser executes both sides of a branch.
 Pass causes_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
     pass.name = "causes found";
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
-    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::SurfacesSeen,
+    pass.reads.insert(pass.reads.end(), {Result::Compared, Result::Visibility, Result::VisibleSurfaces,
                                          Result::UnfilteredMap, Result::Reference});
-    pass.writes = {Result::Judged};
-    pass.idle_reason = "nothing asks why it is wrong";
+    pass.writes = {Result::Classified};
+    pass.idle_reason = "no output shows causes";
     pass.key = f.shown_light_key().value();
     pass.cached = &t.causes_key;
     pass.run = [&f, &t](PassInfo& info) {
-        const gl::Framebuffer framebuffer = gl::make_framebuffer("judged pixels", &t.classified, &t.marks);
+        const gl::Framebuffer framebuffer = gl::make_framebuffer("classified pixels", &t.classified, &t.marks);
         f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
         glEnable(GL_DEPTH_TEST);
         glDepthFunc(GL_EQUAL);
@@ -173,13 +174,13 @@ Pass causes_pass(FrameState& f, ReferenceTargets& t) {
 
 Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "trials of every pixel";
+    pass.name = "trials of all pixels";
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::UnfilteredMap);
     if (f.reference.met) pass.reads.push_back(Result::Reference);
     pass.writes = {Result::Evidence};
-    pass.idle_reason = "nothing asks for trials";
+    pass.idle_reason = "no output needs the trials";
     pass.key = f.shown_light_key().add(f.reference.met).value();
     pass.cached = &t.evidence[0].key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -190,8 +191,8 @@ Pass evidence_pass(FrameState& f, ReferenceTargets& t) {
     return pass;
 }
 
-/// The sums of all tiles, in double.
-/// @param has_map whether the light that is judged has its shadows from a map
+/// Returns the sums of all tiles, in double precision.
+/// @param has_map the classified light has a shadow map
 PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
     const std::size_t per_layer = std::size_t(tiles.width) * std::size_t(tiles.height);
     std::vector<glm::vec4> values(per_layer * std::size_t(shared::TILE_LAYERS));
@@ -228,11 +229,11 @@ PixelSums read_tiles(const gl::Target& tiles, bool has_map) {
 
 Pass sums_pass(FrameState& f, ReferenceTargets& t) {
     Pass pass;
-    pass.name = "errors summed up";
+    pass.name = "error metrics";
     pass.category = PassCategory::Tool;
-    pass.reads = {Result::Judged, Result::Reference};
+    pass.reads = {Result::Classified, Result::Reference};
     pass.writes = {Result::Error};
-    pass.idle_reason = "not needed: no number of the error is shown";
+    pass.idle_reason = "not needed: no output shows error metrics";
     pass.key = Key().add(source_of(f.settings, f.settings.view.light).needs.map).value();
     pass.cached = &t.error_tiles.key;
     pass.run = [&f, &t](PassInfo& info) {
@@ -277,12 +278,12 @@ std::vector<gl::Define> reference_defines(const FrameState& f) {
 
 void ReferencePasses::declare(FrameState& f) {
     Targets& t = targets_;
-    f.plan.place(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
-    f.plan.place(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
-    f.plan.place(Result::Compared, {&t.classified});
-    f.plan.place(Result::Judged, {&t.classified, shared::UNIT_CLASSIFIED});
-    f.plan.place(Result::Error, {&t.error_tiles});
-    for (const gl::Target& image : t.evidence) f.plan.place(Result::Evidence, {&image});
+    f.plan.place_result(Result::Reference, {&t.reference, shared::UNIT_REFERENCE});
+    f.plan.place_result(Result::Reference, {&t.more_reference, shared::UNIT_MORE_REFERENCE});
+    f.plan.place_result(Result::Compared, {&t.classified});
+    f.plan.place_result(Result::Classified, {&t.classified, shared::UNIT_CLASSIFIED});
+    f.plan.place_result(Result::Error, {&t.error_tiles});
+    for (const gl::Target& image : t.evidence) f.plan.place_result(Result::Evidence, {&image});
     std::array<Pass, 4> passes{upload_pass(f, t), compare_pass(f, t), causes_pass(f, t), sums_pass(f, t)};
     for (Pass& pass : passes) {
         if (!f.reference.met) {
@@ -290,9 +291,9 @@ void ReferencePasses::declare(FrameState& f) {
             pass.run = nullptr;
             pass.cached = nullptr;
         }
-        f.plan.add(std::move(pass));
+        f.plan.add_pass(std::move(pass));
     }
-    f.plan.add(evidence_pass(f, t));
+    f.plan.add_pass(evidence_pass(f, t));
 }
 
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info) {

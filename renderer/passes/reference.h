@@ -1,4 +1,4 @@
-// The ray-traced truth on the GPU.
+// Passes that compare the picture with the ray-traced reference.
 #pragma once
 
 #include <array>
@@ -10,26 +10,31 @@
 
 namespace si {
 
-/// Returns defines for shaders that read the truth (lib/truth.glsl).
+/// Returns the defines for shaders that read the ray-traced reference (lib/truth.glsl).
 std::vector<gl::Define> reference_defines(const FrameState& f);
-/// Draws all trials of every pixel of a light into eight colour attachments, see CauseEvidence.
+/// Draws the results of all shadow-test trials of every pixel into eight colour attachments, see CauseEvidence.
+/// @param light light index
+/// @param reference_known a reference of this light is uploaded
+/// @param[out] info draw counts
 void draw_evidence(const FrameState& f, int light, bool reference_known, PassInfo& info);
 
-/// Uploads the truth, compares each pixel with it, finds why some are wrong, and sums up.
+/// Uploads the ray-traced reference, compares each pixel with it, classifies wrong pixels by cause, and computes error
+/// metrics.
 class ReferencePasses : public FramePass {
 public:
+    /// Targets of ReferencePasses, kept between frames: images of reference, comparison, causes and metrics.
     struct Targets {
-        gl::Target reference, more_reference;  ///< of the truth picture
-        gl::Target classified;                 ///< RG32F, see judgement() in lib/truth.glsl
-        gl::Target marks;                      ///< depths MARK_* of shared/classified.h
-        std::uint64_t causes_key = 0;          ///< of `judged` with the causes in it
+        gl::Target reference, more_reference;  ///< uploaded values of the reference
+        gl::Target classified;                 ///< RG32F, see classification() in lib/truth.glsl
+        gl::Target marks;                      ///< depths MARK_* of wrong pixels, for early depth tests
+        std::uint64_t causes_key = 0;          ///< key of `classified` with causes filled in
         gl::Target error_tiles;                ///< RGBA32F, see error_tiles.frag.glsl
         std::array<gl::Target, kEvidenceImages> evidence;
-        std::shared_ptr<const LiveError> error;  ///< of the error tiles
+        std::shared_ptr<const LiveError> error;  ///< metrics from the error tiles
     };
 
     void declare(FrameState& f) override;
-    /// Returns the sums of the last run; null before the first.
+    /// Returns the error metrics of the last run; null before the first.
     const std::shared_ptr<const LiveError>& error() const { return targets_.error; }
 
 private:

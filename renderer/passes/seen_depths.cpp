@@ -1,6 +1,6 @@
-// Between which depths the camera sees anything. Lauritzen, Salvi, Lefohn, Sample Distribution Shadow Maps, I3D 2011,
-// reduce the depth buffer likewise before they divide it among cascades; here the least and the greatest of its values
-// are found on the CPU, for which the frame waits.
+// Measurement of the visible depth range. Lauritzen, Salvi, Lefohn, Sample Distribution Shadow Maps, I3D 2011, reduce
+// the depth buffer likewise before they place cascades. Here the CPU finds least and greatest depth, and the frame
+// waits for the read-back.
 #include "renderer/passes/seen_depths.h"
 
 #include <fmt/format.h>
@@ -14,16 +14,16 @@
 namespace si {
 namespace {
 
-// Of the depth: what single precision loses of it, and of the depth that a look-up computes from a position.
+// Padding of the range as a share of depth, for rounding of stored and looked-up depths in single precision.
 constexpr double kSlack = 1e-5;
 
 }  // namespace
 
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
-    info = {.name = "depths seen", .state = PassState::Drawn, .category = PassCategory::Maps};
+    info = {.name = "visible depths", .state = PassState::Drawn, .category = PassCategory::Maps};
     const gl::DebugGroup group(info.name);
     const auto start = std::chrono::steady_clock::now();
-    const CameraPass pass(f);  // whose framebuffer is read below
+    const CameraPass pass(f);  // read below by its bound framebuffer
     pass.draw("passes/camera_depth.frag.glsl", {}, info);
     std::vector<float> depths(std::size_t(f.request.width) * std::size_t(f.request.height));
     gl::prepare_read_back();
@@ -42,9 +42,9 @@ std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info) {
         const double slack = kSlack * std::max(std::abs(a), std::abs(b));
         span = {std::min(a, b) - slack, std::max(a, b) + slack};
     }
-    info.reason = span ? fmt::format("the camera sees {} to {}; light.depth_bounds goes by it",
-                                     metres_text(span->from_m), metres_text(span->to_m))
-                       : "light.depth_bounds asks, but the camera sees nothing";
+    info.reason = span ? fmt::format("visible depths {} to {}, for light.depth_bounds", metres_text(span->from_m),
+                                     metres_text(span->to_m))
+                       : "no surface is visible: light.depth_bounds has no depths to use";
     if (f.request.timing) {
         info.cpu_ms = info.gpu_ms =
             std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -1,4 +1,4 @@
-// Depths of all that the camera sees, measured before a frame has a plan.
+// Measurement of the visible depth range, before a frame is planned.
 #pragma once
 
 #include <optional>
@@ -7,8 +7,9 @@
 
 namespace si {
 
-/// Draws the camera's depth and reads back its bounds in metres; nothing: the camera sees nothing.
-/// @param[out] info of the drawing
+/// Draws the camera's depth and reads back the nearest and farthest visible depth, metres. Returns nullopt when no
+/// surface is visible. Used by light.depth_bounds sdsm.
+/// @param[out] info report on the drawing
 std::optional<DepthSpan> measure_visible_depths(FrameState& f, PassInfo& info);
 
 }  // namespace si

@@ -1,5 +1,4 @@
-// The lit picture. Evaluates visibility itself unless the visibility texture exists anyway. And the mean of several,
-// for a view that rests.
+// Passes that draw the shaded picture, and the mean of several pictures for a static view.
 #include "renderer/passes/shade.h"
 
 #include <fmt/format.h>
@@ -28,7 +27,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         return glm::dot(a->centre_ws - f.camera.eye, forward) > glm::dot(b->centre_ws - f.camera.eye, forward);
     });
     defines.push_back({"BLEND", "1"});
-    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
+    f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Seen);
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
@@ -38,7 +37,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
         b->double_sided ? glDisable(GL_CULL_FACE) : glEnable(GL_CULL_FACE);
         glCullFace(GL_BACK);
         glFrontFace(b->mirrored ? GL_CW : GL_CCW);
-        f.gl.scene->draw(*b);
+        f.gl.scene->draw_batch(*b);
         ++info.draws;
         info.triangles += b->triangles();
     }
@@ -46,7 +45,7 @@ void draw_blended(const FrameState& f, std::vector<gl::Define> defines, PassInfo
     glDepthMask(GL_TRUE);
 }
 
-/// Where nothing was drawn. Its depth is the cleared one, so that what is covered costs no fragment.
+/// Draws the sky where no surface is visible. It has the cleared depth, so that covered pixels cost no fragment.
 void draw_sky(const FrameState& f, std::span<const gl::Define> look, PassInfo& info) {
     glUseProgram(f.program("passes/sky.vert.glsl", "passes/sky.frag.glsl", {look.begin(), look.end()}));
     glDisable(GL_CULL_FACE);
@@ -64,7 +63,8 @@ std::vector<gl::Define> look_defines(const FrameState& f) {
             {"BACKGROUND", fmt::format("vec3({}, {}, {})", kBackground.r, kBackground.g, kBackground.b)}};
 }
 
-/// Into the framebuffer that is bound. @param separate visibility is bound, and not evaluated by the shader
+/// Draws the shaded scene into the bound framebuffer.
+/// @param separate reads the bound visibility image in place of evaluating visibility
 void shade(const FrameState& f, bool separate, PassInfo& info) {
     const std::vector<gl::Define> look = look_defines(f);
     std::vector<gl::Define> extra = look;
@@ -74,7 +74,8 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
         if (which) defines.push_back({which, "1"});
         f.draw_from_camera("passes/shade.frag.glsl", defines, info);
     };
-    // The dim pass does by an alpha test and an equal depth what one shader could, so that it costs what it did.
+    // The dim pass uses an alpha test and an equal depth in place of one shader, to keep the cost that this technique
+    // had.
     if (f.settings.shading.composition == Composition::DimLit) {
         draw("DIM_PASS");
         draw("LIT_PASS");
@@ -85,33 +86,35 @@ void shade(const FrameState& f, bool separate, PassInfo& info) {
 }
 
 void draw_picture(FrameState& f, gl::Target& target, bool separate, PassInfo& info) {
-    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // whose framebuffer is drawn into
+    CameraPass pass(f, "shaded picture", GL_RGBA8, target);  // binds the framebuffer
     pass.clear(kBackground);
     shade(f, separate, info);
 }
 
-/// The objects that are not drawn.
-PartInfo beside_part(const FrameState& f) {
+/// Returns the report on objects culled by the view frustum.
+PartInfo culled_objects_part(const FrameState& f) {
     const std::size_t count = f.gl.found->seen_objects.skipped_count();
-    PartInfo part{
-        .name = "objects beside the picture", .left_out = count, .unit = "objects", .by = Optimisation::FrustumCulling};
+    PartInfo part{.name = "objects outside the picture",
+                  .left_out = count,
+                  .unit = "objects",
+                  .by = Optimisation::FrustumCulling};
     if (f.request.forced.contains(Optimisation::FrustumCulling)) {
         part.state = PassState::Drawn;
-        part.reason = "all objects are drawn, wherever they lie, which is forced";
+        part.reason = "all objects are drawn (forced)";
     } else if (count == 0)
-        part.reason = "there are none: the box of each object lies in what the camera sees";
+        part.reason = "none skipped: every object's box meets the view frustum";
     else
-        part.reason = "a box that lies outside of what the camera sees covers no pixel";
+        part.reason = "objects outside the view frustum cover no pixel";
     return part;
 }
 
 using SmoothTargets = ShadePasses::SmoothTargets;
 
-/// Sixteenths of a pixel, as multisampling of 8 places them: each row and each column of eighths once.
-constexpr glm::ivec2 kPlaces[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
-                                                      {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
+/// Jitter offsets in sixteenths of a pixel, as in 8x multisampling: each row and column of eighths occurs once.
+constexpr glm::ivec2 kJitterSixteenths[kMaxSmoothedShadings] = {{1, -3}, {-1, 3},  {5, 1}, {-3, -5},
+                                                                {-5, 5}, {-7, -1}, {3, 7}, {7, -7}};
 
-/// One shading of a camera turned by part of a pixel, added to the sum.
+/// Draws one shading by a camera shifted by part of a pixel, and adds it to the sum.
 void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& info) {
     const glm::dvec2 part = glm::dvec2(place) / 16.0;
     shared::FrameBlock block = make_frame_block(f);
@@ -130,7 +133,7 @@ void add_shading(FrameState& f, SmoothTargets& t, glm::ivec2 place, PassInfo& in
     replace_frame_block(f, make_frame_block(f));
 }
 
-/// A picture times `scale` into another, which is replaced or added to.
+/// Multiplies a picture by `scale` and writes it to another, or adds it there.
 void blend_into(const FrameState& f, const gl::Target& from, const gl::Target& to, float scale, bool add,
                 PassInfo& info) {
     const gl::Framebuffer into = gl::make_framebuffer("smooth picture", &to, nullptr);
@@ -157,39 +160,39 @@ void draw_smooth(FrameState& f, SmoothTargets& t, std::uint64_t of, int count, P
     if (again) t.count = 0;
     t.of = of;
     for (; t.count < count; ++t.count) {
-        add_shading(f, t, kPlaces[t.count], info);
+        add_shading(f, t, kJitterSixteenths[t.count], info);
         blend_into(f, t.one, t.sum, 1, t.count > 0, info);
     }
     blend_into(f, t.sum, t.mean, 1.f / float(count), false, info);
-    info.reason += fmt::format("; {} of {} shadings are in it", count, kMaxSmoothedShadings);
+    info.reason += fmt::format("; mean of {} of {} shadings", count, kMaxSmoothedShadings);
 }
 
 }  // namespace
 
 void ReferenceShadePass::declare(FrameState& f) {
-    f.plan.place(Result::ReferenceLitPicture, {&picture_});
+    f.plan.place_result(Result::ReferenceLitPicture, {&picture_});
     Pass pass;
-    pass.name = "shading by the truth";
+    pass.name = "shading by the reference";
     pass.reads = kernel_inputs(f);
     pass.reads.push_back(Result::Visibility);
     pass.category = PassCategory::Tool;
     pass.writes = {Result::ReferenceLitPicture};
-    pass.idle_reason = "not needed: the true picture is not shown";
+    pass.idle_reason = "not needed: the picture by the reference is not shown";
     if (!f.reference.met) {
-        pass.unneeded = "the truth about this frame is not traced";
-        f.plan.add(std::move(pass));
+        pass.unneeded = "the reference of this frame is not traced";
+        f.plan.add_pass(std::move(pass));
         return;
     }
     pass.key = f.with_settings(f.shown_light_key(), ReadBy::Shading).add(f.reference.key).value();
     pass.cached = &picture_.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
     const gl::Target& drawn = f.result(Result::Visibility);
     gl::Target& visibility = visibility_;
-    visibility.ensure("visibility by the truth", drawn.format, drawn.width, drawn.height, drawn.layers);
+    visibility.ensure("visibility by the reference", drawn.format, drawn.width, drawn.height, drawn.layers);
     glCopyImageSubData(drawn.texture.id(), GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, visibility.texture.id(),
                        GL_TEXTURE_2D_ARRAY, 0, 0, 0, 0, drawn.width, drawn.height, drawn.layers);
     upload_traced_visibility(*f.request.reference, visibility, f.settings.view.light);
@@ -198,45 +201,45 @@ void ReferenceShadePass::run(FrameState& f, PassInfo& info) {
 }
 
 void ShadePasses::declare(FrameState& f) {
-    f.plan.place(Result::Shaded, {&picture_, shared::UNIT_SHADED});
+    f.plan.place_result(Result::Shaded, {&picture_, shared::UNIT_SHADED});
     Pass pass;
     pass.name = f.separate_visibility ? "shading (reads visibility)" : "shading (with visibility)";
     pass.reads = kernel_inputs(f);
     if (f.separate_visibility) pass.reads.push_back(Result::Visibility);
     pass.writes = {Result::Shaded};
-    pass.idle_reason = "the picture was not asked for";
+    pass.idle_reason = "the picture is not requested";
     pass.key = f.with_settings(f.lighting_key(), ReadBy::Shading).add(f.separate_visibility).value();
     pass.cached = &picture_.key;
     const std::uint64_t key = pass.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
     declare_smooth(f, key);
 }
 
 void ShadePasses::run(FrameState& f, PassInfo& info) {
     draw_picture(f, picture_, f.separate_visibility, info);
-    info.parts.push_back(beside_part(f));
+    info.parts.push_back(culled_objects_part(f));
 }
 
 void ShadePasses::declare_smooth(FrameState& f, std::uint64_t of) {
     SmoothTargets& t = smooth_;
-    f.plan.place(Result::Smooth, {&t.mean});
-    if (!f.settings.view.smooth) f.plan.release([&t] { t = {}; });
+    f.plan.place_result(Result::Smooth, {&t.mean});
+    if (!f.settings.view.smooth) f.plan.release_later([&t] { t = {}; });
     Pass pass;
     pass.name = kSmoothingPass;
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
     pass.writes = {Result::Smooth};
-    pass.idle_reason = "not needed: the view moves, or no smooth picture is called for";
+    pass.idle_reason = "not needed: the view moves, or no smooth picture is requested";
     const int count = std::min(f.request.smoothed, kMaxSmoothedShadings);
     bool fused = true;
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         fused &= !f.has_contact_shadows(i) && (!f.gl.fitted[i].shadowed || source_of(f.settings, int(i)).fused);
-    if (!fused) pass.unneeded = "visibility is drawn apart, of the picture's own pixels";
+    if (!fused) pass.unneeded = "visibility is a separate pass, at the picture's own pixels";
     pass.key = Key().add(of).add(count).value();
     pass.cached = &t.mean.key;
     pass.run = [&f, &t, of, count](PassInfo& info) { draw_smooth(f, t, of, count, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// The lit picture.
+// Passes that draw the shaded picture.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,39 +6,44 @@
 
 namespace si {
 
-/// Draws the lit picture, which evaluates visibility itself unless the visibility texture exists anyway. For a view
-/// that does not move, also the mean of several pictures (Result::Smooth).
+/// Draws the shaded picture. Evaluates visibility in the same shader unless a separate visibility image exists. While
+/// the view is static, also accumulates the mean of jittered pictures (Result::Smooth).
 class ShadePasses : public FramePass {
 public:
-    /// What the mean is made of.
+    /// Targets of ShadePasses, kept between frames: images for the accumulated mean of jittered pictures.
     struct SmoothTargets {
-        gl::Target one, depth;  ///< of one picture
+        gl::Target one, depth;  ///< picture and depth of one jittered shading
         gl::Target sum, mean;
-        std::uint64_t of = 0;  ///< key of what is summed up
+        std::uint64_t of = 0;  ///< key of the pictures in the sum
         int count = 0;
     };
 
     void declare(FrameState& f) override;
 
 private:
+    /// Draws the shaded picture. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
-    /// @param of key of the picture that is made smooth
+    /// Adds the accumulation of jittered pictures to the plan.
+    /// @param of key of the picture to average
     void declare_smooth(FrameState& f, std::uint64_t of);
 
     gl::Target picture_;
     SmoothTargets smooth_;
 };
 
-/// Draws the picture once more with the visibility that rays found for the shown light.
+/// Draws the picture with the ray-traced visibility of view.light in place of its shadow map.
 class ReferenceShadePass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
+    /// Uploads the ray-traced visibility and draws the picture with it. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target picture_;
-    gl::Target visibility_;  ///< as Result::Visibility
+    gl::Target visibility_;  ///< copy of Result::Visibility with one layer replaced
 };
 
 }  // namespace si

@@ -12,26 +12,26 @@ namespace si {
 namespace {
 
 constexpr GLuint kCornerBinding = 0, kTransformBinding = 3;
-constexpr std::size_t kEstimated = 4000;  ///< triangles that an estimate looks at
+constexpr std::size_t kMaxSampledTriangles = 4000;  ///< triangles sampled for a cost estimate
 
 VolumeLight volume_light(const FittedLight& light) {
     return {light.type == LightType::Directional, light.to_light, light.position};
 }
 
-/// Far away against the scene: so many times its radius, or the distance of a caster's corner from the light.
-constexpr double kFarAway = 1e4;
+/// Distance of finite volume ends: multiple of the scene's radius, or of a caster corner's distance from the light.
+constexpr double kFarDistanceFactor = 1e4;
 
-/// Whether far corners are a finite distance away. What is infinitely far a camera without perspective would see in no
-/// pixel, and volumes that it looks along would have no end.
+/// Returns true when volumes end at a finite distance. An orthographic camera sees no infinitely far point, and volumes
+/// along its axis would have no end.
 bool ends_are_finite(const FrameState& f) {
     return f.camera.orthographic;
 }
 
 double reach_m(const FrameState& f) {
-    return kFarAway * std::max(f.scene.bounds.radius(), 1e-30);
+    return kFarDistanceFactor * std::max(f.scene.bounds.radius(), 1e-30);
 }
 
-/// Whether any caster may lie beyond the camera's far plane.
+/// Returns true when a caster may lie beyond the camera's far plane.
 bool reaches_beyond_far(const FrameState& f) {
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
     return std::ranges::any_of(f.scene.bounds.corners(), [&](const glm::dvec3& corner) {
@@ -80,11 +80,12 @@ void ShadowVolumes::build_volume_triangles(const FrameState& f, std::size_t numb
     light.index_count = light.indices.size();
 }
 
-std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, const VolumeLight& source) const {
+std::string ShadowVolumes::describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const {
     const glm::dmat4 clip = f.camera.clip_from_relative(f.origin);
     double pixels = 0;
-    const std::size_t samples = std::max<std::size_t>(kEstimated / std::max<std::size_t>(light.parts.size(), 1), 1);
-    const std::size_t every = std::max<std::size_t>(light.parts.size() / kEstimated, 1);
+    const std::size_t samples =
+        std::max<std::size_t>(kMaxSampledTriangles / std::max<std::size_t>(light.parts.size(), 1), 1);
+    const std::size_t every = std::max<std::size_t>(light.parts.size() / kMaxSampledTriangles, 1);
     std::size_t looked_at = 0;
     for (std::size_t p = 0; p < light.parts.size(); p += every, ++looked_at) {
         const Part& part = light.parts[p];
@@ -95,7 +96,7 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
             if (v % 2 == 0) return clip * glm::dvec4(at - f.origin, 1);
             const glm::dvec3 away = source.parallel ? -source.to_light : at - source.position_ws;
             if (!ends_are_finite(f)) return clip * glm::dvec4(away, 0);
-            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFarAway), 1);
+            return clip * glm::dvec4(at - f.origin + away * (source.parallel ? reach_m(f) : kFarDistanceFactor), 1);
         };
         const std::vector<std::uint32_t> list(light.indices.begin() + std::ptrdiff_t(part.first[0]),
                                               light.indices.begin() + std::ptrdiff_t(part.first[3]));
@@ -106,7 +107,7 @@ std::string ShadowVolumes::estimate(const FrameState& f, const Light& light, con
                        pixels / (double(f.request.width) * f.request.height));
 }
 
-void ShadowVolumes::arrange(const FrameState& f) {
+void ShadowVolumes::prepare(const FrameState& f) {
     const std::vector<FittedLight>& fitted = f.gl.fitted;
     reset_volume_meshes(f);
     for (std::size_t i = 0; i < lights_.size(); ++i) {
@@ -124,9 +125,9 @@ void ShadowVolumes::arrange(const FrameState& f) {
         }
         if (light.open_triangles > kMaxOpenTriangles && !f.settings.volumes.allow_large)
             light.refusal = fmt::format(
-                "light {}: its shadow volumes are not drawn unasked, as {} triangles of its casters, above {}, are not "
-                "of closed surfaces: {}; volumes.allow_large draws them",
-                i, light.open_triangles, kMaxOpenTriangles, estimate(f, light, source));
+                "light {}: shadow volumes are not drawn: {} triangles of its casters, more than {}, do not belong to "
+                "closed surfaces: {}; volumes.allow_large draws them anyway",
+                i, light.open_triangles, kMaxOpenTriangles, describe_cost(f, light, source));
     }
 }
 
@@ -175,7 +176,6 @@ void ShadowVolumes::copy_depth(const FrameState& f, PassInfo& info) {
     depth_copied_ = f.surfaces_key().value();
 }
 
-/// @param first, last of a part's lists: 0 caps, 1 turned caps, 2 the rest
 void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo& info) const {
     for (const Part& part : light.parts) {
         const std::size_t from = part.first[std::size_t(first)], to = part.first[std::size_t(last) + 1];
@@ -188,7 +188,7 @@ void ShadowVolumes::draw_faces(const Light& light, int first, int last, PassInfo
     }
 }
 
-void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& info) {
+void ShadowVolumes::count_volumes(const FrameState& f, std::size_t number, PassInfo& info) {
     Light& light = lights_[number];
     upload_corners();
     if (light.uploaded != light.shape) {
@@ -197,7 +197,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
                         GLsizeiptr(light.indices.size() * sizeof(std::uint32_t)), light.indices.data(), GL_STATIC_DRAW);
         light.uploaded = light.shape;
     }
-    f.gl.scene->bind(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
+    f.gl.scene->bind_vertices(f.scene, f.settings, f.origin, SceneGpu::Drawn::Volumes);
     f.gl.scene->bind_transforms(vao_.id(), kTransformBinding, SceneGpu::Drawn::Volumes);
     glVertexArrayElementBuffer(vao_.id(), light.buffer.id());
     glBindVertexArray(vao_.id());
@@ -212,14 +212,16 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_FALSE);
-    // Equal is behind: see the class.
+    // Equal depth counts as behind: see the class.
     glDepthFunc(f.camera.curve.convention.reversed ? GL_GREATER : GL_LESS);
     glEnable(GL_STENCIL_TEST);
     glStencilFunc(GL_ALWAYS, 0, ~0u);
     const GLenum front = light.before ? GL_INCR_WRAP : GL_DECR_WRAP, back = light.before ? GL_DECR_WRAP : GL_INCR_WRAP;
     glStencilOpSeparate(GL_FRONT, GL_KEEP, light.before ? GL_KEEP : front, light.before ? front : GL_KEEP);
     glStencilOpSeparate(GL_BACK, GL_KEEP, light.before ? GL_KEEP : back, light.before ? back : GL_KEEP);
-    const double reach = !ends_are_finite(f) ? 0 : volume_light(f.gl.fitted[number]).parallel ? reach_m(f) : kFarAway;
+    const double reach = !ends_are_finite(f)                          ? 0
+                         : volume_light(f.gl.fitted[number]).parallel ? reach_m(f)
+                                                                      : kFarDistanceFactor;
     const auto use = [&](const char* sides, const char* beyond) {
         const GLuint id = f.program("passes/volume.vert.glsl", "passes/volume.frag.glsl",
                                     {{"LIGHT_INDEX", std::to_string(number)},
@@ -236,9 +238,9 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
         draw_faces(light, 1, 1, info);
         glFrontFace(GL_CCW);
     };
-    if (!light.before) {  // a cap is never before the surface that it is
+    if (!light.before) {  // a cap never lies in front of its own surface
         use("0", "0");
-        draw_caps();  // clipped as the camera's passes clip, else depths differ
+        draw_caps();  // clipped as in camera passes, so that depths are equal
         glEnable(GL_DEPTH_CLAMP);
         if (reaches_beyond_far(f)) {
             use("0", "1");
@@ -264,7 +266,7 @@ void ShadowVolumes::count(const FrameState& f, std::size_t number, PassInfo& inf
     glDepthMask(GL_TRUE);
 }
 
-Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
+Pass ShadowVolumes::make_pass(FrameState& f, std::size_t number) {
     Light& light = lights_[number];
     Pass pass;
     pass.name = fmt::format("shadow volumes {}", number);
@@ -272,7 +274,7 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
     pass.reads = {Result::CameraDepth};
     pass.writes = {Result::ShadowVolumes};
     pass.category = PassCategory::Maps;
-    pass.idle_reason = "nothing reads visibility";
+    pass.idle_reason = "no pass reads visibility";
     pass.unneeded = light.refusal;
     if (!light.refusal.empty()) return pass;
     const int layers = int(f.gl.fitted.size());
@@ -282,9 +284,9 @@ Pass ShadowVolumes::pass(FrameState& f, std::size_t number) {
         if (lit_.ensure("lit outside of shadow volumes", GL_R8, f.request.width, f.request.height, layers))
             for (Light& l : lights_) l.drawn = 0;
         copy_depth(f, info);
-        count(f, number, info);
+        count_volumes(f, number, info);
         const Light& l = lights_[number];
-        info.reason += fmt::format("; {} triangles, {} of the casters' not of closed surfaces", l.index_count / 3,
+        info.reason += fmt::format("; {} triangles; {} casters' triangles without a closed surface", l.index_count / 3,
                                    l.open_triangles);
     };
     return pass;
@@ -295,15 +297,15 @@ void ShadowVolumePasses::declare(FrameState& f) {
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         any |= f.gl.fitted[i].shadowed && source_of(f.settings, int(i)).needs.stencil;
     if (!any) {
-        f.plan.release([this] { volumes_ = {}; });
+        f.plan.release_later([this] { volumes_ = {}; });
         return;
     }
-    volumes_.arrange(f);
-    f.plan.place(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
-    f.plan.release([this] { volumes_.release_unused(); });
+    volumes_.prepare(f);
+    f.plan.place_result(Result::ShadowVolumes, {&volumes_.lit(), shared::UNIT_VOLUMES});
+    f.plan.release_later([this] { volumes_.release_unused(); });
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i) {
         if (!f.gl.fitted[i].shadowed || !source_of(f.settings, int(i)).needs.stencil) continue;
-        f.plan.add(volumes_.pass(f, i));
+        f.plan.add_pass(volumes_.make_pass(f, i));
         if (!volumes_.refusal(i).empty()) f.notes.push_back(volumes_.refusal(i));
     }
 }

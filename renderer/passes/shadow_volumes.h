@@ -1,4 +1,4 @@
-// Stencil shadow volumes of the lights whose source they are: geometry, stencil buffer and result.
+// Stencil shadow volumes of lights: geometry, stencil buffer and result.
 #pragma once
 
 #include <array>
@@ -12,47 +12,51 @@
 
 namespace si {
 
-/// Counts at each pixel how many volumes hold the surface seen: of their faces behind it, those turned from the camera
-/// add one and those turned to it take one away, so that the camera may stand in any of them (z-fail). Carmack, 2000;
-/// Everitt and Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002;
-/// McGuire, Hughes, Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
+/// Stencil shadow volumes of all lights with that source: builds the volumes and counts them at each pixel.
 ///
-/// By the older count, of the faces before the surface (z-pass, Heidmann, Real Shadows Real Time, 1991), those turned
-/// to the camera add one: right only where the camera is in no volume and its near plane cuts none.
+/// The stencil counts how many volumes contain the visible surface, from volume faces behind it: back faces add one,
+/// front faces subtract one (z-fail). The camera may therefore stand inside a volume. Carmack, 2000; Everitt and
+/// Kilgard, Practical and Robust Stenciled Shadow Volumes for Hardware-Accelerated Rendering, 2002; McGuire, Hughes,
+/// Egan, Kilgard and Everitt, Fast, Practical and Robust Shadows, 2003.
 ///
-/// Volumes have no end; a camera without perspective is given one, far from the scene. Faces beyond the camera's far
-/// plane count, as depth is clamped. A light cap coincides with the surface that casts:
-/// it is drawn from the same corners in the same order, so that its depth is equal in every bit, and counts as behind.
-/// All masked triangles cast as if they were solid, and so do blended ones that caster.blend lets cast. Culling of
-/// casters is left aside: all cast from both sides. 256 volumes behind one another count as none.
+/// The older count takes the faces in front of the surface (z-pass, Heidmann, Real Shadows Real Time, 1991): front
+/// faces add one. It is right only where the camera is in no volume and its near plane cuts none.
+///
+/// Volumes are infinite; for an orthographic camera they end far from the scene. Faces beyond the camera's far plane
+/// count, as depth is clamped. A light cap coincides with its caster's surface. It is drawn from the same corners in
+/// the same order, so that depths are equal in every bit, and counts as behind. All masked triangles cast as if
+/// opaque, and so do blended ones that caster.blend lets cast. Caster culling is ignored: all casters cast from both
+/// sides. 256 nested volumes count as none.
 class ShadowVolumes {
 public:
-    /// Triangles of casters without a closed surface, instances counted, above which nothing is drawn unless
-    /// volumes.allow_large: each brings sides of its own.
+    /// Largest count of casters' triangles without a closed surface, over all instances. Above it nothing is drawn
+    /// unless volumes.allow_large, as each such triangle adds side faces.
     static constexpr std::size_t kMaxOpenTriangles = 20'000;
 
-    /// Finds the volumes of the frame's lights, unless they are known, and which are too large to be drawn unasked.
-    void arrange(const FrameState& f);
-    /// Whether the light's volumes are drawn.
+    /// Builds the volumes of the frame's lights where they changed, and decides which are too large to draw.
+    void prepare(const FrameState& f);
+    /// Returns true when the light's volumes are drawn.
     bool draws(std::size_t light) const { return lights_[light].used && lights_[light].refusal.empty(); }
-    /// Why not; empty: they are, or the light's source is another.
+    /// Returns the reason why a light's volumes are not drawn. Empty: they are drawn, or the light has another source.
     const std::string& refusal(std::size_t light) const { return lights_[light].refusal; }
-    /// Volumes of a light into its layer of lit().
-    Pass pass(FrameState& f, std::size_t light);
-    /// R8, a layer a light: 1 where the surface that the camera sees lies in no volume.
+    /// Returns the pass that draws a light's volumes into its layer of lit().
+    Pass make_pass(FrameState& f, std::size_t light);
+    /// Returns the visibility image: R8, a layer for each light, 1 where the visible surface lies in no volume.
     const gl::Target& lit() const { return lit_; }
-    /// Gives up the geometry of lights that have no volumes now.
+    /// Frees the geometry of lights without shadow volumes.
     void release_unused();
 
 private:
+    /// Volume triangles of one caster instance.
     struct Part {
-        std::uint32_t instance = 0;  ///< of SceneGpu's transforms
+        std::uint32_t instance = 0;  ///< index into SceneGpu's transforms
         std::uint32_t mesh = 0;
-        std::array<std::size_t, 4> first{};  ///< of caps, turned caps, the rest, and the end
+        std::array<std::size_t, 4> first{};  ///< first index: caps, reversed caps, sides, end
     };
+    /// Volumes of one light, with the keys of their cached states.
     struct Light {
         bool used = false;
-        bool before = false;  ///< counts faces before the surface
+        bool before = false;  ///< z-pass: counts faces in front of the surface
         std::string refusal;
         std::uint64_t shape = 0;  ///< key of the triangles
         std::vector<Part> parts;
@@ -60,33 +64,45 @@ private:
         std::size_t index_count = 0, open_triangles = 0;
         gl::Buffer buffer;
         std::uint64_t uploaded = 0;  ///< key of the triangles in `buffer`
-        std::uint64_t drawn = 0;     ///< key of the layer
+        std::uint64_t drawn = 0;     ///< key of the light's layer
     };
 
+    /// Drops the edge lists of all meshes when the frame has another scene.
     void reset_volume_meshes(const FrameState& f);
+    /// Builds the volume triangles of all casters for one light, and the edge lists of meshes met for the first time.
+    /// @param light light index
     void build_volume_triangles(const FrameState& f, std::size_t light, const VolumeLight& source);
-    std::string estimate(const FrameState& f, const Light& light, const VolumeLight& source) const;
+    /// Returns an estimate of a light's drawing cost in words: triangles and how often they cover the picture.
+    std::string describe_cost(const FrameState& f, const Light& light, const VolumeLight& source) const;
+    /// Uploads the corners of all casting meshes, once for a scene.
     void upload_corners();
+    /// Copies the camera's depth into the depth and stencil buffer, unless its copy is current.
     void copy_depth(const FrameState& f, PassInfo& info);
-    void count(const FrameState& f, std::size_t light, PassInfo& info);
+    /// Counts a light's volumes at each pixel in the stencil buffer, and marks lit pixels.
+    /// @param light light index
+    /// @param[out] info draw counts
+    void count_volumes(const FrameState& f, std::size_t light, PassInfo& info);
+    /// Draws some of a light's volume faces.
+    /// @param first, last range of each part's lists: 0 caps, 1 reversed caps, 2 sides
+    /// @param[out] info draw counts
     void draw_faces(const Light& light, int first, int last, PassInfo& info) const;
 
     std::uint64_t scene_ = 0, depth_copied_ = 0;
     bool corners_uploaded_ = false;
-    std::vector<std::unique_ptr<VolumeMesh>> meshes_;  ///< by mesh of the scene; null: nothing casts it
+    std::vector<std::unique_ptr<VolumeMesh>> meshes_;  ///< by mesh of the scene; null: no object casts it
     std::vector<std::uint32_t> first_corner_;          ///< by mesh
-    std::array<Light, kMaxLights> lights_;             ///< frames remember where the keys of their layers stand
+    std::array<Light, kMaxLights> lights_;             ///< stable addresses, as frames keep pointers to layer keys
     gl::VertexArray vao_;
     gl::Buffer corners_;
     gl::Target depth_stencil_, lit_;
     gl::Framebuffer counting_, marking_;
 };
 
-/// Draws the shadow volumes of each light whose source they are.
+/// Draws stencil shadow volumes of each light with that source.
 class ShadowVolumePasses : public FramePass {
 public:
     void declare(FrameState& f) override;
-    /// Returns whether the light's volumes are drawn in the frame declared last.
+    /// Returns true when the light's volumes are drawn in the frame declared last.
     bool draws(std::size_t light) const { return volumes_.draws(light); }
 
 private:

@@ -1,4 +1,4 @@
-// Texels of the shown light's map as quads in the scene, over a pane's picture.
+// Drawing of texels of the shown light's map as quads over a pane's picture.
 #include "renderer/passes/slabs.h"
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 52);
 
-constexpr float kHiddenStrength = 0.16f;  ///< of slabs behind surfaces: there, but not in the way
+constexpr float kHiddenStrength = 0.16f;  ///< opacity of quads behind surfaces
 
 void read_depths(const FrameState& f, const PagePasses& pages, SlabTargets& s, int layer, const TexelRegion& region) {
     Key key;
@@ -31,7 +31,7 @@ void read_depths(const FrameState& f, const PagePasses& pages, SlabTargets& s, i
     s.depths = read_map_depths(pages, f.result(Result::ShadowMaps), of, region.first, region.size);
 }
 
-/// Farthest from the camera first, so that they blend as they lie.
+/// Uploads the quads' corners, farthest from the camera first for blending.
 void upload_instances(const FrameState& f, SlabTargets& s, const LightView& view, const TexelRegion& region) {
     std::vector<TexelSlab> slabs =
         texel_slabs(view, f.settings.bias, f.map_resolution, region, s.depths, f.settings.view.slabs);
@@ -72,7 +72,7 @@ void draw_slabs(const FrameState& f, const SlabTargets& s, PassInfo& info) {
     glEnable(GL_BLEND);
     glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
     glDepthMask(GL_FALSE);
-    // Slabs that lie in a surface show: nearer by a pixel's depth.
+    // Quads within a surface stay visible, as they are drawn nearer by a pixel's depth.
     const bool reversed = f.camera.curve.convention.reversed;
     glEnable(GL_POLYGON_OFFSET_FILL);
     glPolygonOffset(reversed ? 1.f : -1.f, reversed ? 1.f : -1.f);
@@ -93,17 +93,17 @@ void draw_slabs(const FrameState& f, const SlabTargets& s, PassInfo& info) {
 
 }  // namespace
 
-Pass TexelSlabs::pass(FrameState& f, const FrameState::ShownPane& pane) {
+Pass TexelSlabs::make_pass(FrameState& f, const FrameState::ShownPane& pane) {
     Pass pass;
     int layer = 0;
     const LightView* view = f.shown_view(&layer);
     if (!f.slabs_shown) {
-        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "the light shown has no map";
+        pass.unneeded = f.settings.view.slabs == Slabs::None ? "view.slabs is none" : "view.light has no shadow map";
         return pass;
     }
     SlabTargets& s = targets_;
     gl::Target& picture = s.pictures[std::size_t(pane.slot)];
-    f.plan.place({Result::Slabs, pane.slot}, {&picture});
+    f.plan.place_result({Result::Slabs, pane.slot}, {&picture});
     const TexelRegion region = slab_region(f.settings.view, f.map_resolution);
     Key slabs = f.with_settings(f.camera_key, ReadBy::Slabs);
     slabs.add(f.plan.key_of(Result::ShadowMaps)).add(layer);

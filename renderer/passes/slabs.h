@@ -1,4 +1,4 @@
-// Texels of the shown light's map as quads in the scene.
+// Drawing of map texels as quads in the scene.
 #pragma once
 
 #include <array>
@@ -11,9 +11,10 @@ namespace si {
 
 class PagePasses;
 
-/// Draws texels of the shown light's map as quads over a pane's picture. A part of PanePasses.
+/// Draws texels of the shown light's map as quads over a pane's picture. Member of PanePasses.
 class TexelSlabs {
 public:
+    /// Targets of TexelSlabs, kept between frames: pictures with quads, and the quads' instance data.
     struct Targets {
         std::array<gl::Target, kMaxPanes> pictures;
         gl::VertexArray vao;
@@ -24,8 +25,8 @@ public:
     };
 
     explicit TexelSlabs(const PagePasses& pages) : pages_(pages) {}
-    /// Returns the pass of one pane, over its picture so far. The caller names it and what it reads and writes.
-    Pass pass(FrameState& f, const FrameState::ShownPane& pane);
+    /// Returns the pass that draws the quads over a pane's picture. The caller sets name, reads and writes.
+    Pass make_pass(FrameState& f, const FrameState::ShownPane& pane);
 
 private:
     Targets targets_;

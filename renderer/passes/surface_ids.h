@@ -1,4 +1,4 @@
-// Triangle and object of each pixel.
+// Pass that stores object and triangle of each pixel.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,12 +6,14 @@
 
 namespace si {
 
-/// Draws which triangle of which object each pixel shows.
+/// Draws the object and triangle number that each pixel shows, see SurfaceIds.
 class SurfaceIdsPass : public FramePass {
 public:
     void declare(FrameState& f) override;
 
 private:
+    /// Draws object and triangle numbers of all pixels. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
 
     gl::Target ids_;  ///< RG32UI

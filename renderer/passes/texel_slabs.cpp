@@ -21,7 +21,7 @@ std::optional<double> compared_distance(const LightView& view, const BiasSetting
     if (bias.unit == BiasUnit::Depth) {
         const double shifted = curve.convention.reversed ? stored - c : stored + c;
         const double z = curve.distance(shifted);
-        // A perspective curve reaches infinity at a depth beyond its far plane's.
+        // A perspective curve reaches infinity at a finite depth beyond that of the far plane.
         if (curve.perspective && !(z > 0 && std::isfinite(z))) return std::nullopt;
         return z;
     }

@@ -1,4 +1,4 @@
-// Texels of a shadow map as quads in the scene. Pure CPU, double precision, no GL.
+// Geometry of map texels shown as quads in the scene. CPU only, double precision, no OpenGL.
 #pragma once
 
 #include <array>
@@ -10,33 +10,38 @@
 
 namespace si {
 
-/// A rectangle of texels: x to the right, y up.
+/// Rectangle of map texels: x to the right, y up.
 struct TexelRegion {
     glm::ivec2 first{0}, size{0};
     bool operator==(const TexelRegion&) const = default;
 };
 
-/// The square of view.slabs_texels around view.slabs_u, view.slabs_v, cut to the map.
+/// Returns the square of view.slabs_texels texels around view.slabs_u, view.slabs_v, clipped to the map.
+/// @param resolution texels along the map's side
 TexelRegion slab_region(const ViewSettings& view, int resolution);
 
+/// Quad in the scene that shows one texel's stored depth.
 struct TexelSlab {
     glm::ivec2 texel{0};
     bool biased = false;
     std::array<glm::dvec3, 4> corners;  ///< world; (u, v) = (0,0), (1,0), (0,1), (1,1) of the texel
 };
 
-/// Distance along the light's axis (metres) at which a fragment compares equal to a texel under bias.constant: the z
-/// with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the constant that is
+/// Returns the distance along the light's axis, metres, at which a fragment compares equal to a texel under
+/// bias.constant: the z with depth(z) - b(z) = stored (+ b under reversed depth). With z0 the stored distance and c the
+/// constant, by its unit:
 ///   depth:  distance(stored + c)
 ///   metres: z0 + c,              perspective z0/2 (1 + sqrt(1 + 4 c / z0)), as b(z) = c |d depth / d z|
 ///   texels: z0 + c texel(z0),    perspective likewise z0 (1 + c texel(1 m) / 1 m), as a texel grows with z
-/// @param uv map coordinates of the texel, which count where the view is warped
-/// @return nothing when no fragment compares equal: everything that far along the ray is nearer
+/// @param uv map coordinates of the texel; matter for warped views only
+/// @return nullopt when no fragment compares equal
 std::optional<double> compared_distance(const LightView& view, const BiasSettings& bias, int resolution, double stored,
                                         const glm::dvec2& uv);
 
-/// The slabs of a region as view.slabs (a Slabs value) asks; texels that hold the far plane make none.
+/// Returns the quads of a rectangle of map texels, at their stored depth or at the depth that compares equal with bias.
+/// Texels that hold the far plane have no quad.
 /// @param depths one channel, the region's stored depths, bottom row first
+/// @param which kind of quads, view.slabs
 std::vector<TexelSlab> texel_slabs(const LightView& view, const BiasSettings& bias, int resolution,
                                    const TexelRegion& region, const std::vector<float>& depths, Slabs which);
 

@@ -1,4 +1,4 @@
-// Which texels of the shown map the kernels of all pixels fetch: each marks those that it reads.
+// Pass that marks the texels of the shown map which the kernels of all pixels fetch.
 #include "renderer/passes/texels_read.h"
 
 #include "renderer/passes/moments.h"
@@ -10,21 +10,21 @@ void TexelsReadPass::declare(FrameState& f) {
     pass.name = "texels read";
     pass.category = PassCategory::Tool;
     pass.reads = kernel_inputs(f);
-    pass.reads.push_back(Result::SurfacesSeen);
+    pass.reads.push_back(Result::VisibleSurfaces);
     pass.writes = {Result::TexelsRead};
-    pass.idle_reason = "not needed: nothing shows which texels are read";
+    pass.idle_reason = "not needed: no output shows which texels are read";
     int layer = 0;
     if (!f.shown_view(&layer)) {
-        pass.unneeded = "the light shown has no map";
-        f.plan.release([this] { targets_ = {}; });
-        f.plan.add(std::move(pass));
+        pass.unneeded = "view.light has no shadow map";
+        f.plan.release_later([this] { targets_ = {}; });
+        f.plan.add_pass(std::move(pass));
         return;
     }
-    f.plan.place(Result::TexelsRead, {&targets_.marks});
+    f.plan.place_result(Result::TexelsRead, {&targets_.marks});
     pass.key = f.shown_light_key().add(layer).value();
     pass.cached = &targets_.marks.key;
     pass.run = [this, &f, layer](PassInfo& info) { run(f, layer, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void TexelsReadPass::run(const FrameState& f, int layer, PassInfo& info) {

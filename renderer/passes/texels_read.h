@@ -1,4 +1,4 @@
-// Texels of the shown map that the picture reads.
+// Pass that marks the map texels which the picture reads.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -6,17 +6,20 @@
 
 namespace si {
 
-/// Marks exactly which texels of the shown map the kernels of all pixels fetch.
+/// Marks exactly the texels of the shown map that the kernels of all pixels fetch.
 class TexelsReadPass : public FramePass {
 public:
+    /// Targets of TexelsReadPass, kept between frames: images of the marks.
     struct Targets {
-        gl::Target marks;    ///< R32F, a texel of the map each
-        gl::Target nothing;  ///< a pixel for each of the picture; OpenGL wants something to draw into
+        gl::Target marks;    ///< R32F, the map's resolution: 1 where a kernel fetches the texel
+        gl::Target nothing;  ///< unused image of the picture's size, as OpenGL needs an attachment
     };
 
     void declare(FrameState& f) override;
 
 private:
+    /// Evaluates all pixels' kernels and marks each fetched texel. Called when the plan runs the pass.
+    /// @param layer layer of the shadow maps
     void run(const FrameState& f, int layer, PassInfo& info);
 
     Targets targets_;

@@ -1,4 +1,4 @@
-// Visibility of each light as a texture of its own.
+// Pass that draws the visibility of each light into an image of its own.
 #include "renderer/passes/visibility.h"
 
 #include <fmt/format.h>
@@ -23,8 +23,8 @@ bool lacks_light_map(const FrameState& f, std::size_t light) {
     return source_of(f.settings, int(light)).needs.light_map && !f.light_map_of_light[light];
 }
 
-/// What the source's file needs of its program besides. A light map finds surfaces by their object's number, which
-/// travels with the flags.
+/// Returns the extra defines for a light's source file. Light maps need the object's number, which is passed along with
+/// the surface flags.
 std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
     if (!f.light_map_of_light[light]) return {};
     const auto own = f.light_map_of_light.begin() + std::ptrdiff_t(light);
@@ -32,7 +32,7 @@ std::vector<gl::Define> source_defines(const FrameState& f, std::size_t light) {
     return {{"SURFACE_FLAGS", "1"}, {"LIGHT_MAP_LAYER", std::to_string(layer)}};
 }
 
-/// Darkens what a ray meets that is marched through the picture's depth.
+/// Draws contact shadows: marches rays through the camera depth and darkens occluded pixels.
 void draw_contacts(const FrameState& f, const gl::Target& visibility, int light, PassInfo& info) {
     const auto framebuffer = gl::make_framebuffer("contact shadows", &visibility, nullptr, light);
     f.begin_fullscreen_pass(framebuffer.id(), f.request.width, f.request.height);
@@ -51,7 +51,7 @@ void draw_contacts(const FrameState& f, const gl::Target& visibility, int light,
 }  // namespace
 
 void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light) {
-    const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, a pixel every `step`
+    const FloatImage& traced = reference.traced.reference->visibility;  // rows from the top, one pixel every `step`
     const int width = visibility.width, height = visibility.height, step = reference.step;
     std::vector<float> pixels(std::size_t(width) * std::size_t(height));
     for (int y = 0; y < height; ++y)
@@ -61,7 +61,7 @@ void upload_traced_visibility(const ReferencePicture& reference, const gl::Targe
     glTextureSubImage3D(visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, pixels.data());
 }
 
-Image VisibilityPass::image_of(int light) {
+Image VisibilityPass::layer_image(int light) {
     Targets& t = targets_;
     const int layer = std::clamp(light, 0, t.visibility.layers - 1);
     if (t.view_layer != layer) {
@@ -85,23 +85,23 @@ std::string_view VisibilityPass::source_file(const FrameState& f, std::size_t li
 }
 
 void VisibilityPass::declare(FrameState& f) {
-    f.plan.place(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
+    f.plan.place_result(Result::Visibility, {&targets_.visibility, shared::UNIT_VISIBILITY});
     Pass pass;
     pass.name = "visibility";
     pass.reads = kernel_inputs(f);
     pass.reads.insert(pass.reads.end(), {Result::ShadowVolumes, Result::Blobs, Result::LightMap});
     pass.writes = {Result::Visibility};
-    pass.idle_reason = "nothing reads it: the shading pass evaluates it itself";
+    pass.idle_reason = "no pass reads it: the shading pass evaluates visibility itself";
     Key key = f.with_settings(f.lighting_key(), ReadBy::Visibility);
     for (std::size_t i = 0; i < f.gl.fitted.size(); ++i)
         if (f.has_contact_shadows(i)) {
-            pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::SurfacesSeen});
+            pass.reads.insert(pass.reads.end(), {Result::CameraDepth, Result::VisibleSurfaces});
             key.add(i).add(f.settings.lights[i].contact);
         }
     pass.key = key.value();
     pass.cached = &targets_.visibility.key;
     pass.run = [this, &f](PassInfo& info) { run(f, info); };
-    f.plan.add(std::move(pass));
+    f.plan.add_pass(std::move(pass));
 }
 
 void VisibilityPass::run(FrameState& f, PassInfo& info) {
@@ -115,7 +115,7 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
         const std::string_view file = source_file(f, std::size_t(light));
         if (!file.empty()) {
             std::vector<gl::Define> defines = source_defines(f, std::size_t(light));
-            if (!defines.empty()) light_maps_.bind(f);
+            if (!defines.empty()) light_maps_.bind_buffers(f);
             defines.push_back({"LIGHT_INDEX", std::to_string(light)});
             defines.push_back({"SOURCE_FILE", std::string(file)});
             CameraPass(f, "visibility", t.visibility, light)
@@ -132,7 +132,7 @@ void VisibilityPass::run(FrameState& f, PassInfo& info) {
             glClearTexSubImage(t.visibility.texture.id(), 0, 0, 0, light, width, height, 1, GL_RED, GL_FLOAT, &lit);
         }
         if (f.has_contact_shadows(std::size_t(light))) {
-            f.bind({Result::CameraDepth, Result::SurfacesSeen});
+            f.bind_results({Result::CameraDepth, Result::VisibleSurfaces});
             draw_contacts(f, t.visibility, light, info);
         }
     }

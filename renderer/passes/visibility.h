@@ -1,4 +1,4 @@
-// Visibility of each light as a texture of its own.
+// Pass that draws each light's visibility into an image of its own.
 #pragma once
 
 #include "renderer/frame/frame_pass.h"
@@ -12,21 +12,25 @@ class ShadowVolumePasses;
 /// Draws the visibility of each light into a layer, by the light's source, with contact shadows.
 class VisibilityPass : public FramePass {
 public:
+    /// Targets of VisibilityPass, kept between frames: visibility image of all lights.
     struct Targets {
-        gl::Target visibility;  ///< R32F, a layer a light
-        gl::Texture view;       ///< one layer of it as a 2-D texture
+        gl::Target visibility;  ///< R32F, a layer for each light
+        gl::Texture view;       ///< 2-D texture view of one layer
         int view_layer = -1;
     };
 
     VisibilityPass(const ShadowVolumePasses& volumes, const LightMapPass& light_maps)
         : volumes_(volumes), light_maps_(light_maps) {}
     void declare(FrameState& f) override;
-    /// Returns one light's layer as a plain texture.
-    Image image_of(int light);
+    /// Returns one light's visibility layer as a 2-D texture, for showing and read-back.
+    Image layer_image(int light);
 
 private:
+    /// Draws the visibility of all lights. Called when the plan runs the pass.
+    /// @param[out] info draw counts
     void run(FrameState& f, PassInfo& info);
-    /// Returns the file that is drawn to evaluate a light. Empty: its layer is all lit, or there already.
+    /// Returns the shader file that evaluates a light's source. Empty: no drawing is needed, as the layer is fully lit
+    /// or already uploaded.
     std::string_view source_file(const FrameState& f, std::size_t light) const;
 
     Targets targets_;
@@ -34,7 +38,7 @@ private:
     const LightMapPass& light_maps_;
 };
 
-/// Writes what rays found into a light's layer of a visibility texture of the frame's size.
+/// Uploads a ray-traced visibility into a light's layer of a visibility image of the frame's size.
 void upload_traced_visibility(const ReferencePicture& reference, const gl::Target& visibility, int light);
 
 }  // namespace si

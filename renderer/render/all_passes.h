@@ -1,4 +1,4 @@
-// The passes of a renderer.
+// List of all passes of a renderer.
 #pragma once
 
 #include <vector>
@@ -26,7 +26,7 @@
 
 namespace si {
 
-/// All passes. What one needs of another is given to its constructor.
+/// All pass objects of a renderer. Passes that use another pass get it by their constructor.
 struct AllPasses {
     PagePasses pages;
     LightDepthPasses light_depth;
@@ -51,8 +51,8 @@ struct AllPasses {
     MapViewPasses map_view;
     NumericHealthPass numeric_health{pages};
 
-    /// Returns them in the order in which they are declared: each after those whose results it reads.
-    /// @param paged the pages of virtual maps are found by the surfaces seen, which then come first
+    /// Returns all passes in the order of declaration: each after those whose results it reads.
+    /// @param paged virtual maps find their pages by the visible surfaces, whose pass then comes first
     std::vector<FramePass*> in_order(bool paged) {
         std::vector<FramePass*> out;
         if (paged) out.push_back(&seen_surfaces);

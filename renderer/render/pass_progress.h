@@ -1,4 +1,4 @@
-// How far a frame is while it is drawn: for whoever waits for it in another thread.
+// Progress of a frame while it is drawn, for other threads that wait for it.
 #pragma once
 
 #include <cstddef>
@@ -8,20 +8,23 @@
 
 namespace si {
 
-/// Written by the thread that draws, read by any.
+/// Progress of one frame: current pass and number of finished ones. The drawing thread writes it, any thread reads it.
 class PassProgress {
 public:
+    /// Snapshot of the progress.
     struct State {
-        std::string pass;              ///< begun last; empty: none yet
-        std::size_t done = 0, of = 0;  ///< passes
+        std::string pass;              ///< pass begun last; empty: none yet
+        std::size_t done = 0, of = 0;  ///< finished passes; all passes
         bool operator==(const State&) const = default;
     };
+    /// Returns the current progress; safe in any thread.
     State state() const {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock{mutex_};
         return state_;
     }
+    /// Sets the current pass, the finished passes and their total.
     void set(std::string_view pass, std::size_t done, std::size_t of) {
-        const std::lock_guard lock(mutex_);
+        const std::lock_guard lock{mutex_};
         state_ = {std::string(pass), done, of};
     }
 
@@ -30,14 +33,14 @@ private:
     State state_;
 };
 
-/// While it lives, frames drawn on its thread tell how far they are.
+/// Scope in which frames drawn on this thread report to a PassProgress.
 class PassProgressScope {
 public:
     explicit PassProgressScope(PassProgress& progress) { current() = &progress; }
     ~PassProgressScope() { current() = nullptr; }
     PassProgressScope(const PassProgressScope&) = delete;
     PassProgressScope& operator=(const PassProgressScope&) = delete;
-    /// Of this thread; null: nobody watches.
+    /// Returns the progress object of this thread; null outside any scope.
     static PassProgress*& current() {
         thread_local PassProgress* watched = nullptr;
         return watched;

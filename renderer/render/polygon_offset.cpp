@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// OpenGL state that the measurement changes, restored at the end.
+/// Saved OpenGL state that the measurement changes; restored at the end.
 class SavedGlState {
 public:
     SavedGlState() {
@@ -70,21 +70,21 @@ private:
     GLfloat factor_ = 0, units_ = 0, clamp_ = 0;
 };
 
-/// Plane with `depth` at its centre and slope `per_pixel` along x and y.
+/// Plane to draw, with `depth` at its centre and slope `per_pixel` along x and y.
 struct TiltedPlane {
     double depth = 0.4;
     glm::dvec2 per_pixel{0};
     float factor = 0, units = 0;
 };
 
-constexpr int kPlanePixels = 8;  ///< pixels that a plane covers, each way
+constexpr int kPlanePixels = 8;  ///< pixels along a plane's side
 
 /// Measures the shift of the stored depth at the centre of each plane, by its polygon offset.
 std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& probes) {
     const SavedGlState kept;
     const bool colour = is_colour(format);
     const int width = int(probes.size()) * kPlanePixels,
-              height = 2 * kPlanePixels;  // below without, above with the offset
+              height = 2 * kPlanePixels;  // lower half without offset, upper half with it
     gl::Target stored, beside;
     stored.ensure("polygon offset calibration", map_internal_format(format), width, height);
     if (colour) beside.ensure("polygon offset calibration, depth", GL_DEPTH_COMPONENT32F, width, height);
@@ -112,7 +112,7 @@ std::vector<double> offsets(MapFormat format, const std::vector<TiltedPlane>& pr
     glBindVertexArray(vao.id());
     for (std::size_t i = 0; i < probes.size(); ++i) {
         const TiltedPlane& p = probes[i];
-        // From one side of the tile to the other normalised coordinates grow by 2.
+        // Normalised coordinates grow by 2 across the tile.
         const glm::dvec2 slope = p.per_pixel * (0.5 * kPlanePixels);
         glUniform3f(plane, float(slope.x), float(slope.y), float(p.depth));
         for (const int row : {0, 1}) {
@@ -143,7 +143,7 @@ constexpr double kEqual = 0.01;  ///< relative tolerance; possible kinds of r an
 
 PolygonOffset measure_polygon_offset(MapFormat format) {
     if (holds_distances(format)) return {.measured = true, .unit_steps = 0, .slope_gain = 0};
-    // Units for some hundredths of depth in fixed-point formats, and for thousands of steps in float ones.
+    // Offset units: some hundredths of the depth range in fixed-point formats, thousands of steps in float formats.
     const float units = format == MapFormat::D16 ? 0x1p10f : format == MapFormat::D24 ? 0x1p16f : 0x1p12f;
     const float factor = 8;
     std::vector<TiltedPlane> probes;

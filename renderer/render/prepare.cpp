@@ -1,4 +1,4 @@
-// From settings to the facts of a frame: repaired settings, camera, fitted lights, map layout.
+// Preparation of a frame: repaired settings, camera, fitted lights, map layout.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,7 +37,7 @@
 namespace si {
 namespace {
 
-/// Everything that place_lights() and fit_maps() read but the camera.
+/// Returns the key of everything place_lights() and fit_maps() read, except the camera.
 Key lights_as_placed_key(const FrameState& f) {
     Key key;
     key.add(f.scene.id).add(f.settings.light_count).add(f.settings.map.resolution).add(f.settings.map.reversed_z);
@@ -71,14 +71,14 @@ bool any_fit_reads_depths(const Settings& settings) {
     return false;
 }
 
-/// Everything that the camera's place, direction, projection and planes are made of.
+/// Adds position, direction, projection and planes of a camera to `key`.
 void add_camera(Key& key, const Camera& c) {
     key.add(c.eye).add(c.axes[0]).add(c.axes[1]).add(c.axes[2]).add(c.orthographic).add(c.fov_y_rad).add(c.height);
     key.add(c.aspect).add(c.curve.near).add(c.curve.far);
 }
 
-/// Places the lights, makes the camera, which may look through one of them, and fits the maps, which may be for what
-/// the camera sees. Lights are fitted anew when the camera moves only where a fit reads it.
+/// Places the lights, builds the camera, which may look through a light, and fits the maps. Maps are fitted again for a
+/// moving camera only where a fit reads the camera.
 void fit(FrameState& f) {
     Resources& r = f.gl;
     Key key = lights_as_placed_key(f);
@@ -111,7 +111,8 @@ void fit(FrameState& f) {
     }
 }
 
-/// A number of a map past those of the light shown means the last; of a light with one map it means nothing.
+/// Notes when view.face exceeds the shown light's maps; the last map is then shown. A light with one map ignores
+/// view.face.
 void note_shown_view(FrameState& f) {
     const auto shown = std::size_t(std::max(f.settings.view.light, 0));
     if (shown >= f.gl.fitted.size()) return;
@@ -123,17 +124,17 @@ void note_shown_view(FrameState& f) {
                                       view_name(light.chooser.choice, count - 1, count)));
 }
 
-/// Makes camera and lights at the asked resolution, then halves it until all maps fit into memory.
-/// @param limit that the driver's memory has set; null: none
-void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
+/// Builds camera and lights at the requested resolution, then halves it until all maps fit into memory.
+/// @param limit resolution limit after the driver ran out of memory; null: none
+void fit_within_memory(FrameState& f, const RendererImpl::MapLimit* limit) {
     int& n = f.settings.map.resolution;
     const int asked = n;
     n = std::clamp(n, 1, f.driver.max_texture_size);
     if (n != asked)
-        f.notes.push_back(fmt::format("map.resolution {} is beyond the driver's limit; {} is used", asked, n));
-    if (limit && limit->most < n) {
-        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->most, n, limit->why));
-        n = limit->most;
+        f.notes.push_back(fmt::format("map.resolution {} exceeds the driver's limit; {} is used", asked, n));
+    if (limit && limit->max < n) {
+        f.notes.push_back(fmt::format("maps of {0}² are used in place of {1}²: {2}", limit->max, n, limit->why));
+        n = limit->max;
     }
     fit(f);
     const int before = n;
@@ -149,8 +150,8 @@ void fit_within_limits(FrameState& f, const RendererImpl::MapLimit* limit) {
     note_shown_view(f);
 }
 
-/// What of a kernel's preparation the driver and the stored format allow; the rest is said.
-void limit_moments(FrameState& f) {
+/// Limits the kernel's moment settings to the abilities of driver and format, with a note for each change.
+void clamp_moment_settings(FrameState& f) {
     const Filter& filter = filter_of(f.settings);
     if (filter.samples != Samples::Moments) return;
     FilterSettings& s = f.settings.filter;
@@ -163,7 +164,7 @@ void limit_moments(FrameState& f) {
         *value = most;
     }
     if (owns_setting(filter, "filter.anisotropy") && s.mips && s.anisotropy > f.driver.max_anisotropy) {
-        f.notes.push_back(fmt::format("filter.anisotropy {} is beyond the driver's limit; {:g} is used", s.anisotropy,
+        f.notes.push_back(fmt::format("filter.anisotropy {} exceeds the driver's limit; {:g} is used", s.anisotropy,
                                       f.driver.max_anisotropy));
         s.anisotropy = int(f.driver.max_anisotropy);
     }
@@ -173,12 +174,13 @@ void limit_moments(FrameState& f) {
     for (const int count : f.driver.map_samples)
         if (count >= samples) used = count;
     if (used != samples)
-        f.notes.push_back(fmt::format("map.samples {} is not what the driver can draw depths with; {} {} used", samples,
-                                      used, used == 1 ? "is" : "are"));
+        f.notes.push_back(
+            fmt::format("map.samples {}: the driver does not support this count for depth textures; {} {} used",
+                        samples, used, used == 1 ? "is" : "are"));
     samples = used;
 }
 
-/// Facts about the lights as GLSL constants; at least one element, since GLSL knows no empty arrays.
+/// Returns facts about the lights as GLSL constants; arrays have at least one element, as GLSL has no empty arrays.
 std::string light_constants(const FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     const auto array = [&](std::string_view name, auto value) {
@@ -188,7 +190,7 @@ std::string light_constants(const FrameState& f) {
         return out + ");\n";
     };
     const auto& lights = f.gl.fitted;
-    // Written out per light: a loop that the compiler does not unroll would index uniforms per pixel.
+    // Written out for each light, as a loop that is not unrolled would index uniforms per pixel.
     std::string each = "#define EACH_LIGHT(DO)", shining = "\n#define EACH_SHINING_LIGHT(DO)";
     for (std::size_t i = 0; i < count; ++i) {
         each += fmt::format(" DO({})", i);
@@ -214,14 +216,14 @@ bool needs_surface_flags(const FrameState& f) {
     return std::any_of(f.scene.materials.begin(), f.scene.materials.end(), [](const Material& m) { return m.unlit; });
 }
 
-/// k where the exponent is 2^k; 0: it is no such power.
+/// Returns k where the exponent is 2^k; 0 for other exponents.
 int squarings(double exponent) {
     const int k = std::ilogb(exponent);
     return std::ldexp(1.0, k) == exponent ? k : 0;
 }
 
-/// What of the light model the frame calls for, so that shaders need not read what they would multiply by 0 or 1: a CPU
-/// rasteriser gathers each number of a uniform block anew for every eight pixels.
+/// Adds defines for the used parts of the light model, so that shaders skip factors of 0 or 1. A CPU rasteriser gathers
+/// each uniform number again for every eight pixels.
 void add_shading_defines(FrameState& f) {
     const ShadingSettings& s = f.settings.shading;
     const bool grey = std::all_of(f.gl.fitted.begin(), f.gl.fitted.end(), [](const FittedLight& light) {
@@ -248,8 +250,8 @@ void choose_kernel(FrameState& f) {
         const SettingRef ref = *find_setting(key);
         const int taps = std::get<int>(get_value(f.settings, ref));
         if (idle_reason(f.settings, ref).empty() && disk_point_count(filter, f.settings, taps) < taps)
-            f.notes.push_back(fmt::format("{} {}: the Poisson table has {} places; all of them are taken, and no more",
-                                          key, taps, kDiskTable));
+            f.notes.push_back(
+                fmt::format("{} {}: the Poisson table has {} samples, all of which are used", key, taps, kDiskTable));
     }
     f.defines = settings_defines(f.settings);
     f.defines.push_back({"KERNEL_SIZE", std::to_string(taps_across(filter, f.settings))});
@@ -289,7 +291,7 @@ void choose_kernel(FrameState& f) {
     });
 }
 
-/// What truth the frame needs, and whether the request brings it.
+/// Finds the ray-traced reference that the frame needs, and whether the request has it.
 void find_reference(FrameState& f) {
     const Outputs& o = f.request.outputs;
     bool asked = o.error || o.true_colour || o.classified || o.evidence;
@@ -301,7 +303,7 @@ void find_reference(FrameState& f) {
                       f.request.reference && f.request.reference->options ? *f.request.reference->options
                                                                           : reference_options(f.settings));
     if (f.reference.key == 0) {
-        f.notes.push_back("there is no light to trace the truth of");
+        f.notes.push_back("there is no light to trace a reference for");
         return;
     }
     const ReferencePicture* reference = f.request.reference.get();
@@ -310,7 +312,7 @@ void find_reference(FrameState& f) {
     f.reference_content = reference->version;
 }
 
-/// What lights need whose source is ray traced, and which of it the request brings.
+/// Finds the ray-traced visibility that lights need, and what of it the request has.
 void find_traced(FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     f.traced_pictures.assign(count, nullptr);
@@ -330,19 +332,19 @@ void find_traced(FrameState& f) {
             f.lights_key.add(i).add(f.traced_pictures[i]->version);
         else
             f.notes.push_back(
-                fmt::format("light {} has no shadow yet: its source is {}, and no rays were traced for this view", i,
+                fmt::format("light {} has no shadow yet: its source is {}, and no rays are traced for this view", i,
                             source_of(f.settings, int(i)).key));
     }
 }
 
-/// What lights need whose source is a light map, and which of it the request brings.
+/// Finds the light maps that lights need, and which of them the request has.
 void find_light_maps(FrameState& f) {
     const std::size_t count = f.gl.fitted.size();
     f.light_map_of_light.assign(count, nullptr);
     if (!any_source_needs(f.settings, &SourceNeeds::light_map)) return;
     int& side = f.settings.light_map.resolution;
     if (side > f.driver.max_texture_size) {
-        f.notes.push_back(fmt::format("light_map.resolution {} is beyond the driver's limit; {} is used", side,
+        f.notes.push_back(fmt::format("light_map.resolution {} exceeds the driver's limit; {} is used", side,
                                       f.driver.max_texture_size));
         side = f.driver.max_texture_size;
     }
@@ -373,7 +375,7 @@ void find_light_maps(FrameState& f) {
     }
 }
 
-/// Which panes there are and what they need.
+/// Lists the panes and the inputs of their overlays.
 void arrange_panes(FrameState& f) {
     const std::vector<int> chosen = pane_overlays(f.settings.view);
     const Outputs& o = f.request.outputs;
@@ -427,21 +429,21 @@ void RendererImpl::calibrate_offset(MapFormat map_format) {
     if (!offset.measured) offset = measure_polygon_offset(map_format);
 }
 
-FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    FrameState f = derive(scene, settings, request);
+FrameState RendererImpl::prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+    FrameState f = derive_frame_state(scene, settings, request);
     if (!any_fit_reads_depths(f.settings)) return f;
     if (request.map_camera) {
         if (!request.map_camera->seen_m)
             f.notes.push_back(
-                "light.depth_bounds sdsm: nothing was measured for the camera that the maps are made for; "
-                "they go by the boxes");
+                "light.depth_bounds sdsm: visible depths of the maps' camera are not measured; "
+                "object boxes are used");
         return f;
     }
     VisibleDepths& seen = resources.seen;
     const std::uint64_t key = f.surfaces_key().value();
     if (seen.key == key && !request.force) {
         seen.info.state = PassState::Cached;
-        seen.info.reason = "nothing that the camera sees has changed";
+        seen.info.reason = "the visible surfaces are unchanged";
         seen.info.cpu_ms = seen.info.gpu_ms = 0;
         f.seen_m = seen.span;
         return f;
@@ -449,22 +451,22 @@ FrameState RendererImpl::prepare(const Scene& scene, const Settings& settings, c
     upload_blocks(f);
     seen.span = measure_visible_depths(f, seen.info);
     seen.key = key;
-    FrameState measured = derive(scene, settings, request);
-    measured.camera_depth_renewed = true;  // once a frame, also where it is forced
+    FrameState measured = derive_frame_state(scene, settings, request);
+    measured.camera_depth_renewed = true;  // once a frame, even if forced
     measured.seen_m = seen.span;
     return measured;
 }
 
-FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+FrameState RendererImpl::derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     if (!repaired || !(repaired->given == settings)) {
         repaired = Repaired{settings, settings, {}};
         repaired->notes = sanitise(repaired->settings);
     }
     FrameState f{.scene = scene, .settings = repaired->settings, .request = request, .gl = resources, .driver = driver};
     f.notes = repaired->notes;
-    limit_moments(f);
-    if (map_limit && map_limit->asked != settings.map.resolution) map_limit.reset();
-    fit_within_limits(f, map_limit ? &*map_limit : nullptr);
+    clamp_moment_settings(f);
+    if (map_limit && map_limit->requested != settings.map.resolution) map_limit.reset();
+    fit_within_memory(f, map_limit ? &*map_limit : nullptr);
     if (f.settings.bias.raster_slope != 0 || f.settings.bias.raster_units != 0) calibrate_offset(f.settings.map.format);
     if (f.settings.bias.raster_clamp != 0 && !driver.polygon_offset_clamp)
         f.notes.push_back(
@@ -475,7 +477,7 @@ FrameState RendererImpl::derive(const Scene& scene, const Settings& settings, co
     f.origin = counted_from(f.settings, f.camera.origin());
     if (!resources.scene || (resources.scene->scene_id() != scene.id && !resources.scene->adopt_if_compatible(scene)))
         resources.scene = std::make_unique<SceneGpu>(scene, driver.anisotropy, std::move(resources.scene));
-    resources.scene->arrange(scene, f.settings);
+    resources.scene->update_batches(scene, f.settings);
 
     f.geometry_key = resources.scene->key();
     f.camera_key.add(f.camera.clip_from_relative(f.origin)).add(f.origin).add(request.width).add(request.height);

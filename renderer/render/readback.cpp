@@ -1,4 +1,4 @@
-// Pictures and maps back from the GPU, top row first.
+// Read-back of pictures and maps from the GPU, top row first.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +12,14 @@
 namespace si {
 namespace {
 
-/// Whether the drawing is still the one that the frame saw.
+/// Returns true when no later drawing has replaced this image of the frame.
 bool is_there(const FrameContents::Part& part, const Resources& resources) {
     const auto drawing = resources.drawings.find(part.place);
     return *part.place == part.key && (drawing == resources.drawings.end() ? 0 : drawing->second) == part.drawn;
 }
 
-/// The first image of a result. @throws Error unless the frame drew it and its images still hold it
+/// Returns the first image of a result.
+/// @throws Error when the frame did not draw it or a later frame replaced it
 const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, const Resources& resources, Result result) {
     const gl::Target* image = nullptr;
     for (const FrameContents::Part& part : frame.contents.parts) {
@@ -26,12 +27,12 @@ const gl::Target& require(const FrameResult& frame, std::uint64_t renderer, cons
         image = part.image;
         if (!is_there(part, resources))
             throw Error(
-                fmt::format("the {} of this frame are gone, as another frame was drawn over them; draw it again "
+                fmt::format("the {} of this frame were overwritten by a later frame; draw it again "
                             "before reading them",
                             result_name(result)));
     }
     if (!image)
-        throw Error(fmt::format("the frame did not draw its {}; nothing that it was asked for reads them",
+        throw Error(fmt::format("the frame did not draw its {}: none of its requested outputs needs them",
                                 result_name(result)));
     return *image;
 }
@@ -89,7 +90,7 @@ FloatImage Renderer::read_shadow_map(const FrameResult& frame, int light, int fa
     const gl::Target& map = require(frame, impl_->number, impl_->resources, Result::ShadowMaps);
     if (!frame.maps_are_whole)
         throw Error(
-            "the shadow maps of this frame hold only what its picture reads; ask it for its shadow maps before "
+            "the shadow maps of this frame hold only texels that its picture reads; request shadow maps before "
             "reading them");
     const int n = frame.map_resolution;
     const DepthCurve& curve = frame.lights[std::size_t(light)].views[std::size_t(face)].curve;
@@ -119,10 +120,10 @@ FloatImage Renderer::read_map_view_depth(const FrameResult& frame) {
 
 std::shared_ptr<const NumericHealth> Renderer::numeric_health(const FrameResult& frame, bool wait) {
     require(frame, impl_->number, impl_->resources, Result::Health);
-    return impl_->passes.numeric_health.read(wait);
+    return impl_->passes.numeric_health.read_result(wait);
 }
 
-bool Renderer::holds(const FrameResult& frame) const {
+bool Renderer::has_images_of(const FrameResult& frame) const {
     const auto there = [&](const FrameContents::Part& p) { return is_there(p, impl_->resources); };
     const auto& parts = frame.contents.parts;
     return frame.contents.renderer == impl_->number && std::all_of(parts.begin(), parts.end(), there);

@@ -54,14 +54,14 @@ FrameResult render_with_reference(Renderer& renderer, const Scene& scene, const 
                                   FrameRequest& request, ReferenceCache& cache, const Workers& workers,
                                   const std::optional<ReferenceOptions>& options) {
     trace_sources(renderer, scene, settings, request, cache, workers);
-    // What the picture at hand was asked for is not what this one is.
+    // A reference traced with other options does not match.
     if (request.reference && request.reference->options != options) request.reference.reset();
     const ReferenceOptions wanted = options.value_or(reference_options(settings));
     const auto trace = [&] {
         const ReferenceTask task = reference_task(renderer, scene, settings, request, settings.view.light, wanted);
         request.reference = reference_picture(task, cache.trace(task, workers), options);
     };
-    if (!request.reference && options) trace();  // else the frame tells whether it asks for any
+    if (!request.reference && options) trace();  // otherwise the drawn frame reports whether it needs one
     FrameResult frame = renderer.render(scene, settings, request);
     if (frame.reference.key == 0 || frame.reference.met) return frame;
     trace();

@@ -1,4 +1,4 @@
-// Frames with the rays that they ask for: traced on the renderer's thread before they are drawn.
+// Frames that need ray-traced data: rays are traced first, then the frame is drawn.
 #pragma once
 
 #include <optional>
@@ -8,22 +8,25 @@
 
 namespace si {
 
-/// Collects the input for tracing a reference: draws the triangle ids of all pixels, and takes the scene's geometry
-/// from ray_scenes() or the scene. Call on the renderer's thread.
-/// @param light index of light.*. @throws Error when there is no such light, or as Renderer::render() does
+/// Collects the input for tracing the ray-traced reference of a frame. Draws the triangle numbers of all pixels, and
+/// takes the scene's geometry from ray_scenes() or the scene. Call on the renderer's thread; the task itself may run on
+/// another.
+/// @param light index of light.*
+/// @throws Error when there is no such light, or as Renderer::render() does
 ReferenceTask reference_task(Renderer& renderer, const Scene& scene, const Settings& settings,
                              const FrameRequest& request, int light, const ReferenceOptions& options = {});
 
-/// Traces the shadows of all lights whose source (light.source) is ray tracing or a light map, unless `request`,
-/// `cache` or light_maps() has them. Returns true when there is such a light.
-/// @param request receives the results, for the next frame @throws Cancelled, Error
+/// Traces the shadows of all lights whose source (light.source) is ray tracing or a light map, where `request`, `cache`
+/// or light_maps() lack them. Returns true when there is such a light.
+/// @param[in,out] request receives the results, for the next frame
+/// @throws Cancelled, Error
 bool trace_sources(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest& request,
                    ReferenceCache& cache, const Workers& workers = {});
 
-/// Draws a frame with its reference, and with the ray-traced lights of trace_sources(): traces them unless `request` or
-/// `cache` has them.
-/// @param request receives the reference, for the next frame
-/// @param options override reference_options() of the settings
+/// Draws a frame together with its ray-traced reference and lights, and traces whatever `request` and `cache` lack.
+/// Blocks until all rays are traced.
+/// @param[in,out] request receives the reference, for the next frame
+/// @param options replace reference_options() of the settings
 /// @throws Cancelled, Error
 FrameResult render_with_reference(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   FrameRequest& request, ReferenceCache& cache, const Workers& workers = {},

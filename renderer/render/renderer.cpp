@@ -38,7 +38,7 @@ void run_passes(FrameState& f, std::vector<PassInfo>& infos, gl::PassClock* cloc
         if (clock) clock->begin();
         const auto start = std::chrono::steady_clock::now();
         if (plan[i].cached) *plan[i].cached = 0;
-        f.bind(plan[i].reads);
+        f.bind_results(plan[i].reads);
         plan[i].run(infos[i]);
         if (plan[i].cached) {
             *plan[i].cached = plan[i].key;
@@ -56,14 +56,14 @@ std::vector<ResultRef> wanted_results(const FrameState& f) {
     std::vector<ResultRef> wanted;
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& pane : f.panes) {
-        if (o.colour) wanted.push_back(f.picture_of(pane));
-        if (o.overlay) wanted.push_back(f.values_of(pane));
+        if (o.colour) wanted.push_back(f.pane_picture_result(pane));
+        if (o.overlay) wanted.push_back(f.pane_values_result(pane));
     }
     if (o.colour && f.request.smoothed > 0) wanted.push_back(Result::Smooth);
     if (o.surface_ids) wanted.push_back(Result::SurfaceIds);
     if (o.visibility) wanted.push_back(Result::Visibility);
     if (o.error) wanted.push_back(Result::Error);
-    if (o.classified) wanted.push_back(Result::Judged);
+    if (o.classified) wanted.push_back(Result::Classified);
     if (o.unfiltered_map) {
         wanted.push_back(Result::UnfilteredMap);
         for (const ResultRef& read : kernel_inputs(f)) wanted.push_back(read);
@@ -84,8 +84,8 @@ Renderer::Renderer() : impl_(std::make_unique<RendererImpl>()) {}
 Renderer::Renderer(std::shared_ptr<gl::ProgramCache> programs)
     : impl_(std::make_unique<RendererImpl>(std::move(programs))) {}
 Renderer::~Renderer() {
-    glUseProgram(0);  // so that nobody restores a program that is gone
-    glFinish();       // drivers with threads of their own crash when the process ends with work under way
+    glUseProgram(0);  // no later code may restore a deleted program
+    glFinish();       // multi-threaded drivers crash when the process ends with pending work
 }
 
 void Renderer::set_number_watcher(NumberWatcher watch) {
@@ -110,11 +110,11 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
                                 request.height, driver.max_texture_size));
     gl::check_context_alive();
     while (true) {
-        FrameState f = prepare(scene, settings, request);
+        FrameState f = prepare_frame(scene, settings, request);
         plan_frame(f);
         FrameResult result;
         try {
-            result = draw(f);
+            result = run_plan(f);
         } catch (const gl::OutOfMemory& e) {
             if (!reduce_map_limit(settings, f, e.what())) throw;
             continue;
@@ -126,18 +126,18 @@ FrameResult RendererImpl::render(const Scene& scene, const Settings& settings, c
     }
 }
 
-bool RendererImpl::reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why) {
-    constexpr int kLeastTexels = 64;  // what smaller ones leave free is nothing beside a picture
-    if (f.view_count == 0 || f.map_resolution <= kLeastTexels) return false;
-    map_limit = MapLimit{asked.map.resolution, f.map_resolution / 2, why};
+bool RendererImpl::reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why) {
+    constexpr int kMinMapTexels = 64;  // smaller maps would free little memory compared with a picture
+    if (f.view_count == 0 || f.map_resolution <= kMinMapTexels) return false;
+    map_limit = MapLimit{settings.map.resolution, f.map_resolution / 2, why};
     return true;
 }
 
 std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request) {
-    FrameState f = impl_->prepare(scene, settings, request);
+    FrameState f = impl_->prepare_frame(scene, settings, request);
     Key key;
-    // Not those of planning: whether look-ups ask for bounds changes with what is kept of the last frame, and who makes
-    // programs makes both ways.
+    // Defines set during planning are left out: look-ups use depth bounds only once maps are cached, and both variants
+    // are compiled.
     for (const gl::Define& d : f.defines) key.add(d.name).add(d.value);
     impl_->plan_frame(f);
     key.add(f.preamble).add(f.gl.programs.source().generation()).add(f.map_format()).add(f.settings.map.samples);
@@ -147,8 +147,8 @@ std::uint64_t Renderer::programs_key(const Scene& scene, const Settings& setting
     for (int i = 0; i < f.settings.light_count; ++i) key.add(source_of(f.settings, i).key);
     const std::vector<PassInfo> infos = plan_passes(f.plan.passes(), wanted_results(f), true, false);
     for (std::size_t i = 0; i < infos.size(); ++i)
-        if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].aid) key.add(infos[i].name);
-    std::uint32_t ways = 0;  // in which batches are drawn
+        if (infos[i].state == PassState::Drawn && !f.plan.passes()[i].only_saves_work) key.add(infos[i].name);
+    std::uint32_t ways = 0;  // combinations of batch state in use
     for (const Batch& b : f.gl.scene->batches())
         ways |= 1u << (int(b.mirrored) + 2 * int(b.cast) + 4 * index_of(b.cull));
     return key.add(ways).value();
@@ -158,7 +158,7 @@ void RendererImpl::plan_frame(FrameState& f) {
     for (FramePass* pass : passes.in_order(f.paged)) pass->declare(f);
 }
 
-FrameResult RendererImpl::draw(FrameState& f) {
+FrameResult RendererImpl::run_plan(FrameState& f) {
     FrameResult result;
     result.passes = plan_passes(f.plan.passes(), wanted_results(f), f.request.force,
                                 f.request.forced.contains(Optimisation::DeadPasses));
@@ -169,7 +169,7 @@ FrameResult RendererImpl::draw(FrameState& f) {
     try {
         run_passes(f, result.passes, f.request.timing ? &pass_clock() : nullptr);
     } catch (...) {
-        // Images may be gone that passes share.
+        // Images that passes share may be lost.
         for (const Pass& pass : f.plan.passes())
             if (pass.cached) *pass.cached = 0;
         throw;

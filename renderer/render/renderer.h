@@ -1,4 +1,4 @@
-// Draws frames: a function of scene, settings and request. Needs a current OpenGL 4.5 core context.
+// Renderer of frames: a function of scene, settings and request. Needs a current OpenGL 4.5 core context.
 #pragma once
 
 #include <functional>
@@ -15,59 +15,74 @@ namespace gl {
 class ProgramCache;
 }
 
-struct RendererImpl;  // renderer/render/renderer_impl.h
+struct RendererImpl;
 
+/// Draws frames of a scene, reads their images back, and probes single pixels.
 class Renderer {
 public:
-    /// @throws Error when the context lacks OpenGL 4.5.
+    /// Creates a renderer in the current context.
+    /// @throws Error when the context lacks OpenGL 4.5
     Renderer();
-    /// Compiles into a cache that outlives the renderer, so that the next one in the same context finds its programs
-    /// there. @param programs of the current context, not null
+    /// Creates a renderer with a shared program cache, so that later renderers of the same context reuse compiled
+    /// shaders.
+    /// @param programs cache of the current context, not null
     explicit Renderer(std::shared_ptr<gl::ProgramCache> programs);
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Draws what `request` asks for. @throws Error (out of memory, shader compile errors in release builds).
+    /// Draws one frame with the outputs that `request` lists.
+    /// @throws Error when memory runs out, or a shader does not compile in release builds
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
-    /// Has every picture that is drawn or judged searched as Outputs::health asks for, but for those that are timed.
-    /// @param watch is told what was found, soundness too; empty: no more
+    /// Callback that receives the number faults of a frame and its settings.
     using NumberWatcher = std::function<void(const Settings&, const NumericHealth&)>;
+    /// Sets a callback that receives the number faults of every drawn frame, timed frames excepted. Each such frame is
+    /// searched as Outputs::health does.
+    /// @param watch called for faultless frames too; empty: stops watching
     void set_number_watcher(NumberWatcher watch);
 
-    /// Names the programs that render() would draw this frame with: frames of one key need no others. Draws nothing but
-    /// what fits go by.
+    /// Returns a key of the shader programs that render() would use. Frames of equal keys need no further compilation.
+    /// Draws nothing except depths that fits need.
     std::uint64_t programs_key(const Scene& scene, const Settings& settings, const FrameRequest& request);
 
+    /// Reads back an RGBA8 image of a frame, top row first.
     ByteImage read_colour(const Image& image);
+    /// Reads back a float image of a frame, top row first.
+    /// @param channels 1 to 4, from red on
     FloatImage read_float(const Image& image, int channels);
+    /// Reads back FrameResult::surface_ids, top row first.
     SurfaceIds read_surface_ids(const Image& image);
-    /// Whether all that the frame drew is still there. Frames share images: one that shows something else takes the
-    /// place of those before it, and their images are to be drawn anew before they are shown or read.
-    bool holds(const FrameResult& frame) const;
-    /// The stored depth of a light's map of that frame, raw, in [0,1].
-    /// @throws Error when the frame has no such map, did not ask for whole ones (FrameResult::maps_are_whole), or
-    /// another one was drawn in its place
+    /// Returns true when no later frame has overwritten the images of `frame`. Otherwise draw the frame again before
+    /// showing or reading them.
+    bool has_images_of(const FrameResult& frame) const;
+    /// Reads back a light's shadow map of a frame: stored depths in [0, 1], top row first.
+    /// @param face index of a cube face or cascade
+    /// @throws Error when the frame has no such map, holds only parts (FrameResult::maps_are_whole), or was overwritten
     FloatImage read_shadow_map(const FrameResult& frame, int light, int face);
-    /// The depth image behind that frame's `map_view`, as stored, in [0,1]. @throws Error as read_shadow_map() does
+    /// Reads back the depth image behind the map viewer's picture: stored depths in [0, 1], top row first.
+    /// @throws Error as read_shadow_map() does
     FloatImage read_map_view_depth(const FrameResult& frame);
-    /// What a frame's numbers are worth; that was asked for Outputs::health. Null: the driver is not through with it.
-    /// @param wait for the driver @throws Error when the frame did not ask, or another one was drawn in its place
+    /// Returns the number faults of a frame with Outputs::health; null while the GPU has not finished the search.
+    /// @param wait waits for the GPU
+    /// @throws Error when the frame has no such output or was overwritten
     std::shared_ptr<const NumericHealth> numeric_health(const FrameResult& frame, bool wait = true);
-    /// Evaluates the shadow test at a pixel of the frame of these (row 0 at the top). It draws what it needs of it, and
-    /// leaves images of that frame as they are.
+    /// Evaluates the shadow test at one pixel of a frame in detail: inputs, taps, bias and result. Draws the maps that
+    /// the test needs; images of the last frame stay.
+    /// @param x, y pixel, row 0 at the top
     Probe probe(const Scene& scene, const Settings& settings, const FrameRequest& request, int x, int y);
 
-    /// Measures on the first call what only drawing tells: the clock, and polygon offsets of every map format.
+    /// Returns abilities and traits of the driver. The first call measures the clock and the polygon offsets of every
+    /// map format.
     const DriverInfo& driver() const;
-    /// Errors and high-severity messages of the driver since the last call; tests demand none.
+    /// Returns and clears the driver's errors and high-severity messages since the last call.
     std::vector<std::string> take_gl_messages();
-    /// Gives back memory that is nobody's and costs some milliseconds to find: call while nothing is drawn for a while.
+    /// Returns memory to the system that the driver and the heap hold but no result uses. Takes some milliseconds: call
+    /// while nothing is drawn.
     void release_unused_memory();
-    /// The last compile error of hot-reloaded shaders; empty when all compiled.
+    /// Returns the last compile error of hot-reloaded shaders; empty when all compiled.
     std::string shader_log() const;
-    /// True when a shader file on disk changed since the last frame (dev builds).
+    /// Returns true when a shader file on disk changed since the last frame (development builds).
     bool shaders_changed();
 
 private:

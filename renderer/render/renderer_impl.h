@@ -1,4 +1,4 @@
-// The renderer's inside, shared by drawing, reading back and probing.
+// Implementation of Renderer, shared by drawing, read-back and probing.
 #pragma once
 
 #include <functional>
@@ -10,51 +10,58 @@
 
 namespace si {
 
+/// State of a Renderer: driver facts, GPU resources, passes and memory limits.
 struct RendererImpl {
     DriverInfo driver;
     gl::MessageLog messages;
-    std::unique_ptr<gl::PassClock> clock;  ///< made when first needed: calibrating costs a few frames
+    std::unique_ptr<gl::PassClock> clock;  ///< created when first needed, as calibration costs a few frames
     Resources resources;
     AllPasses passes;
-    const std::uint64_t number;  ///< no other renderer has it
+    const std::uint64_t number;  ///< unique number of this renderer
 
-    /// The settings of the last frame, as they were given and as they can be drawn.
+    /// Settings of the last frame: as given, and after repair to drawable values.
     struct Repaired {
         Settings given, settings;
         std::vector<std::string> notes;
     };
     std::optional<Repaired> repaired;
 
-    /// Maps that the driver had no memory for: those of this map.resolution are made no larger.
+    /// Limit of the map resolution after the driver ran out of memory, for one value of map.resolution.
     struct MapLimit {
-        int asked = 0, most = 0;
+        int requested = 0, max = 0;  ///< map.resolution of the settings; largest resolution tried
         std::string why;
     };
     std::optional<MapLimit> map_limit;
     std::function<void(const Settings&, const NumericHealth&)> watch;  ///< see Renderer::set_number_watcher()
 
+    /// Queries the driver and creates the GPU resources in the current context.
+    /// @param programs shader program cache, not null
+    /// @throws Error when the context lacks OpenGL 4.5
     explicit RendererImpl(std::shared_ptr<gl::ProgramCache> programs = std::make_shared<gl::ProgramCache>());
-    /// After the driver refused memory: has maps be half as large. @returns whether that may help
-    bool reduce_map_limit(const Settings& asked, const FrameState& f, const std::string& why);
-    /// Derives everything of a frame that needs no drawing, but for the depths that the camera sees, which are drawn
-    /// and read back first where a fit asks for them.
-    FrameState prepare(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// As prepare(), with the depths that are known.
-    FrameState derive(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// As Renderer::render(), unwatched.
+    /// Halves the map resolution after the driver ran out of memory. Returns true when drawing again may succeed.
+    /// @param why message of the failure
+    bool reduce_map_limit(const Settings& settings, const FrameState& f, const std::string& why);
+    /// Derives all facts of a frame: repaired settings, camera, fitted lights, needs of its outputs. Draws nothing
+    /// except the visible depths, where a fit of light.depth_bounds needs them.
+    FrameState prepare_frame(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    /// Derives all facts of a frame as prepare_frame() does, from the visible depths measured so far.
+    FrameState derive_frame_state(const Scene& scene, const Settings& settings, const FrameRequest& request);
+    /// Draws one frame as Renderer::render() does, without the number watcher.
     FrameResult render(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Carries out the plan of a frame.
-    FrameResult draw(FrameState& f);
-    /// Adds the passes of a frame to its plan.
+    /// Runs the passes of a planned frame, and returns its result.
+    FrameResult run_plan(FrameState& f);
+    /// Lets all passes declare themselves in the frame's plan.
     void plan_frame(FrameState& f);
-    /// Fills in what the frame drew and found out; `result` has the passes already.
+    /// Fills `result` with the frame's images, camera, lights and measured numbers.
+    /// @param[in,out] result has the pass reports already
     void describe_frame(FrameState& f, FrameResult& result);
+    /// Returns the clock that times passes, and calibrates it on the first call.
     gl::PassClock& pass_clock();
-    /// Measures the polygon offset of a map format (MapFormat), once.
+    /// Measures the driver's polygon offset for a map format, on the first call for this format.
     void calibrate_offset(MapFormat map_format);
 };
 
-/// What the passes of a frame left in its images.
+/// Returns which images a frame's passes left in the renderer, with their keys.
 FrameContents contents_of(const FrameState& f, const std::vector<PassInfo>& infos);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// From a drawn frame to its facts: images, ranges in use, camera, lights.
+// Description of a drawn frame: images, ranges in use, camera, lights.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,9 +19,9 @@ void describe_panes(const FrameState& f, PanePasses& panes, FrameResult& result)
     const Outputs& o = f.request.outputs;
     for (const FrameState::ShownPane& shown : f.panes) {
         Pane pane{.overlay = shown.overlay, .lacks_reference = shown.lacks_reference};
-        if (o.colour) pane.picture = image_of(f.result(f.picture_of(shown)));
+        if (o.colour) pane.picture = image_of(f.result(f.pane_picture_result(shown)));
         if (shown.row()) {
-            if (o.colour || o.overlay) pane.values = image_of(f.result(f.values_of(shown)));
+            if (o.colour || o.overlay) pane.values = image_of(f.result(f.pane_values_result(shown)));
             const ValueRange range = panes.range_of(f, shown);
             pane.overlay_min = range.min;
             pane.overlay_max = range.max;
@@ -66,7 +66,7 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
     };
     describe_panes(f, passes.panes, result);
     if (made.contains(Result::MapView)) describe_map_view(f, passes.map_view, result);
-    if (made.contains(Result::Visibility)) result.visibility = passes.visibility.image_of(f.settings.view.light);
+    if (made.contains(Result::Visibility)) result.visibility = passes.visibility.layer_image(f.settings.view.light);
     if (made.contains(Result::Error)) result.error = passes.reference.error();
     if (made.contains(Result::Precision)) result.precision = passes.precision.found();
     if (made.contains(Result::Evidence)) {
@@ -75,17 +75,17 @@ void RendererImpl::describe_frame(FrameState& f, FrameResult& result) {
         result.mask_levels = f.mask_levels;
     }
     put(Result::Smooth, result.smooth);
-    put(Result::Judged, result.classified);
+    put(Result::Classified, result.classified);
     put(Result::ReferenceLitPicture, result.true_colour);
     put(Result::SurfaceIds, result.surface_ids);
     put(Result::TexelsRead, result.texels_read);
     put(Result::MapCoordinates, result.map_coordinates);
     if (f.paged && made.contains(Result::ShadowMaps)) {
         const PassInfo* pages = result.pass("pages of shadow maps");
-        result.pages = passes.pages.facts(pages && pages->state == PassState::Drawn);
+        result.pages = passes.pages.page_facts(pages && pages->state == PassState::Drawn);
         if (result.pages->coarser > 0)
             f.notes.push_back(
-                fmt::format("map.page_pool of {} pages is full: coarser pages stand for {} of {}; raise it, or "
+                fmt::format("map.page_pool of {} pages is full: coarser pages replace {} of {}; raise it, or "
                             "map.virtual_bias",
                             f.settings.map.page_pool, result.pages->coarser, result.pages->wanted));
     }

@@ -4,7 +4,7 @@
 
 layout(binding = UNIT_REFERENCE) uniform sampler2D reference_map;   // rows from the top: R, metres to the drawn surface nearest the light, state, noise
 layout(binding = UNIT_MORE_REFERENCE) uniform sampler2D more_map;    // rows from the top: metres to the nearest of all casters, hard R, edge_m, run_m
-layout(binding = UNIT_CLASSIFIED) uniform sampler2D classified_map;  // rows from the bottom: classification()
+layout(binding = UNIT_CLASSIFIED) uniform sampler2D classified_map;  // rows from the bottom: see classification()
 
 const float COUNTED = 0.0;  // PixelState::Counted
 const float RIGHT_VISIBILITY = 1e-3;

@@ -36,7 +36,7 @@ void judge_against_visibility(benchmark::State& state, const char* scene_name,
         compared.push_back(ms("pixels compared"));
         causes.push_back(ms("causes found"));
         unfiltered.push_back(ms("unfiltered map"));
-        seen.push_back(ms("surfaces seen"));
+        seen.push_back(ms("visible surfaces"));
         classifying.push_back(compared.back() + causes.back());
         visibility.push_back(ms("visibility"));
         ratios.push_back(classifying.back() / visibility.back());

@@ -107,7 +107,7 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
          {{"filter.kernel", "vsm"}},
          "map.samples",
          {{"filter.kernel", "vsm"}, {"map.samples", "4"}}},
-        {"blocker search", {}, "Kernel", {{"filter.kernel", "pcss"}}},
+        {"blocker search", {}, "The kernel", {{"filter.kernel", "pcss"}}},
         {"light's size", {}, "Kernel", {{"filter.kernel", "pcss"}}},
         {"blocker search",
          {{"filter.kernel", "pcss"}, {"light.size", "0"}},
@@ -153,7 +153,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
         ASSERT_TRUE(effect_named(list, name)) << name;
         EXPECT_NE(effect_named(list, name)->reason.find(what), std::string::npos) << effect_named(list, name)->reason;
     };
-    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "asked for");
+    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "requested output");
     says(all, "drawn depth range", "closed");
     says(all, "unfiltered map", "Not needed: causes are not shown");
     FrameRequest request = small();
@@ -351,7 +351,7 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
 }
 
 TEST(Sentences, KeepKeysAndStops) {
-    EXPECT_EQ(sentence("nothing reads it"), "Nothing reads it.");
+    EXPECT_EQ(sentence("no pass reads it"), "No pass reads it.");
     EXPECT_EQ(sentence("map.virtual is off"), "map.virtual is off.");
     EXPECT_EQ(sentence("Done."), "Done.");
     EXPECT_EQ(sentence(""), "");

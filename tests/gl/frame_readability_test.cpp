@@ -55,7 +55,7 @@ TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
         const FrameResult f = fresh.render(s.scene, s.settings, s.request);
         maps.push_back(fresh.read_shadow_map(f, 0, 0));
         views.push_back(fresh.read_map_view_depth(f));
-        EXPECT_FALSE(renderer.holds(f)) << "of another renderer";
+        EXPECT_FALSE(renderer.has_images_of(f)) << "of another renderer";
         EXPECT_THROW(renderer.read_shadow_map(f, 0, 0), Error);
     }
     ASSERT_NE(maps[0].data.size(), maps[1].data.size());
@@ -63,11 +63,11 @@ TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
     for (int turn = 0; turn < 6; ++turn) {
         const auto now = std::size_t(turn % 2), other = 1 - now;
         const FrameResult f = draw(both[now]);
-        EXPECT_TRUE(renderer.holds(f));
+        EXPECT_TRUE(renderer.has_images_of(f));
         EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, maps[now].data) << turn;
         EXPECT_EQ(renderer.read_map_view_depth(f).data, views[now].data) << turn;
         if (turn > 0) {
-            EXPECT_FALSE(renderer.holds(last[other])) << turn;
+            EXPECT_FALSE(renderer.has_images_of(last[other])) << turn;
             EXPECT_NE(why_not([&] {
                           renderer.read_shadow_map(last[other], 0, 0);
                       }).find("shadow maps of this frame are gone"),
@@ -82,18 +82,18 @@ TEST_F(FrameReadability, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
 TEST_F(FrameReadability, OneThatDrawsNothingNewLeavesTheOtherAlone) {
     const std::vector<Shown> both = shown();
     const FrameResult f = draw(both[0]), again = draw(both[0]);
-    EXPECT_TRUE(renderer.holds(f)) << "all was reused";
-    EXPECT_TRUE(renderer.holds(again));
+    EXPECT_TRUE(renderer.has_images_of(f)) << "all was reused";
+    EXPECT_TRUE(renderer.has_images_of(again));
     Shown less = both[0];
     less.request.outputs = {.colour = false, .surface_ids = true};
     const FrameResult ids = draw(less);
-    EXPECT_TRUE(renderer.holds(f)) << "other images of the same view";
+    EXPECT_TRUE(renderer.has_images_of(f)) << "other images of the same view";
     EXPECT_NE(why_not([&] { renderer.read_shadow_map(ids, 0, 0); }).find("did not draw"), std::string::npos);
     EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, renderer.read_shadow_map(again, 0, 0).data);
     less.request.width += 8;  // the picture's shape, and so its camera's depth
     less.request.outputs.colour = true;
     draw(less);
-    EXPECT_FALSE(renderer.holds(f));
+    EXPECT_FALSE(renderer.has_images_of(f));
     EXPECT_NO_THROW(renderer.read_shadow_map(f, 0, 0)) << "the maps are the same";
 }
 
@@ -125,7 +125,7 @@ TEST_F(FrameReadability, ProbesInTurnEachAnswerForTheirOwn) {
                 EXPECT_EQ(a.taps[t].stored, b.taps[t].stored);
             }
         }
-        EXPECT_TRUE(renderer.holds(f)) << "a probe leaves what is shown as it is";
+        EXPECT_TRUE(renderer.has_images_of(f)) << "a probe leaves what is shown as it is";
         EXPECT_EQ(renderer.read_map_view_depth(f).data, before.data);
     }
 }
@@ -165,7 +165,7 @@ TEST_F(FrameReadability, AProbeLeavesTheFrameThatIsShownAsItIs) {
             for (bool held = false; !held && drawn < 5; ++drawn) {
                 const FrameResult shown = renderer.render(scene, s, request);
                 renderer.probe(scene, s, request, 48, 40);
-                held = renderer.holds(shown);
+                held = renderer.has_images_of(shown);
             }
             EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs maps as a whole
         }
@@ -182,11 +182,11 @@ TEST_F(FrameReadability, OneWhoseImagesAreGivenUpIsGone) {
     set_setting(frames[3].settings, "view.overlay", "normals");
     for (const Shown& drawn : frames) {
         const FrameResult f = draw(drawn);
-        EXPECT_TRUE(renderer.holds(f));
+        EXPECT_TRUE(renderer.has_images_of(f));
         Shown plain = shown()[0];
         set_setting(plain.settings, "light.azimuth", "33");
         draw(plain);
-        EXPECT_FALSE(renderer.holds(f));
+        EXPECT_FALSE(renderer.has_images_of(f));
         EXPECT_NE(why_not([&] { renderer.read_shadow_map(f, 1, 0); }), "");
     }
 }

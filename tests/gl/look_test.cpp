@@ -1,4 +1,5 @@
-// What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing at rest.
+// What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing of a static
+// view.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -235,7 +236,7 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
     for (request.smoothed = 1; request.smoothed <= kMaxSmoothedShadings; ++request.smoothed) {
         const FrameResult frame = renderer.render(scene, s, request);
         for (const PassInfo& pass : frame.passes)
-            EXPECT_EQ(pass.state == PassState::Drawn, pass.name == "smoothing at rest") << pass.name;
+            EXPECT_EQ(pass.state == PassState::Drawn, pass.name == "smoothing of a static view") << pass.name;
         EXPECT_TRUE(renderer.read_colour(frame.colour).data == as_drawn.data) << "the picture itself stays";
         if (request.smoothed == 1) one = renderer.read_colour(frame.smooth);
     }
@@ -323,7 +324,7 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
         return Effect{};
     };
     const Settings s = settings_for(scene, {{"map.resolution", "64"}});
-    for (const char* name : {"sky and its ambient light", "tone curve", "smoothing at rest"}) {
+    for (const char* name : {"sky and its ambient light", "tone curve", "smoothing of a static view"}) {
         EXPECT_EQ(told(s, name).state, EffectState::Drawn) << name;
         EXPECT_FALSE(told(s, name).reason.empty()) << name;
     }
@@ -332,7 +333,8 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     EXPECT_EQ(told(s, "ground").state, EffectState::NotNeeded);
     Settings apart = s;
     apart.lights[0].contact = 0.2;
-    EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotNeeded) << "visibility has its own pixels";
+    EXPECT_EQ(told(apart, "smoothing of a static view").state, EffectState::NotNeeded)
+        << "visibility has its own pixels";
 }
 
 TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {

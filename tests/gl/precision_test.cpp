@@ -140,7 +140,7 @@ TEST(PrecisionTest, CostsNothingUnasked) {
     Scene scene = floor_and_box();
     const Settings s = hard_settings();
     FrameRequest request{.width = kWidth, .height = kHeight};
-    const char* const name = "single against double precision";
+    const char* const name = "single-precision errors";
     Renderer& renderer = hard_renderer();
     EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Skipped);
     request.outputs.precision = true;

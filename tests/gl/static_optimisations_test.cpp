@@ -71,7 +71,7 @@ protected:
     static const PartInfo* static_part(const FrameResult& f) {
         const PassInfo& pass = map_pass(f);
         const auto part =
-            std::ranges::find_if(pass.parts, [](const PartInfo& p) { return p.name.starts_with("casters at rest"); });
+            std::ranges::find_if(pass.parts, [](const PartInfo& p) { return p.name.starts_with("static casters"); });
         return part == pass.parts.end() ? nullptr : &*part;
     }
     static std::vector<float> texels(Renderer& by, const FrameResult& drawn) {
@@ -318,7 +318,7 @@ TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
         move_by(scene, node_named(scene, "Mover"), 0.2, 0, 0);
         const FrameResult f = renderer.render(scene, s, asked());
         for (const Effect& e : frame_effects(scene, s, f))
-            if (e.name == "casters at rest in maps of light 0") return e;
+            if (e.name == "static casters in maps of light 0") return e;
         return Effect{};
     };
     told();
@@ -389,13 +389,13 @@ TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
     };
     Settings s = small_maps(moving, kinds()[0]);
     const auto [of_moving, ms] = measured(moving, s);
-    EXPECT_NE(of_moving.reason.find("Nothing has moved since the frame before"), std::string::npos) << of_moving.reason;
+    EXPECT_NE(of_moving.reason.find("Nothing moved since the previous frame"), std::string::npos) << of_moving.reason;
     ASSERT_TRUE(ms);
     EXPECT_EQ(ms->samples, 5);
     EXPECT_LE(ms->median_low, ms->median);
     EXPECT_GE(ms->median_high, ms->median);
     const auto [of_still, none] = measured(still, s);
-    EXPECT_NE(of_still.reason.find("Nothing moves here"), std::string::npos) << of_still.reason;
+    EXPECT_NE(of_still.reason.find("Nothing moves in this scene"), std::string::npos) << of_still.reason;
     EXPECT_FALSE(none) << "it is never estimated";
     s.scene.animation = -1;
     EXPECT_FALSE(measured(moving, s).second);

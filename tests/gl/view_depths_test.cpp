@@ -69,7 +69,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
             EXPECT_LE(frame.seen_m->from_m, from);
             EXPECT_GE(frame.seen_m->to_m, to);
             EXPECT_EQ(frame.lights[0].chooser.spans.back().ends, frame.seen_m->to_m);
-            EXPECT_EQ(frame.passes.front().name, "depths seen");
+            EXPECT_EQ(frame.passes.front().name, "visible depths");
             // They are kept while nothing changes, and follow the camera when it moves.
             const FrameResult again = renderer.render(scene, s, request);
             EXPECT_EQ(again.passes.front().state, PassState::Cached);

@@ -31,7 +31,7 @@ FrameResult made_up_frame(const Scene& scene, const Settings& settings) {
     r.map_black = float(settings.view.map_black);
     r.map_white = float(settings.view.map_white);
     r.passes = {{"shadow map 0", PassState::Drawn, "its inputs changed", 1.5, 0.2, 12, 34567},
-                {"visibility", PassState::Skipped, "nothing reads it", 0, 0, 0, 0},
+                {"visibility", PassState::Skipped, "no pass reads it", 0, 0, 0, 0},
                 {"shading", PassState::Cached, "unchanged since frame 12", 0, 0, 0, 0}};
     r.notes = {"view.light was clamped"};
     r.clock = "a made-up clock";

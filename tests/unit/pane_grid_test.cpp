@@ -28,15 +28,15 @@ TEST(PaneGrid, PanesAndGapsFillThePicture) {
 
 TEST(PaneGrid, FindsThePaneUnderAPixel) {
     const PaneGrid grid = pane_grid(Panes::Four, 643, 483, 3);
-    const auto place = grid.at({330, 10});
+    const auto place = grid.pane_at({330, 10});
     ASSERT_TRUE(place);
     EXPECT_EQ(place->pane, 1);
     EXPECT_EQ(place->pixel, glm::ivec2(7, 10));
-    EXPECT_EQ(grid.at({5, 480})->pane, 2);
-    EXPECT_FALSE(grid.at({321, 10})) << "a gap";
-    EXPECT_FALSE(grid.at({10, 241})) << "a gap";
-    EXPECT_FALSE(grid.at({-1, 10}));
-    EXPECT_FALSE(grid.at({643, 10}));
+    EXPECT_EQ(grid.pane_at({5, 480})->pane, 2);
+    EXPECT_FALSE(grid.pane_at({321, 10})) << "a gap";
+    EXPECT_FALSE(grid.pane_at({10, 241})) << "a gap";
+    EXPECT_FALSE(grid.pane_at({-1, 10}));
+    EXPECT_FALSE(grid.pane_at({643, 10}));
 }
 
 TEST(PaneGrid, APaneIsNeverEmpty) {

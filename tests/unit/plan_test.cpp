@@ -47,12 +47,12 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
     std::uint64_t maps_held = 0, aid_held = 0, shading_held = 0;
     const auto plan_with = [&](bool aids) {
         Plan plan;
-        plan.add(pass_of("maps", {}, {Result::ShadowMaps}, &maps_held));
+        plan.add_pass(pass_of("maps", {}, {Result::ShadowMaps}, &maps_held));
         Pass aid = pass_of("bounds", {Result::ShadowMaps}, {Result::MapBounds}, &aid_held);
-        aid.aid = true;
+        aid.only_saves_work = true;
         if (!aids) aid.unneeded = "not now";
-        plan.add(std::move(aid));
-        plan.add(pass_of("shading", {Result::ShadowMaps, Result::MapBounds}, {Result::Shaded}, &shading_held));
+        plan.add_pass(std::move(aid));
+        plan.add_pass(pass_of("shading", {Result::ShadowMaps, Result::MapBounds}, {Result::Shaded}, &shading_held));
         return plan;
     };
     const auto states = [&](const Plan& plan) {
@@ -63,10 +63,10 @@ TEST(PlanTest, AnAidIsMadeForThoseThatRunAndChangesNoKey) {
     using States = std::vector<PassState>;
     const Plan plain = plan_with(false), aided = plan_with(true);
     EXPECT_EQ(plain.passes()[2].key, aided.passes()[2].key);
-    EXPECT_FALSE(aided.holds(Result::ShadowMaps));
+    EXPECT_FALSE(aided.is_current(Result::ShadowMaps));
     EXPECT_EQ(states(aided), (States{PassState::Drawn, PassState::Drawn, PassState::Drawn}));
     maps_held = aided.passes()[0].key;
-    EXPECT_TRUE(aided.holds(Result::ShadowMaps));
+    EXPECT_TRUE(aided.is_current(Result::ShadowMaps));
     EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Drawn, PassState::Drawn}));
     shading_held = aided.passes()[2].key;
     EXPECT_EQ(states(aided), (States{PassState::Cached, PassState::Skipped, PassState::Cached}))
@@ -89,11 +89,11 @@ TEST(PlanTest, EachDecisionSaysWhy) {
         return out;
     };
     using Told = std::vector<std::pair<PassState, std::string>>;
-    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "nothing it depends on changed"},
+    EXPECT_EQ(told(false, false), (Told{{PassState::Cached, "its inputs are unchanged"},
                                         {PassState::Drawn, "its inputs changed"},
                                         {PassState::Skipped, "no kernel reads them"},
                                         {PassState::Skipped, "idle"}}));
-    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "asked to run"},
+    EXPECT_EQ(told(true, true), (Told{{PassState::Drawn, "forced by the request"},
                                       {PassState::Drawn, "its inputs changed"},
                                       {PassState::Drawn, "its inputs changed"},
                                       {PassState::Skipped, "idle"}}));
@@ -106,13 +106,13 @@ TEST(PlanTest, AKeyFollowsFromWhatIsRead) {
         for (const std::uint64_t key : {std::uint64_t(1), maps}) {  // two lights' maps
             Pass pass = pass_of("maps", {}, {Result::ShadowMaps});
             pass.key = key;
-            plan.add(std::move(pass));
+            plan.add_pass(std::move(pass));
         }
         Pass shading = pass_of("shading", {Result::ShadowMaps, Result::Visibility}, {Result::Shaded});
         shading.key = own;
-        plan.add(std::move(shading));
-        plan.add(pass_of("values", {}, {Result::Overlay}));
-        plan.add(pass_of("composed", {Result::Shaded, Result::Overlay}, {Result::Composed}));
+        plan.add_pass(std::move(shading));
+        plan.add_pass(pass_of("values", {}, {Result::Overlay}));
+        plan.add_pass(pass_of("composed", {Result::Shaded, Result::Overlay}, {Result::Composed}));
         return std::array{plan.key_of(Result::Shaded), plan.key_of(Result::Overlay), plan.key_of(Result::Composed)};
     };
     const auto base = keys(2, 3), other_map = keys(4, 3), other_own = keys(2, 4);
@@ -127,16 +127,16 @@ TEST(PlanTest, AKeyFollowsFromWhatIsRead) {
 TEST(PlanTest, ResultsLieWhereTheirOwnerSays) {
     Plan plan;
     gl::Target maps, first, second;
-    plan.place(Result::ShadowMaps, {&maps, 3});
-    plan.place({Result::Overlay, 1}, {&first});
-    plan.place({Result::Overlay, 1}, {&second});
+    plan.place_result(Result::ShadowMaps, {&maps, 3});
+    plan.place_result({Result::Overlay, 1}, {&first});
+    plan.place_result({Result::Overlay, 1}, {&second});
     EXPECT_EQ(&plan.target(Result::ShadowMaps), &maps);
     EXPECT_EQ(plan.images(Result::ShadowMaps).at(0).unit, 3);
     EXPECT_EQ(&plan.target({Result::Overlay, 1}, 1), &second);
     EXPECT_FALSE(plan.target(Result::Overlay).texture) << "of another pane";
     EXPECT_FALSE(plan.target({Result::Overlay, 1}, 2).texture);
     int given_up = 0;
-    plan.release([&] { ++given_up; });
+    plan.release_later([&] { ++given_up; });
     EXPECT_EQ(given_up, 0);
     plan.run_releases();
     EXPECT_EQ(given_up, 1);
