@@ -70,7 +70,7 @@ void add_cost_option(CLI::App& command, CostCase& cost) {
                     throw CLI::ValidationError("--" + std::string(e.what()));
                 }
             },
-            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), row_of(kDefaultCost).key))
+            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), cost_row(kDefaultCost).key))
         ->type_name("FRAMES");
 }
 
@@ -131,11 +131,11 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
                                  "kernel and resolution that suit them, too");
     add_session(*c, o.tune.session);
     c->add_option("-o,--output", o.tune.output, "The preset, .json")->required()->type_name("PRESET");
-    c->add_option("--max-error", o.tune.most_error,
+    c->add_option("--max-error", o.tune.max_error,
                   "Search kernels and resolutions for the cheapest whose error (--error) is at most this")
         ->check(above_zero())
         ->type_name("E");
-    c->add_option("--max-ms", o.tune.most_ms,
+    c->add_option("--max-ms", o.tune.max_ms,
                   "Search kernels and resolutions for the most accurate whose frame takes at most this long")
         ->check(above_zero())
         ->type_name("MS");
@@ -188,10 +188,10 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
                                  "with a bound, find the cheapest effects that hold it (autopilot)");
     AdviseOptions& a = o.advise;
     add_session(*c, a.session);
-    c->add_option("--max-error", a.most_error, "Autopilot: the cheapest effects whose error (--error) is at most this")
+    c->add_option("--max-error", a.max_error, "Autopilot: the cheapest effects whose error (--error) is at most this")
         ->check(above_zero())
         ->type_name("E");
-    c->add_option("--max-ms", a.most_ms,
+    c->add_option("--max-ms", a.max_ms,
                   "Autopilot: the most accurate effects whose frame takes at most this long (--cost)")
         ->check(above_zero())
         ->type_name("MS");
@@ -204,7 +204,7 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
                   "open)")
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
-    c->add_option("--seconds", a.most_seconds, "After which the autopilot tries nothing more (default 100)")
+    c->add_option("--seconds", a.max_seconds, "After which the autopilot tries nothing more (default 100)")
         ->check(number_between(1, 1e6));
     c->add_option("-o,--output", a.output, "The preset that the autopilot writes, .json")->type_name("PRESET");
     add_cost_option(*c, a.cost);

@@ -27,7 +27,7 @@ Json changes_json(const Changes& changes) {
 }
 
 Json ms_json(const CostChange& ms) {
-    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.told()}};
+    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
 }
 
 Json advice_json(const TriedAdvice& t) {
@@ -45,7 +45,7 @@ Json advice_json(const TriedAdvice& t) {
 }
 
 Json finding_json(const Finding& f) {
-    return {{"severity", severity_word(f.severity)},
+    return {{"severity", severity_key(f.severity)},
             {"text", f.text},
             {"cure", f.fix.empty() ? Json() : Json(f.fix)},
             {"settings", changes_json(f.settings)}};
@@ -56,7 +56,7 @@ Json head_json(const char* format, const AdviseOptions& o, const Metric& error) 
             {"version", 1},
             {"width", o.size.width},
             {"height", o.size.height},
-            {"timed", row_of(o.cost).key},
+            {"timed", cost_row(o.cost).key},
             {"metric", error.key}};
 }
 
@@ -74,7 +74,7 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
 
 Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error) {
     Json json = head_json("shadow-inspector-autopilot", o, error);
-    json["held"] = r.held;
+    json["held"] = r.goals_met;
     json["summary"] = r.summary;
     json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
     json["best"] = {{"error", r.best.classified.error},
@@ -105,11 +105,11 @@ void print_advice(const TriedAdvice& t) {
 }
 
 void print_report(const AdviceReport& r) {
-    const CostRow& cost = row_of(r.options.cost);
+    const CostRow& cost = cost_row(r.options.cost);
     fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
-        fmt::print("{}: {}{}{}{}\n", severity_word(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
+        fmt::print("{}: {}{}{}{}\n", severity_key(f.severity), f.text, f.fix.empty() ? "" : "; ", f.fix,
                    f.settings.empty() ? "" : "\n      " + set_options_text(f.settings));
     if (r.holds.empty()) fmt::print("nothing that was tried is better\n");
     if (!r.holds.empty() || !r.fails.empty()) fmt::print("  {:>10} {:>11}\n", "time", "error");
@@ -146,21 +146,21 @@ public:
     void fly(const Metric& error) {
         std::vector<SweepAxis> axes;
         for (const std::string& axis : o_.vary) axes.push_back(parse_axis(axis));
-        const AutopilotGoals goals{.most_error = o_.most_error,
-                                   .most_ms = o_.most_ms,
+        const AutopilotGoals goals{.max_error = o_.max_error,
+                                   .max_ms = o_.max_ms,
                                    .error = &error,
                                    .cost = o_.cost,
-                                   .most_seconds = o_.most_seconds};
+                                   .max_seconds = o_.max_seconds};
         const AutopilotResult r = interruptible("nothing was written", [&](const Workers& workers, const auto& report) {
-            return fly_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height, goals,
-                                 axes, cache_, workers, report);
+            return run_rendered_autopilot(renderer_, session_.scene, session_.settings, o_.size.width, o_.size.height,
+                                          goals, axes, cache_, workers, report);
         });
         if (o_.json)
             fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
         else
             print_flight(r);
-        if (!r.held) numbers_.require_sound();
-        if (!r.held) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
+        if (!r.goals_met) numbers_.require_sound();
+        if (!r.goals_met) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
         if (!o_.output.empty()) write(r);
         print_notes(session_.notes);
         numbers_.require_sound();
@@ -186,7 +186,7 @@ private:
 }  // namespace
 
 void run_advise(const AdviseOptions& options) {
-    const bool flies = options.most_error || options.most_ms;
+    const bool flies = options.max_error || options.max_ms;
     if (!flies && !(options.output.empty() && options.vary.empty()))
         throw UsageError("--output and --vary are of the autopilot: give it --max-error or --max-ms");
     if (!options.output.empty() && lower_extension(options.output) != ".json")

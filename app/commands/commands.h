@@ -106,7 +106,7 @@ void run_shimmer(const ShimmerCommandOptions& options);
 struct TuneOptions {
     SessionOptions session;
     std::string output, error;  ///< error: one of tuned_errors(); empty: the first
-    std::optional<double> most_error, most_ms;
+    std::optional<double> max_error, max_ms;
     PictureSize size;
     CostCase cost = kDefaultCost;
     bool json = false;
@@ -126,9 +126,9 @@ const Metric& tuned_error(const std::string& key);
 struct AdviseOptions {
     SessionOptions session;
     std::string output, error;  ///< output: the preset that the autopilot writes; error: one of tuned_errors()
-    std::optional<double> most_error, most_ms;
+    std::optional<double> max_error, max_ms;
     std::vector<std::string> vary;  ///< settings that the autopilot varies, as in a sweep; empty: chosen from the scene
-    double most_seconds = 100;
+    double max_seconds = 100;
     PictureSize size;
     CostCase cost = kDefaultCost;
     bool json = false;

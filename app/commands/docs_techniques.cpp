@@ -11,7 +11,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/against.h"
+#include "app/report/picture_comparison.h"
 #include "app/session/command_line.h"
 #include "app/sweep/pictures.h"
 #include "app/sweep/progress_line.h"
@@ -96,7 +96,7 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
         measure_error(renderer, scene, base, {.width = kWidth, .height = kHeight}, 0, {}, cache);
     std::vector<Entry> out;
     for (const Bias& row : biases()) {
-        const auto least = least_bias_by(row, measured, base, renderer.driver());
+        const auto least = least_bias_of_row(row, measured, base, renderer.driver());
         if (!least) continue;
         out.push_back({row.key, std::string(row.label), row.help, row.paper, base});
         out.back().settings.bias = *least;
@@ -207,7 +207,7 @@ public:
     std::string draw_row(const PageSection& section, const Entry& e) {
         if (interrupt_.stop_requested()) interrupt_.end();
         line_.show(fmt::format("{} of {}  {}", ++done_, count_, e.label), false);
-        const Classification classified = measurer_.judge(scene_, e.settings);
+        const Classification classified = measurer_.classify(scene_, e.settings);
         const std::string file = picture_name(section, e);
         pictures_[file] =
             png_bytes(side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));

@@ -67,8 +67,8 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     if (options.check_numeric) plan.health = renderer.numeric_health(frame);
     if (options.measure)
         plan.saved =
-            measure_saved(renderer, session.scene, session.settings, request, named_optimisations(plan.effects),
-                          options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
+            measure_saved_times(renderer, session.scene, session.settings, request, optimisations_of(plan.effects),
+                                options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
     request.outputs.health = false;  // the search reads maps whole: what the picture needs of them would not show
     request.timing = options.measure;
     if (options.waste)

@@ -10,7 +10,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"
@@ -92,7 +92,7 @@ void print_amount(const char* name, const DepthShift& a, const char* about = "",
 void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Settings& settings) {
     fmt::print("  verdict: {}\n", d.verdict);
     if (d.fix)
-        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), fix_worth_text(*d.fix),
+        fmt::print("  fix: {}{} ({})\n", fix_text(*d.fix, settings), equivalent_bias_text(*d.fix),
                    set_options_text(d.fix->settings));
     if (!p.casts) return;
     const BiasBreakdown& a = p.account;
@@ -110,7 +110,7 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     print_amount("  format", a.amount(a.least.quantum));
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
-    print_amount("shift towards the light", d.lifted, "a surface nearer than this is lost");
+    print_amount("shift towards the light", d.shift, "a surface nearer than this is lost");
     print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
     fmt::print("  truth: {}", d.reference.lit ? "lit" : "in shadow");
     if (d.reference.share > 0 && d.reference.share < 1)
@@ -149,8 +149,8 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     std::vector<PixelDiagnosis> out;
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
-        out.push_back(
-            explain(probe, light, fragment_reference(casters, probe, light, settings, traits), settings, driver));
+        out.push_back(diagnose_pixel(probe, light, trace_fragment_reference(casters, probe, light, settings, traits),
+                                     settings, driver));
     return out;
 }
 
@@ -160,7 +160,7 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
     if (light >= found.size() || found[light].cause().artefact == Artefact::None) return {};
     FixOptions options{.pixel = glm::ivec2(probe.x, probe.y), .time = true, .frames = 5};
-    if (const auto& fix = found[light].fix) options.more.push_back(idea_of(*fix, session.settings));
+    if (const auto& fix = found[light].fix) options.more.push_back(suggested_candidate(*fix, session.settings));
     ReferenceCache cache;
     return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
@@ -170,7 +170,7 @@ std::string drawing_of(const Session& session, const Probe& probe, const std::ve
                        const ReferenceScene* casters) {
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
     if (i >= probe.lights.size()) throw Error(fmt::format("view.light is {}: there is no such light to draw", i));
-    const Section section = section_of(probe, i, found, session.settings, casters);
+    const Section section = pixel_section(probe, i, found, session.settings, casters);
     return section_svg(section);
 }
 

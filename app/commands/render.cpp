@@ -6,9 +6,9 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/against.h"
 #include "app/report/health_report.h"
 #include "app/report/map_report.h"
+#include "app/report/picture_comparison.h"
 #include "app/report/report.h"
 #include "app/report/views.h"
 #include "app/session/presets.h"
@@ -144,7 +144,7 @@ void run_render(const RenderOptions& options) {
     print_notes(session.notes);
     print_notes(frame.notes);
     for (std::size_t i = 0; i < frame.lights.size(); ++i)
-        print_notes(lost_caster_notes(session.scene, lost_casters(session.scene, session.settings, frame.lights[i])));
+        print_notes(lost_caster_remarks(session.scene, lost_casters(session.scene, session.settings, frame.lights[i])));
     if (health) require_sound(*health);
 }
 

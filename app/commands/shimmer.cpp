@@ -24,8 +24,8 @@ Json measured_json(const Measured& m) {
     return {{"variant", m.variant.key},
             {"places", m.shimmer.places},
             {"flips_a_step", m.shimmer.flips_a_step},
-            {"most_flips", m.shimmer.most_flips},
-            {"restless", m.shimmer.restless},
+            {"most_flips", m.shimmer.max_flips},
+            {"restless", m.shimmer.flipping_pixels},
             {"change", m.shimmer.change},
             {"flips", m.shimmer.flips}};
 }
@@ -69,7 +69,7 @@ void run_shimmer(const ShimmerCommandOptions& options) {
                    "visibility changes by");
         for (const Measured& m : measured)
             fmt::print("  {:<26} {:>13.2f} {:>11} {:>10} {:>22.3g}\n", m.variant.label, m.shimmer.flips_a_step,
-                       m.shimmer.most_flips, m.shimmer.restless, m.shimmer.change);
+                       m.shimmer.max_flips, m.shimmer.flipping_pixels, m.shimmer.change);
     }
     print_notes(session.notes);
 }

@@ -48,7 +48,7 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"version", 1},
                  {"found", tuner.result().has_value()},
                  {"summary", tuner.summary()},
-                 {"timed", row_of(cost).key},
+                 {"timed", cost_row(cost).key},
                  {"trials", tuner.trials()},
                  {"seconds", seconds},
                  {"before", trial_json(search.before())},
@@ -57,7 +57,7 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"candidates", Json::array()},
                  {"settings", Json::object()}};
     for (const BiasFound& f : search.tried()) {
-        Json row = {{"family", family_word(f.family)},
+        Json row = {{"family", family_label(f.family)},
                     {"chosen", search.best() && search.best()->family == f.family},
                     {"no_acne", f.trial.acne() == 0},
                     {"of_theory", f.factor}};
@@ -88,7 +88,7 @@ void print_tuned(const Tuner& tuner) {
         fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}\n", "tried", "wrong px", "lost px", "acne px", "strip",
                    "edge shift");
     for (const BiasFound& f : search.tried())
-        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}  {}{}\n", family_word(f.family), f.trial.wrong(),
+        fmt::print("  {:<14} {:>9} {:>9} {:>9} {:>11} {:>11}  {}{}\n", family_label(f.family), f.trial.wrong(),
                    f.trial.lost(), f.trial.acne(), metres_text(f.trial.needs.gap_p95_m),
                    metres_text(f.trial.needs.shift_p95_m), bias_text(f.bias),
                    search.best() && search.best()->family == f.family ? "  chosen" : "");
@@ -123,8 +123,8 @@ const Metric& tuned_error(const std::string& key) {
 void run_tune(const TuneOptions& options) {
     if (lower_extension(options.output) != ".json")
         throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
-    const TuneGoals goals{.most_error = options.most_error,
-                          .most_ms = options.most_ms,
+    const TuneGoals goals{.max_error = options.max_error,
+                          .max_ms = options.max_ms,
                           .error = &tuned_error(options.error),
                           .cost = options.cost};
     require_writable(options.output);
@@ -144,7 +144,7 @@ void run_tune(const TuneOptions& options) {
                               }};
         tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
             if (interrupt.stop_requested()) stop.request_stop();
-            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);
+            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.step_label()), false);
         });
     } catch (const Cancelled&) {
         print_to_stderr(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));

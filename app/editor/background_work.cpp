@@ -26,7 +26,7 @@ bool BackgroundWork::poll(const Scene* scene) {
 bool BackgroundWork::fulfil_saved(const SceneLoader& scenes, const FrameRequest& request,
                                   const EditorRequests& requests) {
     if (requests.cancel_saved) saved_.cancel();
-    if (!requests.measure_saved) return requests.cancel_saved;
+    if (!requests.measure_saved_times) return requests.cancel_saved;
     return attempt(state_, [&] { saved_.start(scenes.require(), state_.settings, request); });
 }
 
@@ -59,7 +59,7 @@ void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<
     std::vector<FixCandidate> own;
     const auto light = std::size_t(std::max(state_.settings.view.light, 0));
     if (request.pixel && light < diagnoses.size() && diagnoses[light].fix)
-        own.push_back(idea_of(*diagnoses[light].fix, state_.settings));
+        own.push_back(suggested_candidate(*diagnoses[light].fix, state_.settings));
     fixes_.start(scene, state_.settings, size.x, size.y, request.pixel, std::move(own));
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/report/against.h"
+#include "app/report/picture_comparison.h"
 #include "renderer/gl/driver_failure.h"
 
 namespace si {

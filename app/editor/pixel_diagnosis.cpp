@@ -13,7 +13,7 @@ bool EditorPixelDiagnosis::update_sections(const Probe* probe, const Settings& s
     if (!shown || sections_ || !probe || !probe->hit) return false;
     std::vector<Section> out;
     for (std::size_t i = 0; i < probe->lights.size(); ++i)
-        out.push_back(section_of(*probe, i, diagnoses_, settings, casters_.get()));
+        out.push_back(pixel_section(*probe, i, diagnoses_, settings, casters_.get()));
     sections_ = std::make_shared<const std::vector<Section>>(std::move(out));
     return true;
 }
@@ -48,8 +48,8 @@ bool EditorPixelDiagnosis::update_reference(const Probe* probe, bool fresh, cons
     }
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe->lights)
-        diagnoses_.push_back(
-            explain(*probe, light, fragment_reference(*casters_, *probe, light, settings, traits), settings, driver));
+        diagnoses_.push_back(diagnose_pixel(
+            *probe, light, trace_fragment_reference(*casters_, *probe, light, settings, traits), settings, driver));
     return true;
 }
 

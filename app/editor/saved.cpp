@@ -15,11 +15,11 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
             unforced.forced = {};  // what is forced is named by no effect
             const FrameResult frame = renderer.render(*copy, settings, unforced);
             const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
-            const std::vector<Optimisation> named = named_optimisations(effects);
-            out.times =
-                measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
-                    report({"alternating frames", share});
-                });
+            const std::vector<Optimisation> named = optimisations_of(effects);
+            out.times = measure_saved_times(renderer, *copy, settings, unforced, named, kSavedTimeRounds, workers,
+                                            [&](double share) {
+                                                report({"alternating frames", share});
+                                            });
             return out;
         },
         {"the first frame", 0});

@@ -75,7 +75,7 @@ std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
 
 /// Without what has no effect and what a person looks with.
 Settings comparable(const Settings& settings) {
-    return without_idle(measured_settings(settings));
+    return without_ineffective_settings(measured_settings(settings));
 }
 
 }  // namespace

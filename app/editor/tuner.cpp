@@ -13,7 +13,7 @@ namespace {
 std::vector<TunedFamily> families_of(const BiasSearch& search) {
     std::vector<TunedFamily> out;
     for (const BiasFound& f : search.tried())
-        out.push_back({std::string(family_word(f.family)), bias_text(f.bias), f.bias, f.trial.acne(), f.trial.wrong(),
+        out.push_back({std::string(family_label(f.family)), bias_text(f.bias), f.bias, f.trial.acne(), f.trial.wrong(),
                        f.trial.lost(), f.trial.needs.gap_p95_m, f.trial.needs.shift_p95_m,
                        search.best() && search.best()->family == f.family});
     return out;
@@ -46,8 +46,8 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
                         const TuneRequest& request) {
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = request.area;
-    job.goals.most_error = request.most_error;
-    job.goals.most_ms = request.most_ms;
+    job.goals.max_error = request.max_error;
+    job.goals.max_ms = request.max_ms;
     job.goals.cost = request.cost;
     about_ = {};
     about_.scene = scene.id;
@@ -57,7 +57,7 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
     job_.start(
         [job, about = about_, copy = std::make_shared<const Scene>(scene)](const Workers& workers, const auto& report) {
             return search(about, *copy, job, workers, [&](const Tuner& tuner) {
-                report({tuner.about(), tuner.progress()});
+                report({tuner.step_label(), tuner.progress()});
             });
         },
         {"the present bias", 0});

@@ -50,7 +50,7 @@ Json map_report_json(const MapReport& facts) {
                  {"resolution", facts.resolution},
                  {"utilisation", facts.usage.utilisation()},
                  {"utilisation_exact", facts.exact_utilisation},
-                 {"most_pixels_per_texel", facts.usage.most_pixels()},
+                 {"most_pixels_per_texel", facts.usage.max_pixels()},
                  {"drawn_texels", d.drawn},
                  {"empty_texels", d.empty},
                  {"stored_range", {d.stored_min, d.stored_max}},

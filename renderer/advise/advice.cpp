@@ -28,7 +28,7 @@ CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& wo
     const auto round = [&](TimedFrames& frames) {
         frames.warm_up();
         TimeSamples samples;
-        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.next());
+        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.draw_next());
         return mean_of(samples.total_ms);
     };
     round(before);
@@ -52,7 +52,7 @@ CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& wo
 std::string verdict(const TriedAdvice& t) {
     if (!(t.before.camera == t.after.camera)) return "the camera looks through this light and would move with it";
     const double added = t.added_error();
-    const bool faster = t.ms.told() && t.ms.value < 0, slower = t.ms.told() && t.ms.value > 0;
+    const bool faster = t.ms.is_significant() && t.ms.value < 0, slower = t.ms.is_significant() && t.ms.value > 0;
     if (t.idea.claim == Claim::Right)
         return added < -t.tolerance() ? "" : fmt::format("the error does not fall ({:+.3g})", added);
     if (t.idea.claim == Claim::Same && added > t.tolerance()) return fmt::format("the error grows by {:.3g}", added);
@@ -65,7 +65,7 @@ std::string verdict(const TriedAdvice& t) {
 /// Kinds of advice in the order of rank, then what they are ranked by, the least first.
 std::pair<int, double> rank_of(const TriedAdvice& t) {
     if (!t.why_not.empty()) return {4, t.ms.value};
-    const bool faster = t.ms.told() && t.ms.value < 0;
+    const bool faster = t.ms.is_significant() && t.ms.value < 0;
     if (faster && t.added_error() <= t.tolerance()) return {0, t.ms.value};
     if (faster) return {1, t.ms.value / t.added_error()};
     if (t.added_error() < -t.tolerance()) return {2, t.added_error()};
@@ -113,14 +113,15 @@ double TriedAdvice::tolerance() const {
     return std::max({kSameErrorShare * before.error, kSameError, noise / 10});
 }
 
-std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<AdviceIdea> ideas, const AdviceMeter& meter,
-                                    const std::function<void(double, const std::string&)>& report) {
+std::vector<TriedAdvice> measure_ideas(const Settings& settings, std::vector<AdviceIdea> ideas,
+                                       const AdviceMeter& meter,
+                                       const std::function<void(double, const std::string&)>& report) {
     std::vector<TriedAdvice> tried;
-    std::map<int, JudgedSettings> before;  // by light
+    std::map<int, MeasuredSettings> before;  // by light
     for (std::size_t i = 0; i < ideas.size(); ++i) {
         if (report) report(double(i) / double(ideas.size()), ideas[i].sentence);
         const int light = ideas[i].light;
-        if (!before.contains(light)) before[light] = meter.judge(settings, light);
+        if (!before.contains(light)) before[light] = meter.classify(settings, light);
         TriedAdvice t{
             .idea = std::move(ideas[i]), .settings = {}, .before = before[light], .after = {}, .ms = {}, .why_not = {}};
         const auto known = std::find_if(tried.begin(), tried.end(), [&](const TriedAdvice& other) {
@@ -136,7 +137,7 @@ std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<Advice
             continue;
         }
         t.settings = setting_changes(settings, t.idea.settings);
-        t.after = meter.judge(t.idea.settings, light);
+        t.after = meter.classify(t.idea.settings, light);
         t.ms = meter.time(settings, t.idea.settings);
         t.why_not = verdict(t);
         tried.push_back(std::move(t));
@@ -146,12 +147,12 @@ std::vector<TriedAdvice> try_advice(const Settings& settings, std::vector<Advice
     return tried;
 }
 
-std::string_view severity_word(Severity severity) {
+std::string_view severity_key(Severity severity) {
     static constexpr std::string_view kWords[] = {"error", "warning", "hint"};
     return kWords[std::size_t(severity)];
 }
 
-std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes) {
+std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fixes) {
     std::vector<Finding> out;
     if (facts.pixels == 0)
         out.push_back({Severity::Warning,
@@ -181,22 +182,22 @@ std::vector<Finding> findings_of(const AdviceFacts& facts, const FixTable& fixes
     return out;
 }
 
-AdviceMeter rendered_meter(Renderer& renderer, const Scene& scene, int width, int height, const AdviceOptions& options,
-                           ReferenceCache& cache, const Workers& workers) {
+AdviceMeter renderer_advice_meter(Renderer& renderer, const Scene& scene, int width, int height,
+                                  const AdviceOptions& options, ReferenceCache& cache, const Workers& workers) {
     const auto stop = [&] {
         if (workers.stop.stop_requested()) throw Cancelled();
     };
     const FrameRequest request{.width = width, .height = height};
     AdviceMeter meter;
-    meter.judge = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
+    meter.classify = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
         stop();
         FrameRequest own = request;
         trace_sources(renderer, scene, s, own, cache, workers);
         const MeasuredError m = measure_error(renderer, scene, s, own, light, reference_options(s), cache, workers);
         own.force = true;
         const Metric& metric = *options.error;
-        return JudgedSettings{distance_from_best(metric.better, metric.value(m.metrics)), m.traced.reference->noise,
-                              work_cost(s, renderer.render(scene, s, own)), m.camera};
+        return MeasuredSettings{distance_from_best(metric.better, metric.value(m.metrics)), m.traced.reference->noise,
+                                work_cost(s, renderer.render(scene, s, own)), m.camera};
     };
     meter.time = [=, &renderer, &scene, &cache, &workers](const Settings& before, const Settings& with) {
         const auto frames = [&](const Settings& s) {
@@ -221,19 +222,19 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
     out.options = options;
     tell(0, "the present settings");
     out.facts = advice_facts(renderer, scene, base, width, height, cache, quiet);
-    const AdviceMeter meter = rendered_meter(renderer, scene, width, height, options, cache, quiet);
-    out.before = meter.judge(base, base.view.light);
+    const AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, options, cache, quiet);
+    out.before = meter.classify(base, base.view.light);
     out.time = Measurer(renderer, width, height, quiet)
-                   .time(scene, base, options.cost, {.most = 15, .bursts = kLeastBursts, .over_s = 0.3});
+                   .time(scene, base, options.cost, {.most = 15, .bursts = kMinBursts, .over_s = 0.3});
     FixTable fixes;
     if (options.fixes)
         fixes = find_fixes(renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
                            [&](double share, const std::string& what) { tell(kLooking + kCuring * share, what); });
-    out.findings = findings_of(out.facts, fixes);
+    out.findings = list_findings(out.facts, fixes);
     const double begun = kLooking + (options.fixes ? kCuring : 0);
     for (TriedAdvice& t :
-         try_advice(base, advice_ideas(base, out.facts), meter,
-                    [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))
+         measure_ideas(base, advice_ideas(base, out.facts), meter,
+                       [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))
         (t.why_not.empty() ? out.holds : out.fails).push_back(std::move(t));
     return out;
 }

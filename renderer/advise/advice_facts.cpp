@@ -56,7 +56,7 @@ void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& sett
         f.nearest_m = std::min(f.nearest_m, depth_m);
         f.farthest_m = std::max(f.farthest_m, depth_m);
         if (i % 7 || light.views.empty() || m.classified[i].has(ClassifiedPixel::kOutside)) continue;
-        const double texel_m = account_of(m, settings, r, driver).receiver.texel_m;
+        const double texel_m = measured_bias_breakdown(m, settings, r, driver).receiver.texel_m;
         texels.push_back(texel_m / pixel_m(m.camera, depth_m, m.picture.y));
         const double gap_m = reference.blocker_m.data.empty() ? kUnknown : double(reference.blocker_m.data[i]);
         if (std::isfinite(gap_m)) penumbrae.push_back(penumbra_m(light, r.position_ws, gap_m) / texel_m);

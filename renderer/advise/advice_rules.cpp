@@ -179,11 +179,11 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
         if (!(need < most_of(family))) continue;  // none that there is clears them
         if (acne > 0)
-            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_word(family),
+            offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_label(family),
                               texels_text(need)),
                   std::move(least), f.light);
         else if (in_use && now > 1.1 * need)
-            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_word(family),
+            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_label(family),
                               texels_text(now), texels_text(need)),
                   std::move(least), f.light);
     }
@@ -279,7 +279,7 @@ void fewer_taps(const Settings& s, const AdviceFacts& f, const Offer& offer) {
 
 void narrower_kernel(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f)) return;
-    for (const std::string_view kernel : {neighbour_kernels(s).first, plain_kernels(s, 0, 1).front()})
+    for (const std::string_view kernel : {adjacent_kernels(s).first, plain_kernels(s, 0, 1).front()})
         if (!kernel.empty() && is_wider(s, kernel))
             offer(fmt::format("{} is narrower and cheaper", kernel_label(with_kernel(s, kernel))),
                   with_kernel(s, kernel), f.light);
@@ -332,7 +332,7 @@ std::span<const AdviceRule> advice_rules() {
 std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts& facts) {
     std::vector<AdviceIdea> ideas;
     for (const AdviceRule& rule : advice_rules())
-        rule.look(settings, facts, [&](std::string sentence, Settings changed, int light) {
+        rule.propose(settings, facts, [&](std::string sentence, Settings changed, int light) {
             const auto same = [&](const AdviceIdea& i) { return i.claim == rule.claim && i.settings == changed; };
             if (changed == settings || std::any_of(ideas.begin(), ideas.end(), same)) return;
             ideas.push_back({rule.key, rule.claim, std::move(sentence), std::move(changed), light});

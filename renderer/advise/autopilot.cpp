@@ -27,22 +27,22 @@ std::string value_of(const Settings& s, const std::string& key) {
     return value_text(*ref.param, get_value(s, ref));
 }
 
-class Flight {
+class AutopilotSearch {
 public:
-    Flight(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-           const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
+    AutopilotSearch(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
+                    const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
         : start_(start), axes_(axes), goals_(goals), meter_(meter), report_(report), begun_s_(meter.now_s()) {}
 
-    AutopilotResult fly() {
+    AutopilotResult run() {
         AutopilotResult out;
-        out.before = meter_.judge(start_, start_.view.light);
+        out.before = meter_.classify(start_, start_.view.light);
         out.before_ms = meter_.ms(start_);
         out.combinations = 1;
         for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
-            known_[at_] = {.at = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
-        if (out.combinations <= goals_.most_combinations) {
+            known_[at_] = {.axis_values = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
+        if (out.combinations <= goals_.max_combinations) {
             search_block(all_axes());
         } else {
             search_by_parts();
@@ -67,13 +67,13 @@ private:
     std::size_t untimed_ = 0;
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
-    bool late() const { return spent_s() > goals_.most_seconds; }
+    bool late() const { return spent_s() > goals_.max_seconds; }
     /// What is left is for pricing what was dropped.
-    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.most_seconds; }
+    bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.max_seconds; }
     /// What is left is for timing what was judged.
-    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.most_seconds; }
+    bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.max_seconds; }
     void tell(const std::string& what) const {
-        if (report_) report_(std::min(spent_s() / goals_.most_seconds, 0.99), what);
+        if (report_) report_(std::min(spent_s() / goals_.max_seconds, 0.99), what);
     }
 
     Settings settings_at(const AxisChoice& at) const {
@@ -87,7 +87,7 @@ private:
         }
         // Wider kernels need more of it.
         if (!bias && !(s.filter == start_.filter))
-            s.bias = scaled(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
+            s.bias = scale_bias(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
         return s;
     }
 
@@ -103,22 +103,20 @@ private:
         if (const auto it = known_.find(at); it != known_.end()) return &it->second;
         if (out_of_measuring_time()) return nullptr;
         tell(name_of(at));
-        AutopilotCase c{.at = at, .settings = settings_at(at), .classified = {}, .ms = {}};
-        c.classified = meter_.judge(c.settings, start_.view.light);
+        AutopilotCase c{.axis_values = at, .settings = settings_at(at), .classified = {}, .ms = {}};
+        c.classified = meter_.classify(c.settings, start_.view.light);
         return &known_.emplace(at, std::move(c)).first->second;
     }
 
-    bool accurate(const AutopilotCase& c) const {
-        return !goals_.most_error || c.classified.error <= *goals_.most_error;
-    }
+    bool accurate(const AutopilotCase& c) const { return !goals_.max_error || c.classified.error <= *goals_.max_error; }
     /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
     bool time_it(AutopilotCase& c) {
         if (!c.ms) {
             if (late_to_search()) return ++untimed_, false;
-            tell(name_of(c.at) + ", timing");
+            tell(name_of(c.axis_values) + ", timing");
             c.ms = meter_.ms(c.settings);
         }
-        c.holds = accurate(c) && (!goals_.most_ms || *c.ms <= *goals_.most_ms);
+        c.holds = accurate(c) && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
         return c.holds;
     }
 
@@ -142,25 +140,25 @@ private:
         return stride;
     }
 
-    double cost_of_case(const AutopilotCase& c) const { return goals_.most_error ? *c.ms : c.classified.error; }
+    double cost_of_case(const AutopilotCase& c) const { return goals_.max_error ? *c.ms : c.classified.error; }
 
     /// Of these the best that holds the bounds; null: none does.
     AutopilotCase* best_of(std::vector<AutopilotCase*> cases) {
         std::erase_if(cases, [&](const AutopilotCase* c) { return !accurate(*c); });
         // Without a bound on the error the first that is fast enough is the most accurate.
         const auto order = [&](const AutopilotCase* a, const AutopilotCase* b) {
-            return goals_.most_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
-                                     : a->classified.error < b->classified.error;
+            return goals_.max_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
+                                    : a->classified.error < b->classified.error;
         };
         std::stable_sort(cases.begin(), cases.end(), order);
         AutopilotCase* best = nullptr;
         for (AutopilotCase* c : cases) {
-            if (goals_.most_error && outdone(*c, cases)) continue;
+            if (goals_.max_error && outdone(*c, cases)) continue;
             if (!time_it(*c)) continue;
             if (!best || cost_of_case(*c) < cost_of_case(*best)) best = c;
-            if (!goals_.most_error) break;
+            if (!goals_.max_error) break;
         }
-        return goals_.most_error ? settle(best, cases) : best;
+        return goals_.max_error ? settle(best, cases) : best;
     }
 
     /// Those that are about as fast are timed against each other: times taken apart err by more.
@@ -173,9 +171,9 @@ private:
         if (close.size() > kFinalists) close.resize(kFinalists);
         for (AutopilotCase* c : close) {
             if (late_to_search()) break;
-            tell(name_of(c->at) + ", against the best");
+            tell(name_of(c->axis_values) + ", against the best");
             const CostChange more = meter_.time(best->settings, c->settings);
-            if (more.told() && more.value < 0) best = c;
+            if (more.is_significant() && more.value < 0) best = c;
         }
         return best;
     }
@@ -206,17 +204,17 @@ private:
                 unjudged_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
         const AutopilotCase* best = best_of(cases);
         if (!best && !cases.empty()) best = nearest(cases);
-        if (best) at_ = best->at;
+        if (best) at_ = best->axis_values;
         return best && best->holds;
     }
 
     /// What comes nearest to the bounds, where nothing holds them.
     const AutopilotCase* nearest(const std::vector<AutopilotCase*>& cases) const {
         const auto missed = [&](const AutopilotCase* c) {
-            const double error = goals_.most_error ? std::max(c->classified.error / *goals_.most_error, 1.0) : 1;
-            const double ms = goals_.most_ms && c->ms ? std::max(*c->ms / *goals_.most_ms, 1.0) : 1;
+            const double error = goals_.max_error ? std::max(c->classified.error / *goals_.max_error, 1.0) : 1;
+            const double ms = goals_.max_ms && c->ms ? std::max(*c->ms / *goals_.max_ms, 1.0) : 1;
             // One that was not timed, as it is too far off, is nearer than none.
-            return std::pair(goals_.most_ms && !c->ms ? 1 : 0, error * ms);
+            return std::pair(goals_.max_ms && !c->ms ? 1 : 0, error * ms);
         };
         return *std::min_element(cases.begin(), cases.end(),
                                  [&](const auto* a, const auto* b) { return missed(a) < missed(b); });
@@ -264,7 +262,7 @@ private:
             with.filter = start_.filter;
             with.bias = start_.bias;
         }
-        d.error = meter_.judge(with, start_.view.light).error;
+        d.error = meter_.classify(with, start_.view.light).error;
         if (late()) return false;
         d.ms = meter_.time(best, with);
         return true;
@@ -276,10 +274,10 @@ private:
         const auto best = known_.find(at_);
         if (best != known_.end() && best->second.holds) {
             out.best = best->second;
-            out.held = true;
+            out.goals_met = true;
         } else if (!cases.empty())
             out.best = *nearest(cases);
-        if (out.held) find_dropped(out);
+        if (out.goals_met) find_dropped(out);
         if (!unjudged_.empty())
             out.untried.push_back(fmt::format("{} combinations were not judged for want of time", unjudged_.size()));
         if (untimed_ > 0)
@@ -291,27 +289,27 @@ private:
 
     std::string bounds() const {
         std::string text;
-        if (goals_.most_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.most_error);
-        if (goals_.most_ms)
-            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.most_ms,
-                                row_of(goals_.cost).when);
+        if (goals_.max_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.max_error);
+        if (goals_.max_ms)
+            text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.max_ms,
+                                cost_row(goals_.cost).when);
         return text;
     }
 
     std::string summary_of(const AutopilotResult& out) const {
         if (out.cases.empty()) return fmt::format("{} cannot be held: there was no time to try anything", bounds());
         const std::string ms =
-            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), row_of(goals_.cost).when) : "";
-        const std::string found =
-            fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.classified.error, ms);
-        if (!out.held) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
+            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), cost_row(goals_.cost).when) : "";
+        const std::string found = fmt::format("{}: {} {:.4g}{}", name_of(out.best.axis_values), goals_.error->key,
+                                              out.best.classified.error, ms);
+        if (!out.goals_met) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
         return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
     }
 };
 
 }  // namespace
 
-std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, int most_resolution) {
+std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, int max_resolution) {
     std::vector<SweepAxis> axes;
     const auto offer = [&](const std::string& key, const std::vector<std::string>& values) {
         SweepAxis axis{key, {""}};
@@ -328,7 +326,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     if (!fitted || !fitted->casts) return axes;
     offer("filter.kernel", {swept_kernels().begin(), swept_kernels().end()});
     std::vector<std::string> sizes;
-    for (int n = 256; n <= std::min(most_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
+    for (int n = 256; n <= std::min(max_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
     offer("map.resolution", sizes);
     if (s.map.paged) offer("map.virtual", {"false"});
     if (fitted->type == LightType::Directional && !fitted->is_perspective() && !s.map.paged)
@@ -344,12 +342,13 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const AutopilotMeter& meter,
                               const std::function<void(double, const std::string&)>& report) {
-    return Flight(settings, axes, goals, meter, report).fly();
+    return AutopilotSearch(settings, axes, goals, meter, report).run();
 }
 
-AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
-                              const AutopilotGoals& goals, std::vector<SweepAxis> axes, ReferenceCache& cache,
-                              const Workers& workers, const std::function<void(double, const std::string&)>& report) {
+AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
+                                       int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
+                                       ReferenceCache& cache, const Workers& workers,
+                                       const std::function<void(double, const std::string&)>& report) {
     const auto tell = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
@@ -361,7 +360,7 @@ AutopilotResult fly_autopilot(Renderer& renderer, const Scene& scene, const Sett
         axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
                               renderer.driver().max_texture_size);
     const AdviceOptions options{.error = goals.error, .cost = goals.cost};
-    AutopilotMeter meter{rendered_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
+    AutopilotMeter meter{renderer_advice_meter(renderer, scene, width, height, options, cache, quiet), {}, {}};
     Measurer measurer(renderer, width, height, quiet);
     meter.ms = [&](const Settings& s) {
         return measurer.time(scene, s, goals.cost, {.least = 3, .most = 6, .bursts = 2, .over_s = 0.15})

@@ -90,14 +90,14 @@ std::vector<SettingRef> amounts_of(const Bias& row) {
 
 }  // namespace
 
-BiasBreakdown account_of(const MeasuredError& measured, const Settings& settings, const Receiver& r,
-                         const RasterTraits& driver) {
+BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& r,
+                                      const RasterTraits& driver) {
     return bias_breakdown(measured.lights[std::size_t(measured.light)], settings, measured.map_resolution,
                           {r.position_ws, r.normal_ws, r.normal_ws, counted_from(settings, measured.camera.origin())},
                           driver);
 }
 
-const Bias& row_of(BiasFamily family) {
+const Bias& family_row(BiasFamily family) {
     switch (family) {
         case BiasFamily::Constant:
             return *std::ranges::find(biases(), "constant", &Bias::key);
@@ -109,7 +109,7 @@ const Bias& row_of(BiasFamily family) {
     return biases()[std::size_t(default_bias())];
 }
 
-std::string_view family_word(BiasFamily family) {
+std::string_view family_label(BiasFamily family) {
     switch (family) {
         case BiasFamily::Constant:
             return "constant bias";
@@ -121,7 +121,7 @@ std::string_view family_word(BiasFamily family) {
     return "";
 }
 
-BiasSettings scaled(const BiasSettings& bias, double factor) {
+BiasSettings scale_bias(const BiasSettings& bias, double factor) {
     BiasSettings out = bias;
     const auto scale = [&](double& value, const char* key) {
         value = std::clamp(value * factor, 0.0, find_setting(key)->param->max);
@@ -141,8 +141,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     std::vector<Need> needs;
     std::vector<double> gaps, shifts;
     each_lit_receiver(measured, [&](std::size_t i, const Receiver& r) {
-        const BiasBreakdown a = account_of(measured, settings, r, driver);
-        const LeastBias least = a.per_texel ? account_of(measured, searched, r, driver).least : a.least;
+        const BiasBreakdown a = measured_bias_breakdown(measured, settings, r, driver);
+        const LeastBias least = a.per_texel ? measured_bias_breakdown(measured, searched, r, driver).least : a.least;
         const double b = least.total();
         const double step = a.amount(least.quantum + least.rounding).texels, total = a.amount(b).texels;
         const LightView& view = light.views[a.receiver.view];
@@ -172,8 +172,8 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     return out;
 }
 
-std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& measured, const Settings& settings,
-                                          const RasterTraits& driver) {
+std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
+                                              const RasterTraits& driver) {
     if (!measured.lights[std::size_t(measured.light)].casts) return std::nullopt;
     Settings least = settings;
     least.bias = in_texels(0, 0, 0);
@@ -191,11 +191,12 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
     };
     std::vector<At> pixels;
     each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
-        const BiasBreakdown none = account_of(measured, least, r, driver);
+        const BiasBreakdown none = measured_bias_breakdown(measured, least, r, driver);
         At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
         if (!std::isfinite(at.need) || none.plane.edge_on()) return;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.worth.push_back(account_of(measured, one[k], r, driver).equivalent_depth() - none.equivalent_depth());
+            at.worth.push_back(measured_bias_breakdown(measured, one[k], r, driver).equivalent_depth() -
+                               none.equivalent_depth());
             worth_it[k] = std::max(worth_it[k], at.worth.back());
         }
         pixels.push_back(std::move(at));
@@ -212,7 +213,7 @@ std::optional<BiasSettings> least_bias_by(const Bias& row, const MeasuredError& 
             values.push_back(!(share > 0) ? 0 : at.worth[k] > 0 ? share / at.worth[k] : kNever);
         }
         double value = share_of(std::move(values), kCleared);
-        value = rounded_up(value * 1.001);
+        value = round_up_3_digits(value * 1.001);
         if (value > amounts[k].param->max) return std::nullopt;
         set_value(least, amounts[k], value);
         for (At& at : pixels) at.need -= value * at.worth[k];

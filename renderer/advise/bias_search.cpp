@@ -37,25 +37,25 @@ BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(s
 
 /// A plane needs factor 1. Where surfaces rise beside it (a wall above its floor) more normal offset is of no use, as
 /// it moves along the wall: texels of constant bias are added.
-BiasSettings BiasSearch::tried(double factor) const {
+BiasSettings BiasSearch::bias_at_factor(double factor) const {
     const BiasFamily family = families_[at_];
-    const BiasSettings& theory = before_.needs.of(family);
-    if (family != BiasFamily::Normal || factor <= 1) return scaled(theory, factor);
+    const BiasSettings& theory = before_.needs.least_of(family);
+    if (family != BiasFamily::Normal || factor <= 1) return scale_bias(theory, factor);
     BiasSettings bias = theory;
     bias.constant += factor - 1;
-    return scaled(bias, 1);
+    return scale_bias(bias, 1);
 }
 
-Settings BiasSearch::next() const {
+Settings BiasSearch::next_settings() const {
     Settings s = start_;
-    if (step_ == Step::Family) s.bias = tried(factor_);
+    if (step_ == Step::Family) s.bias = bias_at_factor(factor_);
     return s;
 }
 
-std::string BiasSearch::about() const {
+std::string BiasSearch::step_label() const {
     if (step_ == Step::Before) return "the present bias";
     if (step_ == Step::Done) return "done";
-    return fmt::format("{}: {}", family_word(families_[at_]), bias_text(next().bias));
+    return fmt::format("{}: {}", family_label(families_[at_]), bias_text(next_settings().bias));
 }
 
 double BiasSearch::progress() const {
@@ -77,7 +77,7 @@ void BiasSearch::start_family(std::size_t index) {
     if (at_ == families_.size()) step_ = Step::Done;
 }
 
-void BiasSearch::report(const BiasTrial& trial) {
+void BiasSearch::add_trial(const BiasTrial& trial) {
     ++trials_;
     if (step_ == Step::Before) {
         before_ = trial;
@@ -86,7 +86,7 @@ void BiasSearch::report(const BiasTrial& trial) {
         return;
     }
     ++trials_of_family_;
-    const BiasFound here{families_[at_], factor_, next().bias, trial};
+    const BiasFound here{families_[at_], factor_, next_settings().bias, trial};
     if (trial.acne() == 0) clear_ = here;
     if (!nearest_ || trial.acne() < nearest_->trial.acne()) nearest_ = here;
     // Of trials without acne the last has the least bias.
@@ -97,7 +97,7 @@ void BiasSearch::report(const BiasTrial& trial) {
 
 /// Down from what is enough, up from what is not, then halves between the two.
 void BiasSearch::narrow(bool clear) {
-    const BiasSettings before = next().bias;
+    const BiasSettings before = next_settings().bias;
     (clear ? hi_ : lo_) = factor_;
     const bool known = hi_ > 0 && (options_.quick || hi_ - lo_ <= options_.tolerance * hi_ || hi_ < 1e-3);
     if (known) {
@@ -110,7 +110,7 @@ void BiasSearch::narrow(bool clear) {
         const bool normal = families_[at_] == BiasFamily::Normal;
         factor_ = normal ? 1 + std::max(0.25, 2 * (lo_ - 1)) : 1.25 * lo_;
         // At the settings' own limits more is the same.
-        if (factor_ > (normal ? 130 : 16) || next().bias == before) start_family(at_ + 1);
+        if (factor_ > (normal ? 130 : 16) || next_settings().bias == before) start_family(at_ + 1);
     } else if (lo_ == 0) {
         factor_ = hi_ == 1 ? 0.93 : 0.75 * hi_;
     } else {

@@ -33,7 +33,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
     for (std::size_t i = 0; i < m.classified.size(); ++i) {
         if (m.classified[i].artefact != Artefact::Undersampled) continue;
         const Receiver& r = m.traced.receivers->pixels[i];
-        const BiasBreakdown a = account_of(m, settings, r, driver);
+        const BiasBreakdown a = measured_bias_breakdown(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
         // Where the window is closed for one nearest tap, finer texels open it.
@@ -168,14 +168,14 @@ std::vector<std::pair<std::string, std::string>> setting_changes(const Settings&
 }
 
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
-    BiasSettings b = needs.of(family);
-    b.constant = rounded_up(b.constant * 1.001);
-    b.slope = rounded_up(b.slope * 1.001);
-    b.normal = rounded_up(b.normal * 1.001);
-    return scaled(b, 1);  // within what the settings allow
+    BiasSettings b = needs.least_of(family);
+    b.constant = round_up_3_digits(b.constant * 1.001);
+    b.slope = round_up_3_digits(b.slope * 1.001);
+    b.normal = round_up_3_digits(b.normal * 1.001);
+    return scale_bias(b, 1);  // within what the settings allow
 }
 
-std::pair<std::string_view, std::string_view> neighbour_kernels(const Settings& settings) {
+std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings) {
     const auto edge = [](const Settings& s) {
         const Filter& row = filter_of(s);
         return row.reach(row, s, 0).edge;
@@ -209,14 +209,15 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
     f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
     for (const Bias& row : biases()) {
-        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &row_of(family.first) == &row; })) continue;
-        if (const auto least = least_bias_by(row, measured, settings, driver))
+        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &family_row(family.first) == &row; }))
+            continue;
+        if (const auto least = least_bias_of_row(row, measured, settings, driver))
             f.least_of_rows.emplace_back(&row, *least);
     }
     return f;
 }
 
-std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
+std::vector<FixCandidate> fix_candidates(const Settings& base, const FixFacts& f) {
     std::vector<FixCandidate> out;
     const auto idea = [&](std::string name, auto&& change, std::string untried = {}) {
         Settings s = base;
@@ -248,7 +249,7 @@ std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
                 s.bias = bias(fam);
             });
 
-    const auto [down, up] = neighbour_kernels(base);
+    const auto [down, up] = adjacent_kernels(base);
     const auto kernel = [](std::string_view text) {
         return [=](Settings& s) { set_setting(s, "filter.kernel", text); };
     };
@@ -290,16 +291,18 @@ std::vector<FixCandidate> fix_ideas(const Settings& base, const FixFacts& f) {
     return out;
 }
 
-FixCandidate idea_of(const SuggestedFix& fix, const Settings& settings) {
-    FixCandidate idea{
-        .name = fix.text, .settings = settings, .untried = {}, .label = fix_text(fix, settings) + fix_worth_text(fix)};
+FixCandidate suggested_candidate(const SuggestedFix& fix, const Settings& settings) {
+    FixCandidate idea{.name = fix.text,
+                      .settings = settings,
+                      .untried = {},
+                      .label = fix_text(fix, settings) + equivalent_bias_text(fix)};
     for (const auto& [key, value] : fix.settings) set_setting(idea.settings, key, value);
     return idea;
 }
 
 std::string time_text(const std::optional<CostChange>& ms) {
     if (!ms) return "-";
-    return ms->told() ? signed_text(ms->value) + " ms" : "< noise";
+    return ms->is_significant() ? signed_text(ms->value) + " ms" : "< noise";
 }
 
 std::string map_bytes_text(long long bytes) {
@@ -339,7 +342,7 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
         const glm::ivec2 at = *options.pixel / std::max(options.reference.step, 1);
         pixel = std::size_t(at.y) * std::size_t(before.traced.reference->width) + std::size_t(at.x);
     }
-    std::vector<FixCandidate> ideas = fix_ideas(base, fix_facts(before, base, renderer.driver()));
+    std::vector<FixCandidate> ideas = fix_candidates(base, fix_facts(before, base, renderer.driver()));
     for (const FixCandidate& more : options.more) {
         FixCandidate own = more;
         own.settings = measured_settings(own.settings);

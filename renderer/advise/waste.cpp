@@ -31,7 +31,7 @@ enum class ComparedBy {
 /// A frame without something.
 struct Trial {
     Trial(std::string name, const Settings& s) : settings(s) { about.name = std::move(name); }
-    Tried about;
+    WasteTrial about;
     Settings settings;
     std::optional<MapOfLight> map;
     std::shared_ptr<const Scene> scene;  ///< in place of the frame's; null: that one
@@ -93,7 +93,8 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
     const auto without = [&](std::string name, const auto& change) {
         Trial trial(std::move(name), settings);
         change(trial.settings);
-        if (!(without_idle(trial.settings) == without_idle(settings))) out.push_back(std::move(trial));
+        if (!(without_ineffective_settings(trial.settings) == without_ineffective_settings(settings)))
+            out.push_back(std::move(trial));
     };
     const auto maps_without = [&](std::string name, const auto& change) {
         const std::size_t before = out.size();
@@ -333,19 +334,19 @@ private:
 
 std::uint64_t Waste::triangles() const {
     std::uint64_t n = 0;
-    for (const Tried& t : tried) n += t.triangles;
+    for (const WasteTrial& t : tried) n += t.triangles;
     return n;
 }
 
 std::uint64_t Waste::wasted() const {
     std::uint64_t n = 0;
-    for (const Tried& t : tried) n += t.changes ? 0 : t.triangles;
+    for (const WasteTrial& t : tried) n += t.changes ? 0 : t.triangles;
     return n;
 }
 
 double Waste::wasted_ms() const {
     double ms = 0;
-    for (const Tried& t : tried) ms += t.changes ? 0 : t.maps_ms;
+    for (const WasteTrial& t : tried) ms += t.changes ? 0 : t.maps_ms;
     return std::max(ms, 0.0);  // differences of times may fall below by their noise
 }
 

@@ -122,8 +122,8 @@ void enclose_taps(Probe::PerLight& p) {
 
 }  // namespace
 
-Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
-                           const FloatImage& map, const RasterTraits& driver) {
+Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings, int n,
+                                    const FloatImage& map, const RasterTraits& driver) {
     Probe::PerLight p;
     p.light = pixel.light;
     p.fitted = light;
@@ -187,7 +187,7 @@ Probe::PerLight test_light(const TestedPixel& pixel, const FittedLight& light, c
         };
         for (const RecordedTap& recorded : merged(pixel.taps)) p.taps.push_back(compared(recorded));
         for (int axis = 0; axis < 2; ++axis)
-            for (int along = -kRowReach; along <= kRowReach; ++along) {
+            for (int along = -kProbeRowReachTexels; along <= kProbeRowReachTexels; ++along) {
                 glm::ivec2 texel = p.texel;
                 texel[axis] += along;
                 const auto tap = std::ranges::find(p.taps, texel, &KernelTap::texel);

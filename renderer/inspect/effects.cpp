@@ -26,9 +26,9 @@ struct EffectRow {
     /// What it consists of besides the parts that the pass reports.
     void (*parts)(const EffectFacts&, const PassInfo&, Effects&) = nullptr;
     /// Why no frame has such a pass; empty: one without it says nothing.
-    std::string (*absent)(const EffectFacts&) = nullptr;
+    std::string (*reason_absent)(const EffectFacts&) = nullptr;
     /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
-    std::string (*unasked)(const EffectFacts&) = nullptr;
+    std::string (*skip_reason)(const EffectFacts&) = nullptr;
 };
 
 // Maps ----------------------------------------------------------------------------------------------------------------
@@ -106,7 +106,8 @@ void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
                               : fmt::format("map.samples is {}", samples)));
 }
 
-// What is unasked for -------------------------------------------------------------------------------------------------
+// What is skip_reason for
+// -------------------------------------------------------------------------------------------------
 
 bool skips(const EffectFacts& f, std::string_view name) {
     const PassInfo* pass = f.frame.pass(name);
@@ -135,12 +136,12 @@ std::string causes_unasked(const EffectFacts& f) {
 const EffectRow kRows[] = {
     {.pass = "depths seen",
      .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
-     .absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
+     .reason_absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
     {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
     {.pass = "pages of shadow maps",
      .why = why_pages,
      .parts = page_parts,
-     .absent =
+     .reason_absent =
          [](const EffectFacts& f) {
              return std::string(f.settings.map.paged ? "no light has a map that is drawn by pages"
                                                      : "map.virtual is off");
@@ -157,36 +158,36 @@ const EffectRow kRows[] = {
      .why =
          [](const EffectFacts& f, const PassInfo& pass) {
              const auto light = std::size_t(pass.light);
-             return fmt::format("{} is {}", light_key(light, "source"), source_of(f.settings, int(light)).key);
+             return fmt::format("{} is {}", light_setting_key(light, "source"), source_of(f.settings, int(light)).key);
          },
-     .absent = SI_ABSENT("no light's source is shadow volumes")},
+     .reason_absent = SI_ABSENT("no light's source is shadow volumes")},
     {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
     {.pass = "blobs",
      .why = SI_WHY("light.source of a light is blob"),
-     .absent = SI_ABSENT("no light's source is blob")},
+     .reason_absent = SI_ABSENT("no light's source is blob")},
     {.pass = "light map",
      .why = SI_WHY("light.source of a light is light-map"),
-     .absent = SI_ABSENT("no light's source is a light map that is baked")},
+     .reason_absent = SI_ABSENT("no light's source is a light map that is baked")},
     {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
     {.pass = "unfiltered map",
      .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
-     .unasked = causes_unasked},
+     .skip_reason = causes_unasked},
     {.pass = "truth uploaded",
      .name = "truth on the GPU",
      .why = SI_WHY("something shown needs the traced truth"),
-     .unasked = reference_unrequested},
+     .skip_reason = reference_unrequested},
     {.pass = "pixels compared",
      .why = SI_WHY("somebody asks which pixels are wrong"),
-     .unasked = reference_unrequested},
-    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .unasked = reference_unrequested},
+     .skip_reason = reference_unrequested},
+    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .skip_reason = reference_unrequested},
     {.pass = "errors summed up",
      .name = "metrics",
      .why = SI_WHY("somebody asks for the picture's errors"),
-     .unasked = reference_unrequested},
+     .skip_reason = reference_unrequested},
     {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
     {.pass = "shading by the truth",
      .why = SI_WHY("the picture is compared with the one lit by the truth"),
-     .unasked = reference_unrequested},
+     .skip_reason = reference_unrequested},
     {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
     {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
@@ -198,10 +199,10 @@ const EffectRow kRows[] = {
     {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
     {.pass = "map channel",
      .why = SI_WHY("view.map_channel shows a moment in place of depth"),
-     .unasked = viewer_unasked},
+     .skip_reason = viewer_unasked},
     {.pass = "drawn depth range",
      .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
-     .unasked = viewer_unasked},
+     .skip_reason = viewer_unasked},
     {.pass = "numeric health", .why = SI_WHY("somebody asks whether all numbers are sound")},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
@@ -216,7 +217,7 @@ const EffectRow* effect_row(const PassInfo& pass) {
 }
 
 std::string part_reason(const PartInfo& part) {
-    const std::string reason = sentence(part.reason);
+    const std::string reason = as_sentence(part.reason);
     if (part.left_out == 0) return reason;
     std::string_view unit = part.unit;
     if (part.left_out == 1 && unit.ends_with('s')) unit.remove_suffix(1);
@@ -235,22 +236,22 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const EffectRow* row = effect_row(pass);
     Effect effect{.name = effect_name(row, pass), .state = state_of(pass.state), .pass = pass.name};
     const bool skipped = pass.state == PassState::Skipped;
-    if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
-    const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
-    effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
+    if (row && !skipped) effect.reason = as_sentence(row->why(f, pass)) + " ";
+    const std::string skip_reason = row && row->skip_reason && skipped ? row->skip_reason(f) : std::string();
+    effect.reason += as_sentence(skip_reason.empty() ? pass.reason : skip_reason);
     const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
     if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::Fused)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
-        effect.saving = Optimisation::Fused;
+        effect.optimisation = Optimisation::Fused;
     const bool waits_for_maps = pass.reason == kBoundsWaitForMaps;
     if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
-        effect.saving = Optimisation::EarlyOut;
+        effect.optimisation = Optimisation::EarlyOut;
     out.push_back(std::move(effect));
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
                        .state = state_of(part.state),
                        .reason = part_reason(part),
-                       .saving = part.by,
+                       .optimisation = part.by,
                        .pass = pass.name,
                        .part = true});
     if (row && row->parts) row->parts(f, pass, out);
@@ -267,7 +268,7 @@ void add_static(const EffectFacts& f, int animation, Effects& out) {
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
         why = "nothing moves here: maps are kept as they are, or drawn whole";
-    out.push_back({.name = "casters at rest", .reason = sentence(why), .saving = Optimisation::Static});
+    out.push_back({.name = "casters at rest", .reason = as_sentence(why), .optimisation = Optimisation::Static});
 }
 
 void count_casters(EffectFacts& f) {
@@ -298,9 +299,9 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
     return effect;
 }
 
-std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
-    if (!effect.saving) return 1;
-    return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
+std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect) {
+    if (!effect.optimisation) return 1;
+    return std::size_t(std::ranges::count(effects, effect.optimisation, &Effect::optimisation));
 }
 
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
@@ -313,10 +314,10 @@ std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, 
     add_static(facts, settings.scene.animation, out);
     for (const EffectRow& row : kRows) {
         const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
-        if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
+        if (!row.reason_absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
         out.push_back({.name = std::string(row.name.empty() ? row.pass : row.name),
                        .state = EffectState::NotNeeded,
-                       .reason = sentence(row.absent(facts))});
+                       .reason = as_sentence(row.reason_absent(facts))});
     }
     return out;
 }

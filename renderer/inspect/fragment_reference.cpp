@@ -16,8 +16,9 @@ float depth_of_gap(const Probe::PerLight& p, double metres) {
 
 }  // namespace
 
-FragmentReference fragment_reference(const ReferenceScene& scene, const Probe& probe, const Probe::PerLight& light,
-                                     const Settings& settings, std::span<const ObjectTraits> traits) {
+FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Probe& probe,
+                                           const Probe::PerLight& light, const Settings& settings,
+                                           std::span<const ObjectTraits> traits) {
     if (!probe.hit) throw Error("the probed pixel shows no surface");
     const Workers here{.threads = 1};
     const PixelRaster raster{probe.width, probe.height, 1, probe.around_at};

@@ -28,7 +28,7 @@ Search search_of(const Filter& row) {
 }
 
 /// Whether Saving::Blockers spares look-ups of a light anything.
-bool spares_search(const EffectFacts& f, const FittedLight& light) {
+bool skips_blocker_search(const EffectFacts& f, const FittedLight& light) {
     const Search search = search_of(f.filter());
     return light.size <= 0 && (search == Search::Places || search == Search::Rays);
 }
@@ -36,7 +36,8 @@ bool spares_search(const EffectFacts& f, const FittedLight& light) {
 /// "light.size is 0", of all these lights.
 std::string no_size_text(std::span<const std::size_t> lights) {
     std::string out;
-    for (const std::size_t i : lights) out += fmt::format("{}{}", out.empty() ? "" : ", ", light_key(i, "size"));
+    for (const std::size_t i : lights)
+        out += fmt::format("{}{}", out.empty() ? "" : ", ", light_setting_key(i, "size"));
     return out + (lights.size() == 1 ? " is 0" : " are 0");
 }
 
@@ -114,7 +115,7 @@ std::string lookup_text(const EffectFacts& f, const FittedLight& light) {
     if (keeps_mips(f.settings))
         return fmt::format("kernel {} fetches {} texels at each place of each mip level that it reads", f.kernel(),
                            texels);
-    if (search_of(f.filter()) == Search::Places && spares_search(f, light) &&
+    if (search_of(f.filter()) == Search::Places && skips_blocker_search(f, light) &&
         !f.forced.contains(Optimisation::Blockers))
         texels -= disk_places(f.filter(), f.settings, f.settings.filter.blocker_taps) - 1;
     return fmt::format("kernel {} fetches up to {} texel{} a look-up", f.kernel(), texels, texels == 1 ? "" : "s");
@@ -129,8 +130,8 @@ Effect lit_everywhere(const EffectFacts& f, const PassInfo& pass, std::string na
 }
 
 /// Work that a saving spares within a pass which is done anyway.
-Effect spared_part(const EffectFacts& f, const PassInfo& pass, std::string name, Optimisation saving,
-                   std::string_view why) {
+Effect skipped_part(const EffectFacts& f, const PassInfo& pass, std::string name, Optimisation saving,
+                    std::string_view why) {
     const bool forced = f.forced.contains(saving);
     return part_of(pass, std::move(name), forced, forced ? "forced: it is done all the same" : why, saving);
 }
@@ -144,7 +145,7 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         const Source& source = source_of(f.settings, int(i));
         from_maps |= light.casts;
         const std::string name = fmt::format("look-ups of light {}", i);
-        const std::string told = fmt::format("{} is {}", light_key(i, "source"), source.key);
+        const std::string told = fmt::format("{} is {}", light_setting_key(i, "source"), source.key);
         const bool forced = f.forced.contains(Optimisation::Uncalled);
         if (!separate && light.shadowed && shades_nothing(light, f.settings)) {
             out.push_back(part_of(pass, name, forced, (forced ? "forced: " : "") + light.dark, Optimisation::Uncalled));
@@ -165,30 +166,30 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
     }
     search_parts(f, pass, looked_up, out);
     if (!from_maps) return;
-    out.push_back(spared_part(f, pass, "look-ups where light does not arrive", Optimisation::Facing,
-                              "what is turned away from a light, beyond its range or outside of its cone is dark, "
-                              "whatever its map holds"));
+    out.push_back(skipped_part(f, pass, "look-ups where light does not arrive", Optimisation::Facing,
+                               "what is turned away from a light, beyond its range or outside of its cone is dark, "
+                               "whatever its map holds"));
     const char* spared = search_of(f.filter()) == Search::Rays
                              ? "no penumbra opens, and no ray is followed where nothing stands before its pixel"
                              : "no penumbra opens, and all places of the search are one";
     for (const std::size_t i : looked_up)
-        if (spares_search(f, f.frame.lights[i]))
-            out.push_back(spared_part(f, pass, fmt::format("search for a penumbra of light {}", i),
-                                      Optimisation::Blockers,
-                                      fmt::format("{} is 0: {}", light_key(i, "size"), spared)));
+        if (skips_blocker_search(f, f.frame.lights[i]))
+            out.push_back(skipped_part(f, pass, fmt::format("search for a penumbra of light {}", i),
+                                       Optimisation::Blockers,
+                                       fmt::format("{} is 0: {}", light_setting_key(i, "size"), spared)));
 }
 
 void contact_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
         const double length = f.settings.lights[i].contact;
         const bool shadowed = f.frame.lights[i].shadowed;
-        out.push_back(
-            part_of(pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
-                    length <= 0 ? light_key(i, "contact") + " is 0"
-                    : !shadowed ? f.frame.lights[i].reason
-                                : fmt::format("{} is {}: a ray is marched so far through the "
-                                              "picture's depth, in {} steps",
-                                              light_key(i, "contact"), metres_text(length), f.settings.contact.steps)));
+        out.push_back(part_of(
+            pass, fmt::format("contact shadows of light {}", i), shadowed && length > 0,
+            length <= 0 ? light_setting_key(i, "contact") + " is 0"
+            : !shadowed ? f.frame.lights[i].reason
+                        : fmt::format("{} is {}: a ray is marched so far through the "
+                                      "picture's depth, in {} steps",
+                                      light_setting_key(i, "contact"), metres_text(length), f.settings.contact.steps)));
     }
 }
 
@@ -230,9 +231,10 @@ void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) 
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (!is_separate(f)) lookup_parts(f, pass, false, out);
     if (f.scene.objects.size() > 1)
-        out.push_back(spared_part(f, pass, "shading of what is hidden", Optimisation::Order,
-                                  "what is near is drawn before what it hides, large meshes after small ones that they "
-                                  "touch: the depth test drops most of what would be shaded and hidden again"));
+        out.push_back(
+            skipped_part(f, pass, "shading of what is hidden", Optimisation::Order,
+                         "what is near is drawn before what it hides, large meshes after small ones that they "
+                         "touch: the depth test drops most of what would be shaded and hidden again"));
     look_parts(f, pass, out);
 }
 
@@ -241,9 +243,9 @@ std::string why_visibility(const EffectFacts& f, const PassInfo&) {
     for (std::size_t i = 0; i < f.frame.lights.size(); ++i) {
         if (!f.frame.lights[i].shadowed) continue;
         if (f.settings.lights[i].contact > 0)
-            return fmt::format("contact shadows darken it ({})", light_key(i, "contact"));
+            return fmt::format("contact shadows darken it ({})", light_setting_key(i, "contact"));
         if (!source_of(f.settings, int(i)).fused)
-            return fmt::format("{} is {}, which shading cannot evaluate itself", light_key(i, "source"),
+            return fmt::format("{} is {}, which shading cannot evaluate itself", light_setting_key(i, "source"),
                                source_of(f.settings, int(i)).key);
     }
     for (const Pane& pane : f.frame.panes)

@@ -63,16 +63,17 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
     return lost;
 }
 
-std::vector<std::string> lost_caster_notes(const Scene& scene, const std::vector<LostCaster>& lost, std::size_t most) {
+std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
+                                             std::size_t max_lines) {
     std::vector<std::string> notes;
-    for (std::size_t i = 0; i < std::min(lost.size(), most); ++i) {
+    for (std::size_t i = 0; i < std::min(lost.size(), max_lines); ++i) {
         const std::string& path = scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;
         notes.push_back(fmt::format(
             "{} casts no shadow: {}-face culling removes all of its {} triangles; object.{}.cull=none keeps them", path,
             lost[i].cull == Cull::Front ? "front" : "back", lost[i].triangles, path));
     }
-    if (lost.size() > most)
-        notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - most));
+    if (lost.size() > max_lines)
+        notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - max_lines));
     return notes;
 }
 

@@ -19,17 +19,17 @@ std::string texels(const DepthShift& a) {
     return texels_text(a.texels);
 }
 
-class Explainer {
+class PixelDiagnoser {
 public:
-    Explainer(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
-              const Settings& settings, const DriverInfo& driver)
+    PixelDiagnoser(const Probe& probe, const Probe::PerLight& p, const FragmentReference& reference,
+                   const Settings& settings, const DriverInfo& driver)
         : probe_(probe), p_(p), reference_(reference), settings_(settings), driver_(driver) {}
 
-    PixelDiagnosis explain() {
+    PixelDiagnosis diagnose() {
         d_.light = p_.light;
         d_.reference = reference_;
         d_.right = (p_.visibility >= 0.5) == reference_.lit;
-        if (p_.casts) weigh();
+        if (p_.casts) set_bias_window();
         d_.verdict = sentence();
         if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
             d_.verdict += "; by " + p_.view;
@@ -56,11 +56,11 @@ private:
         return p_.account.curve.depth_nearer(p_.own_m, reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
-    void weigh() {
+    void set_bias_window() {
         const BiasBreakdown& a = p_.account;
         d_.least = a.amount(a.least.total());
         d_.has = a.amount(a.equivalent_depth());
-        d_.lifted = a.amount(a.depth_shift);
+        d_.shift = a.amount(a.depth_shift);
         d_.occluder = a.amount(occluder_depth());
         if (d_.window_open()) return;
         const double fixed = a.least.quantum + a.least.rounding, room = d_.occluder.depth - fixed;
@@ -161,7 +161,7 @@ private:
                 return fmt::format(
                     "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
                     "away; {} it is in shadow, as in truth",
-                    texels(d_.lifted), texels(d_.occluder), less_bias());
+                    texels(d_.shift), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
                     "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
@@ -354,7 +354,7 @@ private:
         if (!enough(most)) return {};
         double lo = 0, hi = enough(0) ? 0 : most;
         for (int i = 0; i < 60 && hi - lo > 1e-4 * hi; ++i) (enough(0.5 * (lo + hi)) ? hi : lo) = 0.5 * (lo + hi);
-        value = rounded_up(hi * (1 + 1e-3));
+        value = round_up_3_digits(hi * (1 + 1e-3));
         if (value > most || !fixes(s)) return {};
         return value;
     }
@@ -369,7 +369,7 @@ private:
         s.map.resolution = probe_.map_resolution;
         value_of(s, key) = value;
         const BiasBreakdown a = under(s);
-        r.worth_texels = a.amount(a.equivalent_depth()).texels;
+        r.equivalent_bias_texels = a.amount(a.equivalent_depth()).texels;
         return r;
     }
 
@@ -431,10 +431,10 @@ private:
         const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasBreakdown& a = p_.account;
         const DepthShift wanted = a.amount(std::max(a.constant, a.slope) + missing);
-        const double value = rounded_up((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
-                                         : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
-                                                                                   : wanted.depth) *
-                                        (1 + 1e-3));
+        const double value = round_up_3_digits((settings_.bias.unit == BiasUnit::Texels   ? wanted.texels
+                                                : settings_.bias.unit == BiasUnit::Metres ? wanted.metres
+                                                                                          : wanted.depth) *
+                                               (1 + 1e-3));
         if (!(value > 0) || value > find_setting("bias.constant")->param->max) return {};
         return set("bias.constant", value);
     }
@@ -442,7 +442,7 @@ private:
 
 }  // namespace
 
-double rounded_up(double v) {
+double round_up_3_digits(double v) {
     if (!(v > 0)) return 0;
     // Powers of ten below one are no floating-point numbers: dividing by their inverse gives the nearest decimal.
     const double digits = 2 - std::floor(std::log10(v));
@@ -460,14 +460,14 @@ std::string fix_text(const SuggestedFix& fix, const Settings& settings) {
     return text;
 }
 
-std::string fix_worth_text(const SuggestedFix& fix) {
-    if (!(fix.worth_texels > 0) || !std::isfinite(fix.worth_texels)) return {};
-    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.worth_texels));
+std::string equivalent_bias_text(const SuggestedFix& fix) {
+    if (!(fix.equivalent_bias_texels > 0) || !std::isfinite(fix.equivalent_bias_texels)) return {};
+    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.equivalent_bias_texels));
 }
 
-PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
-                       const Settings& settings, const DriverInfo& driver) {
-    return Explainer(probe, light, reference, settings, driver).explain();
+PixelDiagnosis diagnose_pixel(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                              const Settings& settings, const DriverInfo& driver) {
+    return PixelDiagnoser(probe, light, reference, settings, driver).diagnose();
 }
 
 }  // namespace si

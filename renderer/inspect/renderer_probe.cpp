@@ -258,7 +258,7 @@ Probe Renderer::probe(const Scene& scene, const Settings& settings, const FrameR
             pixel.taps = draw_taps(f, *seen, int(i));
             pixel.kernel = draw_kernel_facts(f, *seen, int(i));
         }
-        out.lights.push_back(test_light(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
+        out.lights.push_back(test_light_at_pixel(pixel, f.gl.fitted[i], f.settings, f.map_resolution, map, f.driver));
         out.lights.back().evidence = draw_trials(f, place, int(i));
         out.lights.back().causes = cause_context(f.settings, f.gl.fitted[i], f.map_resolution, f.mask_levels);
     }

@@ -35,10 +35,10 @@ public:
         right_ = glm::normalize(across - up_ * glm::dot(across, up_));
         texel_m_ = glm::dot(across, right_);
         texel_long_m_ = glm::length(across);
-        light_ray_ = glm::normalize(seen(perspective ? view_.eye - origin_ : view_.axes[2]));
+        light_ray_ = glm::normalize(in_cut(perspective ? view_.eye - origin_ : view_.axes[2]));
     }
 
-    glm::dvec2 at(double along, double axis_m) const { return seen(world(along, axis_m) - origin_); }
+    glm::dvec2 at(double along, double axis_m) const { return in_cut(world(along, axis_m) - origin_); }
     glm::dvec3 world(double along, double axis_m) const {
         glm::dvec2 uv(tap_);
         uv[axis_] = along;
@@ -78,7 +78,7 @@ private:
     glm::dvec3 origin_{0}, up_{0, 1, 0}, right_{1, 0, 0};
     glm::dvec2 light_ray_{0, 1};
 
-    glm::dvec2 seen(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
+    glm::dvec2 in_cut(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
 };
 
 /// Texels from the look-up to the nearest one of the row whose comparison meets another kind of surface.
@@ -173,13 +173,13 @@ void add_moments(Section& s, const Probe::PerLight& p, const CutPlane& plane) {
 void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d) {
     s.classified = true;
     s.verdict = d.verdict;
-    s.true_lit = d.reference.lit;
+    s.reference_lit = d.reference.lit;
     for (const ArtefactStyle& style : artefact_styles())
         if (style.artefact == d.cause().artefact) s.artefact = style.label;
     if (d.reference.state != PixelState::Counted) return;
     s.least = d.least;
     s.has = d.has;
-    s.lifted = d.lifted;
+    s.shift = d.shift;
     s.occluder_in_map = std::isfinite(d.reference.gap_m);
     const double gap = s.occluder_in_map ? d.reference.gap_m : d.reference.blocker_m;
     if (std::isfinite(gap)) {
@@ -198,7 +198,7 @@ void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d
 
 }  // namespace
 
-const Section::Step* Section::step_at(int texel) const {
+const Section::Step* Section::find_step(int texel) const {
     for (const Step& step : steps)
         if (step.texel == texel) return &step;
     return nullptr;
@@ -223,20 +223,20 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
         cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);
     }
     const int edge = change[cut.axis] <= kEdgeShown ? change[cut.axis] + 2 : 0;
-    const int side =
-        std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kLeastSide, kRowReach);
+    const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kLeastSide,
+                                kProbeRowReachTexels);
     const double moved = (p.tap[cut.axis] - p.uvd[cut.axis]) * resolution;
-    const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kRowReach)));
-    const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kRowReach);
-    const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kRowReach);
+    const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kProbeRowReachTexels)));
+    const int first = std::max(look_up - std::max(side, moved > 0 ? back + 2 : 0), look_up - kProbeRowReachTexels);
+    const int last = std::min(look_up + std::max(side, moved < 0 ? back + 2 : 0), look_up + kProbeRowReachTexels);
     cut.first = first;
     cut.count = last - first + 1;
     return cut;
 }
 
-std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::PerLight& p, const SectionCut& cut,
-                                    int resolution) {
-    std::vector<TruePoint> out;
+std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const Probe::PerLight& p,
+                                              const SectionCut& cut, int resolution) {
+    std::vector<ReferencePoint> out;
     if (cut.count <= 0) return out;
     const CutPlane plane(p, cut.axis, resolution);
     const Bounds& bounds = scene.geometry().bounds;
@@ -260,7 +260,7 @@ std::vector<TruePoint> true_profile(const ReferenceScene& scene, const Probe::Pe
 }
 
 Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const SectionCut& cut, int resolution,
-                      std::span<const TruePoint> profile) {
+                      std::span<const ReferencePoint> profile) {
     Section s;
     s.cut = cut;
     s.light = p.fitted.type;
@@ -273,16 +273,16 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
         if (d) {
             s.classified = true;
             s.verdict = d->verdict;
-            s.true_lit = d->reference.lit;
+            s.reference_lit = d->reference.lit;
         }
         return s;
     }
     const BiasBreakdown& a = p.account;
     const CutPlane plane(p, cut.axis, resolution);
     s.row = p.texel[1 - cut.axis];
-    s.row_aside = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
-    s.looked_up_texel = p.texel[cut.axis];
-    s.surface_aside = (p.uvd[1 - cut.axis] - p.tap[1 - cut.axis]) * resolution;
+    s.row_offset_texels = s.row + 0.5 - p.tap[1 - cut.axis] * resolution;
+    s.lookup_texel = p.texel[cut.axis];
+    s.surface_offset_texels = (p.uvd[1 - cut.axis] - p.tap[1 - cut.axis]) * resolution;
     s.texel_m = plane.texel_m();
     s.texel_long_m = plane.texel_long_m();
     s.light_m = view_of(p).curve.perspective ? p.own_m : p.own_m - plane.curve().near;
@@ -310,18 +310,18 @@ Section cross_section(const Probe::PerLight& p, const PixelDiagnosis* d, const S
     add_moments(s, p, plane);
     if (d) add_reference(s, p, *d);
     std::vector<glm::dvec2> points;
-    for (const TruePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
+    for (const ReferencePoint& point : profile) points.push_back(plane.at(point.along, point.axis_m));
     s.profile = surfaces(points, s.texel_m);
     return s;
 }
 
-Section section_of(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
-                   const Settings& settings, const ReferenceScene* casters) {
+Section pixel_section(const Probe& probe, std::size_t light, std::span<const PixelDiagnosis> diagnoses,
+                      const Settings& settings, const ReferenceScene* casters) {
     const Probe::PerLight& p = probe.lights[light];
     const PixelDiagnosis* const diagnosis = light < diagnoses.size() ? &diagnoses[light] : nullptr;
     const SectionCut cut = section_cut(p, diagnosis, settings, probe.map_resolution);
-    std::vector<TruePoint> profile;
-    if (casters && diagnosis) profile = true_profile(*casters, p, cut, probe.map_resolution);
+    std::vector<ReferencePoint> profile;
+    if (casters && diagnosis) profile = reference_profile(*casters, p, cut, probe.map_resolution);
     return cross_section(p, diagnosis, cut, probe.map_resolution, profile);
 }
 

@@ -127,9 +127,9 @@ double round_length(double most) {
     return power;
 }
 
-class Draughtsman {
+class SectionDrawer {
 public:
-    Draughtsman(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
+    SectionDrawer(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
         out_.width = page.width;
         out_.height = page.height;
     }
@@ -290,7 +290,9 @@ private:
     double header(double margin) {
         std::string title = s_.lit ? "Lit" : "In shadow";
         if (s_.classified) {
-            title += s_.lit == s_.true_lit ? ", as in truth" : s_.true_lit ? ", lit in truth" : ", in shadow in truth";
+            title += s_.lit == s_.reference_lit ? ", as in truth"
+                     : s_.reference_lit         ? ", lit in truth"
+                                                : ", in shadow in truth";
             if (!s_.artefact.empty()) title += ": " + s_.artefact;
         }
         words({margin, margin + em_}, title, Ink::Text, true);
@@ -298,7 +300,7 @@ private:
     }
 
     bool is_near(const Section::Step& step) const {
-        const double off = std::abs(step.texel - s_.looked_up_texel);
+        const double off = std::abs(step.texel - s_.lookup_texel);
         return step.in_map && off <= std::max(1.0, s_.cut.reach_texels) &&
                (step.meets == KernelTap::Meets::Own || step.meets == KernelTap::Meets::Farther);
     }
@@ -345,7 +347,7 @@ private:
         if (s_.occluder) far.push_back(s_.occluder->y);
         if (s_.has_window && std::isfinite(s_.window_to)) far.push_back(on_ray(s_.window_to).y);
         // Where the disk stands lower than the window's near end only that mark tells why it is enough, or not.
-        if (marks_worth() && s_.lifted.metres < s_.window_from && s_.has.metres < 3 * std::max(hi, -lo))
+        if (marks_worth() && s_.shift.metres < s_.window_from && s_.has.metres < 3 * std::max(hi, -lo))
             show(on_ray(s_.has.metres).y);
         if (s_.moments) {
             const double spread = std::isnan(s_.moments->spread) ? 0 : s_.moments->spread;
@@ -369,8 +371,8 @@ private:
             x0 = std::min(x0, step.compared_from.x);
             x1 = std::max(x1, step.compared_to.x);
         }
-        x0 = std::max(x0, -3.0 * kRowReach * texel);
-        x1 = std::min(x1, 3.0 * kRowReach * texel);
+        x0 = std::max(x0, -3.0 * kProbeRowReachTexels * texel);
+        x1 = std::min(x1, 3.0 * kProbeRowReachTexels * texel);
         const double height = bottom_ - top_, high = out_.broken ? 0.70 * height : height;
         const double across = (right_ - left_) / (x1 - x0);
         const double fits = high / (hi - lo) / across;
@@ -429,7 +431,7 @@ private:
             if (i + 1 < s_.steps.size() && shows(s_.steps[i + 1]))
                 line_m(step.to, s_.steps[i + 1].from, Ink::Step, 1.2);
         }
-        if (const Section::Step* own = s_.looked_up(); own && shows(*own)) {
+        if (const Section::Step* own = s_.lookup_step(); own && shows(*own)) {
             const glm::dvec2 side = own->to;
             label(side,
                   fmt::format("stored in texel {}, {}", s_.cut.axis == 0 ? own->texel : s_.row,
@@ -525,7 +527,7 @@ private:
 
     void comparison() {
         for (const Section::Step& step : s_.steps) {
-            const bool read = step.weight > 0 || (s_.steps.size() > 0 && step.texel == s_.looked_up_texel);
+            const bool read = step.weight > 0 || (s_.steps.size() > 0 && step.texel == s_.lookup_texel);
             if (read && step.in_map && !s_.moments && s_.tested)
                 line_m(step.compared_from, step.compared_to, step.lit ? Ink::ComparedLit : Ink::ComparedDark, 1.6,
                        true);
@@ -645,11 +647,12 @@ private:
         std::string note =
             fmt::format("Cut along the map's {}, texels {} to {} of {} {}", s_.cut.axis == 0 ? "u" : "v", s_.cut.first,
                         s_.cut.first + s_.cut.count - 1, s_.cut.axis == 0 ? "row" : "column", s_.row);
-        if (std::abs(s_.row_aside) >= 0.005)
-            note += fmt::format(", whose middle lies {:.2f} texels beside the cut", std::abs(s_.row_aside));
+        if (std::abs(s_.row_offset_texels) >= 0.005)
+            note += fmt::format(", whose middle lies {:.2f} texels beside the cut", std::abs(s_.row_offset_texels));
         note += ".";
-        if (std::abs(s_.surface_aside) >= 0.005) {
-            note += fmt::format(" The surface itself lies {} beside the cut", texels_text(std::abs(s_.surface_aside)));
+        if (std::abs(s_.surface_offset_texels) >= 0.005) {
+            note += fmt::format(" The surface itself lies {} beside the cut",
+                                texels_text(std::abs(s_.surface_offset_texels)));
             if (!offset_in_cut().empty())
                 note += fmt::format(", as of {} of normal offset the cut holds {}", metres_text(s_.normal_offset_m),
                                     offset_in_cut());
@@ -680,7 +683,7 @@ const InkColour& ink_colour(Ink ink) {
 }
 
 SectionDrawing draw_section(const Section& section, const SectionPage& page) {
-    return Draughtsman(section, page).draw();
+    return SectionDrawer(section, page).draw();
 }
 
 Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em) {

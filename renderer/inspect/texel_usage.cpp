@@ -100,7 +100,7 @@ std::uint32_t TexelUsage::pixels(glm::ivec2 texel) const {
     return counts_[std::size_t(texel.y) * std::size_t(resolution_) + std::size_t(texel.x)];
 }
 
-std::uint32_t TexelUsage::most_pixels() const {
+std::uint32_t TexelUsage::max_pixels() const {
     return counts_.empty() ? 0 : *std::max_element(counts_.begin(), counts_.end());
 }
 

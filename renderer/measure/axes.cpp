@@ -37,7 +37,7 @@ double number(std::string_view text, std::string_view whole) {
 }
 
 /// The numbers of "from:to:step", ends included up to rounding.
-std::vector<double> row_of(const std::vector<std::string>& parts, std::string_view whole) {
+std::vector<double> step_values(const std::vector<std::string>& parts, std::string_view whole) {
     const bool geometric = parts[2].starts_with("*");
     const double from = number(parts[0], whole), to = number(parts[1], whole),
                  step = number(std::string_view(parts[2]).substr(geometric ? 1 : 0), whole);
@@ -109,7 +109,7 @@ SweepAxis parse_axis(std::string_view text) {
     } else if (values == "*" && std::holds_alternative<bool>(default_value(*ref))) {
         axis.values = {"false", "true"};
     } else if (is_number && parts.size() == 3) {
-        for (const double v : row_of(parts, text)) axis.values.push_back(short_number(v, default_value(*ref)));
+        for (const double v : step_values(parts, text)) axis.values.push_back(short_number(v, default_value(*ref)));
     } else {
         axis.values = split(values, ',');
     }
@@ -126,7 +126,7 @@ SweepAxis parse_axis(std::string_view text) {
     return axis;
 }
 
-Settings without_idle(Settings settings) {
+Settings without_ineffective_settings(Settings settings) {
     // What is without effect is judged by the settings as given, so that the order of the rows does not matter.
     const Settings given = settings;
     for (const SettingRef& ref : all_settings(given)) {
@@ -180,7 +180,8 @@ SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes) {
             c.id += (c.id.empty() ? "" : " ") + axis.key + "=" + value;
         }
         const Settings measured = measured_settings(c.settings);
-        if (!seen.insert(fingerprint(scene_varies ? measured : without_idle(measured))).second) continue;
+        if (!seen.insert(fingerprint(scene_varies ? measured : without_ineffective_settings(measured))).second)
+            continue;
         for (std::size_t a = 0; a < axes.size(); ++a) kept[a].insert(c.values[a].second);
         plan.cases.push_back(std::move(c));
     }

@@ -33,7 +33,7 @@ std::span<const CostRow> cost_cases() {
     return kCosts;
 }
 
-const CostRow& row_of(CostCase cost) {
+const CostRow& cost_row(CostCase cost) {
     return kCosts[std::size_t(cost)];
 }
 
@@ -70,7 +70,7 @@ std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settin
     return frames;
 }
 
-void time_as(FrameRequest& request, CostCase cost) {
+void set_timed_passes(FrameRequest& request, CostCase cost) {
     request.timing = true;
     request.force = cost == CostCase::Forced;
 }

@@ -85,8 +85,8 @@ std::vector<bool> frontier(std::span<const Dot> dots) {
     return on;
 }
 
-Advice advise(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier) {
-    Advice advice;
+FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier) {
+    FrontierAdvice advice;
     for (std::size_t i = 0; i < dots.size(); ++i) {
         const Dot& d = dots[i];
         if (!on_frontier[i] || !finite(d)) continue;

@@ -6,7 +6,7 @@ MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& fram
                                      int light) {
     MeasuredError out;
     out.traced = picture.traced;
-    out.classified = classified_pixels(every_nth(renderer.read_float(frame.classified, 2), picture.step));
+    out.classified = classified_pixels(subsample(renderer.read_float(frame.classified, 2), picture.step));
     out.lights = frame.lights;
     out.camera = frame.camera;
     out.light = light;

@@ -86,13 +86,13 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
                 out.flips_of.data[i] += 1;
             }
             out.flips.push_back(flips);
-            out.most_flips = std::max(out.most_flips, flips);
+            out.max_flips = std::max(out.max_flips, flips);
             out.flips_a_step += double(flips) / options.steps;
         }
         before = std::move(visibility);
         if (report) report(double(step + 1) / (options.steps + 1));
     }
-    out.restless = std::size_t(
+    out.flipping_pixels = std::size_t(
         std::count_if(out.flips_of.data.begin(), out.flips_of.data.end(), [](float flips) { return flips > 0; }));
     if (out.places > 0) out.change = change / double(out.places) / options.steps;
     return out;

@@ -57,7 +57,7 @@ void TimeSamples::add(const TimeSamples& more) {
     }
 }
 
-TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
+TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below) {
     TimeMeasurement m;
     const auto spread = [&](std::vector<double> times) {
         // Of a pass that did not run in every frame it is not known which burst a time is of.
@@ -71,7 +71,7 @@ TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
     for (std::size_t i = 0; i < rest.size(); ++i) rest[i] -= samples.maps_ms[i];
     m.picture_ms = spread(std::move(rest));
     for (const auto& pass : samples.passes) m.passes.push_back({pass.name, spread(pass.gpu_ms), spread(pass.cpu_ms)});
-    m.settled = m.total_ms.bursts >= kLeastBursts && m.total_ms.relative() < settled_below;
+    m.settled = m.total_ms.bursts >= kMinBursts && m.total_ms.relative() < settled_below;
     m.clock = samples.clock;
     return m;
 }
@@ -96,11 +96,11 @@ void TimeSampler::add(const FrameResult& frame, double now_s) {
 }
 
 bool TimeSampler::settled() const {
-    return frames() >= limits_.least && ended_ >= limits_.bursts && summary(samples_, limits_.spread).settled;
+    return frames() >= limits_.least && ended_ >= limits_.bursts && summarise_times(samples_, limits_.spread).settled;
 }
 
 TimeMeasurement TimeSampler::result() const {
-    TimeMeasurement m = summary(samples_, limits_.spread);
+    TimeMeasurement m = summarise_times(samples_, limits_.spread);
     m.settled = settled();
     m.seconds = last_s_ - start_s_;
     return m;

@@ -136,7 +136,7 @@ private:
         // Tolerance for normals of one plane, given positions in single precision.
         constexpr double kFlat = 1e-10;
         const bool flat_only = flat_only_[first + seed];
-        const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMostTiltDegrees * kDegree);
+        const double least = flat_only ? 1 - kFlat : std::cos(LightMapLayout::kMaxTiltDegrees * kDegree);
         LightMapChart chart;
         chart.object = object;
         chart.first = std::uint32_t(out_.triangles.size());
@@ -303,7 +303,7 @@ private:
             std::array<glm::dvec2, 3> at;
             std::array<double, 3> height;
             for (std::size_t k = 0; k < 3; ++k) {
-                at[k] = out_.place(chart, p[k]) - glm::dvec2(chart.rect.x, chart.rect.y);
+                at[k] = out_.atlas_position(chart, p[k]) - glm::dvec2(chart.rect.x, chart.rect.y);
                 height[k] = glm::dot(normal, p[k] - out_.centre);
             }
             const glm::dvec2 e1 = at[1] - at[0], e2 = at[2] - at[0];
@@ -327,7 +327,7 @@ private:
 
 }  // namespace
 
-double LightMapLayout::used() const {
+double LightMapLayout::used_share() const {
     double texels = 0;
     for (const LightMapChart& c : charts) texels += double(c.rect.z) * c.rect.w;
     return side > 0 ? texels / (double(side) * side) : 0;

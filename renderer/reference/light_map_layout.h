@@ -28,8 +28,8 @@ struct LightMapChart {
 /// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.
 struct LightMapLayout {
     static constexpr std::uint32_t kNoChart = 0xffffffff;
-    static constexpr int kGutter = 1;               ///< texels around each chart that bilinear look-ups may reach
-    static constexpr double kMostTiltDegrees = 30;  ///< angle between a triangle and its chart
+    static constexpr int kGutter = 1;              ///< texels around each chart that bilinear look-ups may reach
+    static constexpr double kMaxTiltDegrees = 30;  ///< angle between a triangle and its chart
     /// Range of one object's triangles among those of all objects.
     struct ObjectPart {
         std::uint32_t first = 0, count = 0;
@@ -38,24 +38,24 @@ struct LightMapLayout {
     int side = 0;  ///< texels
     double texels_per_metre = 0;
     glm::dvec3 centre{0};                 ///< centre of the scene, metres
-    std::vector<ObjectPart> objects;      ///< by their number
-    std::vector<std::uint32_t> chart_of;  ///< by triangle; kNoChart: it has no area
+    std::vector<ObjectPart> objects;      ///< range of triangles by index in Scene::objects
+    std::vector<std::uint32_t> chart_of;  ///< index of each triangle's chart; kNoChart: degenerate triangle
     /// Border edges by triangle: bit k is set when no triangle of the same chart adjoins edge k to k + 1.
     std::vector<std::uint8_t> borders;
     std::vector<LightMapChart> charts;
     std::vector<std::uint32_t> triangles;  ///< chart by chart, index within their object
 
-    /// Returns the position of a point of a chart in the light map, in texels.
-    glm::dvec2 place(const LightMapChart& chart, const glm::dvec3& position_ws) const {
+    /// Returns the position in the light map of a world-space point on a chart, in texels.
+    glm::dvec2 atlas_position(const LightMapChart& chart, const glm::dvec3& position_ws) const {
         const glm::dvec3 p = position_ws - centre;
         return glm::dvec2(glm::dot(chart.u, p), glm::dot(chart.v, p)) * texels_per_metre + chart.at;
     }
     /// Returns the share of the light map's texels that charts use, gutters included.
-    double used() const;
+    double used_share() const;
 };
 
 /// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within
-/// LightMapLayout::kMostTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
+/// LightMapLayout::kMaxTiltDegrees of the first triangle's normal. Packs them on shelves by height, at the highest
 /// density at which all fit. A chart whose projection overlaps itself is split into flat ones.
 /// @param side of the atlas, texels
 /// @throws Error naming the least light_map.resolution when the charts do not fit at any density; Cancelled

@@ -87,8 +87,8 @@ PrecisionSpread precision_spread_of(const FloatImage& error, int channel) {
 
 }  // namespace
 
-Precision find_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
-                         const DrawnLookUps& drawn) {
+Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
+                            const DrawnLookUps& drawn) {
     const int width = drawn.uvd.width, height = drawn.uvd.height;
     Precision out;
     out.error = {width, height, 2, std::vector<float>(std::size_t(width) * std::size_t(height) * 2, kNothing)};

@@ -21,7 +21,7 @@ struct Receiver {
     std::uint32_t object = kNothing, primitive = 0;
     /// The right and the lower neighbour pixel show the same surface: neither point lies off the other's plane.
     bool same_surface_right = false, same_surface_below = false;
-    /// Returns true when the pixel shows a surface.
+    /// Returns true when the receiver's pixel shows a surface.
     bool hit() const { return object != kNothing; }
 };
 
@@ -41,7 +41,7 @@ struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
     BigArray<RayStart> starts = {};  ///< one per pixel, or empty: traces then take longer
-    TrackedMemory held = {};         ///< what they take
+    TrackedMemory held = {};         ///< bytes of both arrays
     /// Returns the surface point of pixel (x, y), counted from the top left.
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };

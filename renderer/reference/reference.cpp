@@ -49,9 +49,9 @@ struct Batch {
 
     template <typename Occluded>
     void trace(const RayHierarchy& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
-        occlude(scene, plain, {culls, {}});
+        mark_occluded(scene, plain, {culls, {}});
         for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
-        occlude(scene, grazing, {culls, exact});
+        mark_occluded(scene, grazing, {culls, exact});
         for (std::size_t i = 0; i < grazing.size(); ++i) occluded(grazing_of[i], grazing[i].tfar < 0);
     }
     std::size_t size() const { return plain.size() + grazing.size(); }

@@ -76,7 +76,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
+void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);
     // Rays are coherent (neighbouring pixels, or samples of one light): packets are faster than streams.

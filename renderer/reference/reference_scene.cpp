@@ -25,8 +25,8 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
     const auto& mask = *static_cast<const AlphaMask*>(args->geometryUserPtr);
     for (unsigned i = 0; i < args->N; ++i) {
         if (args->valid[i] == 0) continue;
-        const bool solid = mask.solid(RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
-                                      RTCHitN_v(args->hit, args->N, i));
+        const bool solid = mask.is_solid(RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
+                                         RTCHitN_v(args->hit, args->N, i));
         if (!solid) args->valid[i] = 0;
     }
 }
@@ -169,7 +169,7 @@ ReferenceScene::ReferenceScene(std::shared_ptr<const ReferenceGeometry> geometry
             flattened += o.mesh->triangles();
         }
     const bool share =
-        instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMostFlattened);
+        instancing == Instancing::Always || (instancing == Instancing::Automatic && flattened > kMaxFlattenedTriangles);
     Builder builder(i, workers);
     i.scene = builder.new_scene();
     for (std::uint32_t k = 0; k < geometry_->objects.size(); ++k) {

@@ -46,7 +46,7 @@ Key receivers_key(const Scene& scene, const Camera& camera, const PixelRaster& r
     return key.add(raster.width).add(raster.height).add(raster.step);
 }
 
-SurfaceIds every_nth(const SurfaceIds& all, const PixelRaster& raster) {
+SurfaceIds subsample(const SurfaceIds& all, const PixelRaster& raster) {
     if (raster.step == 1) return all;
     SurfaceIds out{raster.columns(), raster.rows(), {}};
     out.data.reserve(std::size_t(out.width) * std::size_t(out.height));
@@ -66,7 +66,7 @@ auto timed(double& ms, Make&& make) {
 
 }  // namespace
 
-FloatImage every_nth(const FloatImage& image, int step) {
+FloatImage subsample(const FloatImage& image, int step) {
     if (step <= 1) return image;
     FloatImage out{(image.width + step - 1) / step, (image.height + step - 1) / step, image.channels, {}};
     out.data.reserve(std::size_t(out.width) * std::size_t(out.height) * std::size_t(out.channels));
@@ -93,7 +93,7 @@ ReferenceTask reference_task(const Scene& scene, const Settings& settings, const
     task.geometry = ray_scenes().geometry(scene, settings);
     task.camera = frame.camera;
     task.raster = {width, height, std::max(options.step, 1)};
-    task.ids = every_nth(ids, task.raster);
+    task.ids = subsample(ids, task.raster);
     task.lights = frame.lights;
     task.map_resolution = frame.map_resolution;
     const Key receivers = receivers_key(scene, frame.camera, task.raster);
@@ -130,7 +130,7 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
                                                             task.query, workers.with_progress_range(0.9, 1)));
         });
         references_.push_front(std::move(known));
-        if (references_.size() > kKept) references_.pop_back();
+        if (references_.size() > kMaxReferences) references_.pop_back();
     } else {
         references_.splice(references_.begin(), references_, found);
     }

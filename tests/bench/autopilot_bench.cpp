@@ -25,7 +25,7 @@ double moving_frame_ms(TimedFrames& frames, double (*clock)()) {
     frames.warm_up();
     glFinish();
     const double before = clock();
-    for (int i = 0; i < kFrames; ++i) frames.next();
+    for (int i = 0; i < kFrames; ++i) frames.draw_next();
     glFinish();
     return (clock() - before) / kFrames;
 }
@@ -37,8 +37,8 @@ const std::vector<SweepAxis>& searched_axes() {
     return all;
 }
 
-/// @param most_combinations that the autopilot tries all of; of more it searches by parts
-void autopilot_by_clock(benchmark::State& state, const char* name, double share, std::size_t most_combinations) {
+/// @param max_combinations that the autopilot tries all of; of more it searches by parts
+void autopilot_by_clock(benchmark::State& state, const char* name, double share, std::size_t max_combinations) {
     const HeadlessContext context;
     Renderer renderer;
     const Scene scene = load_scene(name);
@@ -48,17 +48,18 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     ReferenceCache cache;
     const AdviceOptions options;
     const Workers workers;
-    AutopilotMeter counted{rendered_meter(renderer, scene, kPilotWidth, kPilotHeight, options, cache, workers), {}, {}};
+    AutopilotMeter counted{
+        renderer_advice_meter(renderer, scene, kPilotWidth, kPilotHeight, options, cache, workers), {}, {}};
     counted.ms = [](const Settings&) { return 1.0; };
     counted.time = [](const Settings&, const Settings&) { return CostChange{}; };
     counted.now_s = [] { return 0.0; };
-    std::vector<AutopilotCase> all = run_autopilot(settings, searched_axes(), {.most_error = 1}, counted).cases;
+    std::vector<AutopilotCase> all = run_autopilot(settings, searched_axes(), {.max_error = 1}, counted).cases;
     std::vector<double> errors;
     for (const AutopilotCase& c : all) errors.push_back(c.classified.error);
     std::sort(errors.begin(), errors.end());
-    const AutopilotGoals goals{.most_error = errors[std::size_t(share * double(errors.size() - 1))],
-                               .most_combinations = most_combinations};
-    std::erase_if(all, [&](const AutopilotCase& c) { return c.classified.error > *goals.most_error; });
+    const AutopilotGoals goals{.max_error = errors[std::size_t(share * double(errors.size() - 1))],
+                               .max_combinations = max_combinations};
+    std::erase_if(all, [&](const AutopilotCase& c) { return c.classified.error > *goals.max_error; });
 
     Measurer measurer(renderer, kPilotWidth, kPilotHeight);
     std::vector<TimedFrames> frames;
@@ -72,7 +73,7 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     optimum = std::size_t(std::min_element(medians.begin(), medians.end()) - medians.begin());
 
     const AutopilotResult found =
-        fly_autopilot(renderer, scene, settings, kPilotWidth, kPilotHeight, goals, searched_axes(), cache);
+        run_rendered_autopilot(renderer, scene, settings, kPilotWidth, kPilotHeight, goals, searched_axes(), cache);
     TimedFrames pick = measurer.frames(scene, found.best.settings, kDefaultCost);
     Rotation turns;
     turns.add("pick", [&] { return moving_frame_ms(pick, processor_ms); });
@@ -82,14 +83,14 @@ void autopilot_by_clock(benchmark::State& state, const char* name, double share,
     turns.run(state);
     turns.ratio(state, "ratio", "pick", "optimum");
     turns.ratio(state, "ratio_wall", "pick_wall", "optimum_wall");
-    state.counters["held"] = found.held;
+    state.counters["held"] = found.goals_met;
     state.counters["seconds"] = found.seconds;
     state.counters["combinations"] = double(found.combinations);
     state.counters["judged"] = double(found.cases.size());
     state.counters["that_hold"] = double(all.size());
     state.counters["same"] = found.best.settings == all[optimum].settings;
     state.counters["error"] = found.best.classified.error;
-    state.counters["most_error"] = *goals.most_error;
+    state.counters["most_error"] = *goals.max_error;
     std::string untried;
     for (const std::string& u : found.untried) untried += "; " + u;
     state.SetLabel(found.summary + untried);

@@ -39,7 +39,7 @@ protected:
     std::vector<CauseEvidence> read_evidence(const FrameResult& frame, int step) {
         std::vector<CauseEvidence> out;
         for (int i = 0; i < kEvidenceImages; ++i) {
-            const FloatImage image = every_nth(renderer.read_float(frame.evidence[std::size_t(i)], 4), step);
+            const FloatImage image = subsample(renderer.read_float(frame.evidence[std::size_t(i)], 4), step);
             out.resize(image.data.size() / 4);
             for (std::size_t p = 0; p < out.size(); ++p)
                 std::memcpy(reinterpret_cast<char*>(&out[p]) + i * 16, &image.data[4 * p], 16);

@@ -174,7 +174,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
         s.lights[0].fit = kind.fit;
         s.lights[0].projection = kind.projection;
         const MeasuredError m = measure(scene, s);
-        const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(m, s, renderer.driver()));
+        const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(m, s, renderer.driver()));
         const auto tried = [&](auto&& like) {
             return std::ranges::count_if(ideas,
                                          [&](const FixCandidate& i) { return i.untried.empty() && like(i.settings); });
@@ -200,7 +200,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
     }
     Settings s = test::texel_settings("pcf3", 256, 0);
     s.lights[0].cascades = 3;
-    const std::vector<FixCandidate> ideas = fix_ideas(s, fix_facts(measure(scene, s), s, renderer.driver()));
+    const std::vector<FixCandidate> ideas = fix_candidates(s, fix_facts(measure(scene, s), s, renderer.driver()));
     const auto of = [&](int n) {
         return std::ranges::count_if(ideas, [&](const FixCandidate& i) { return i.settings.lights[0].cascades == n; });
     };

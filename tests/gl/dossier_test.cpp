@@ -24,9 +24,9 @@ protected:
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         EXPECT_TRUE(probed.hit);
         const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
-        return explain(probed, probed.lights.at(0),
-                       fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
-                       renderer.driver());
+        return diagnose_pixel(probed, probed.lights.at(0),
+                              trace_fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)),
+                              s, renderer.driver());
     }
     MeasuredError measure(const Scene& scene, const Settings& s) {
         ReferenceCache cache;
@@ -142,7 +142,8 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
                 EXPECT_EQ(p.hit, m.traced.reference->state[i] != PixelState::Background);
                 if (!p.hit) continue;
-                const FragmentReference t = fragment_reference(casters, p, p.lights[0], s, object_traits(scene, s));
+                const FragmentReference t =
+                    trace_fragment_reference(casters, p, p.lights[0], s, object_traits(scene, s));
                 EXPECT_EQ(t.state, m.traced.reference->state[i]);
                 EXPECT_EQ(t.lit, m.traced.reference->hard().data[i] >= 0.5f);
                 EXPECT_EQ(t.cause.artefact, m.classified[i].artefact) << x << "," << y;
@@ -185,8 +186,9 @@ TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
             EXPECT_GT(own, 0) << "what darkens it is the surface itself";
             ASSERT_TRUE(d.fix) << kernel;
             EXPECT_EQ(d.fix->settings[0].first, slope ? "bias.slope" : "bias.constant");
-            EXPECT_GT(d.fix->worth_texels, 0.999 * d.least.texels);
-            EXPECT_LT(d.fix->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
+            EXPECT_GT(d.fix->equivalent_bias_texels, 0.999 * d.least.texels);
+            EXPECT_LT(d.fix->equivalent_bias_texels, 1.02 * d.least.texels)
+                << "it is what the surface needs, rounded up";
             apply(s, *d.fix);
             EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
             // The floor is one plane under one light: what cures a pixel cures all.
@@ -218,7 +220,7 @@ TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
     const PixelDiagnosis d = diagnosis(scene, s, *pixel);
     EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
     EXPECT_TRUE(d.window_open());
-    EXPECT_GE(d.lifted.texels, d.occluder.texels);
+    EXPECT_GE(d.shift.texels, d.occluder.texels);
     // Along a ray at 40 degrees above the horizon.
     EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
     EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
@@ -263,7 +265,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     const BiasBreakdown& a = probed.lights[0].account;
     const double cosine = std::sin(glm::radians(40.0));
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
-    EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
+    EXPECT_NEAR(d.shift.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
     EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
     // The least offset by the theory is where the account comes out even.
     s.bias.normal =
@@ -317,7 +319,7 @@ TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
 TEST_F(DiagnosisTest, ValuesOfRemediesAreShortDecimals) {
     for (const auto& [from, to] :
          {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
-        EXPECT_EQ(rounded_up(from), to);
+        EXPECT_EQ(round_up_3_digits(from), to);
 }
 
 TEST_F(DiagnosisTest, ALargeLightIsSeenInPart) {

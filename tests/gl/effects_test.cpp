@@ -201,7 +201,7 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     const std::vector<Effect> before = effects(scene, sets);
     ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
     EXPECT_EQ(spared->state, EffectState::NotNeeded);
-    EXPECT_EQ(spared->saving, Optimisation::Uncalled);
+    EXPECT_EQ(spared->optimisation, Optimisation::Uncalled);
     const std::uint64_t draws = last.pass("visibility")->draws;
     FrameRequest request = small();
     request.forced = {Optimisation::Uncalled};
@@ -221,12 +221,12 @@ TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereT
     for (const auto& [name, saving] : all) {
         EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
         ASSERT_TRUE(effect_named(before, name));
-        EXPECT_EQ(effect_named(before, name)->saving, saving) << name;
+        EXPECT_EQ(effect_named(before, name)->optimisation, saving) << name;
         FrameRequest request = small();
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
         EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
-        EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be let go again";
+        EXPECT_EQ(effect_named(forced, name)->optimisation, saving) << name << ": it could not be let go again";
         for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
     const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
@@ -250,7 +250,7 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const std::vector<Effect> spared = effects(scene, no_size);
     EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
+    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->optimisation, Optimisation::Blockers);
     FrameRequest request = small();
     request.forced = {Optimisation::Blockers};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
@@ -301,14 +301,14 @@ TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
 }
 
 TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
-    const std::vector<Effect> all = {{.name = "a", .saving = Optimisation::Views},
+    const std::vector<Effect> all = {{.name = "a", .optimisation = Optimisation::Views},
                                      {.name = "b"},
-                                     {.name = "c", .saving = Optimisation::Casters},
-                                     {.name = "d", .saving = Optimisation::Views},
+                                     {.name = "c", .optimisation = Optimisation::Casters},
+                                     {.name = "d", .optimisation = Optimisation::Views},
                                      {.name = "e"}};
-    EXPECT_EQ(saved_together(all, all[0]), 2u);
-    EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
-    EXPECT_EQ(saved_together(all, all[2]), 1u);
+    EXPECT_EQ(sharing_optimisation_count(all, all[0]), 2u);
+    EXPECT_EQ(sharing_optimisation_count(all, all[1]), 1u) << "what no saving spares is alone";
+    EXPECT_EQ(sharing_optimisation_count(all, all[2]), 1u);
 }
 
 TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
@@ -343,17 +343,17 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
     EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
-    EXPECT_EQ(part->saving, Optimisation::Uncalled);
+    EXPECT_EQ(part->optimisation, Optimisation::Uncalled);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);
     EXPECT_EQ(part->state, EffectState::Drawn);
 }
 
 TEST(Sentences, KeepKeysAndStops) {
-    EXPECT_EQ(sentence("nothing reads it"), "Nothing reads it.");
-    EXPECT_EQ(sentence("map.virtual is off"), "map.virtual is off.");
-    EXPECT_EQ(sentence("Done."), "Done.");
-    EXPECT_EQ(sentence(""), "");
+    EXPECT_EQ(as_sentence("nothing reads it"), "Nothing reads it.");
+    EXPECT_EQ(as_sentence("map.virtual is off"), "map.virtual is off.");
+    EXPECT_EQ(as_sentence("Done."), "Done.");
+    EXPECT_EQ(as_sentence(""), "");
 }
 
 }  // namespace

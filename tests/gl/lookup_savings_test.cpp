@@ -236,7 +236,7 @@ TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
     const FrameRequest tiny{.width = 64, .height = 36};
-    KeptFrames frames(scene, s, tiny, Optimisation::EarlyOut);
+    CachedFrames frames(scene, s, tiny, Optimisation::EarlyOut);
     for (int i = 0; i < 3; ++i) {
         frames.draw({});
         frames.draw({Optimisation::EarlyOut});
@@ -250,10 +250,10 @@ TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, tiny));
     const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
     ASSERT_NE(bounds, effects.end());
-    EXPECT_EQ(bounds->saving, Optimisation::EarlyOut) << bounds->reason;
-    const SavedTimes times = measure_saved(renderer, scene, s, tiny, named_optimisations(effects), 4);
-    ASSERT_TRUE(times.of(*bounds));
-    EXPECT_EQ(times.of(*bounds)->samples, 4);
+    EXPECT_EQ(bounds->optimisation, Optimisation::EarlyOut) << bounds->reason;
+    const SavedTimes times = measure_saved_times(renderer, scene, s, tiny, optimisations_of(effects), 4);
+    ASSERT_TRUE(times.find(*bounds));
+    EXPECT_EQ(times.find(*bounds)->samples, 4);
 }
 
 }  // namespace

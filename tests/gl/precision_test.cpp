@@ -164,8 +164,8 @@ TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
     const ShimmerOptions options{.steps = 6, .step_texels = 0.3};
     const Shimmer snapped = measure_shimmer(hard_renderer(), scene, crawling(true), kWidth, kHeight, options);
     const Shimmer free = measure_shimmer(hard_renderer(), scene, crawling(false), kWidth, kHeight, options);
-    EXPECT_EQ(snapped.most_flips, 0u);
-    EXPECT_EQ(snapped.restless, 0u);
+    EXPECT_EQ(snapped.max_flips, 0u);
+    EXPECT_EQ(snapped.flipping_pixels, 0u);
     EXPECT_GT(free.flips_a_step, 1);
     EXPECT_GT(free.change, 0);
     ASSERT_EQ(free.flips.size(), 6u);
@@ -175,7 +175,7 @@ TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
     for (const std::size_t flips : free.flips) told += flips;
     EXPECT_EQ(sum, double(told));
     EXPECT_NEAR(free.flips_a_step, double(told) / 6, 1e-9);
-    EXPECT_GT(free.places, free.restless);
+    EXPECT_GT(free.places, free.flipping_pixels);
 }
 
 TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {

@@ -326,7 +326,7 @@ TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
     const Effect drawn = told(), kept = told();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
-    EXPECT_EQ(kept.saving, Optimisation::Static);
+    EXPECT_EQ(kept.optimisation, Optimisation::Static);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
@@ -350,7 +350,7 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
     s.scene.time = 0.9;  // over the end
-    KeptFrames frames(scene, s, asked(), Optimisation::Static);
+    CachedFrames frames(scene, s, asked(), Optimisation::Static);
     for (int i = 0; i < 4; ++i) {
         frames.draw({});
         frames.draw({Optimisation::Static});
@@ -377,14 +377,14 @@ TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
         Renderer again;  // that has seen nothing move
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
-        const auto told =
-            std::ranges::find_if(effects, [](const Effect& e) { return e.saving == Optimisation::Static && !e.part; });
+        const auto told = std::ranges::find_if(
+            effects, [](const Effect& e) { return e.optimisation == Optimisation::Static && !e.part; });
         EXPECT_NE(told, effects.end());
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
-        const std::vector<Optimisation> named = named_optimisations(effects);
+        const std::vector<Optimisation> named = optimisations_of(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::Static) == 1);
-        const SavedTimes times = measure_saved(again, scene, s, asked(), named, 5);
-        const Spread* ms = times.of(*told);
+        const SavedTimes times = measure_saved_times(again, scene, s, asked(), named, 5);
+        const Spread* ms = times.find(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
     };
     Settings s = small_maps(moving, kinds()[0]);

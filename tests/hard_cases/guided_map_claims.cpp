@@ -52,7 +52,7 @@ Classification classified(const std::string& preset, const std::vector<std::stri
     const Preset p = load_preset(preset);
     Settings s = p.settings;
     for (const std::string& change : changes) apply_set(s, change);
-    return Measurer(hard_renderer(), 160, 90).judge(load_scene(p.scene), s);
+    return Measurer(hard_renderer(), 160, 90).classify(load_scene(p.scene), s);
 }
 
 /// Pages of a preset once more, after a change.

@@ -61,7 +61,7 @@ const ErrorMetrics& Guided::error() const {
 }
 
 const Classification& Guided::classification() const {
-    if (!judgement_) judgement_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
+    if (!judgement_) judgement_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
     return *judgement_;
 }
 

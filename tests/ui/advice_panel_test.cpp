@@ -63,17 +63,17 @@ protected:
 TEST_F(AdvicePanelTest, AsksForAdviceAndForTheAutopilotWithItsBounds) {
     click_on("controls", "", "Run");
     ASSERT_TRUE(ui.last_requests.find_advice);
-    EXPECT_FALSE(ui.last_requests.find_advice->most_error);
+    EXPECT_FALSE(ui.last_requests.find_advice->max_error);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Camera);
-    ui.state.advice.most_error = 0.02;
+    ui.state.advice.max_error = 0.02;
     ui.state.advice.bound_ms = true;
-    ui.state.advice.most_ms = 5;
+    ui.state.advice.max_ms = 5;
     ui.state.advice.cost = CostCase::Light;
     ui.frames(2);
     EXPECT_NE(printed_by(ui).find(without_spaces("while the light moves")), std::string::npos);
     click_on("controls", "", "Autopilot");
-    EXPECT_EQ(ui.last_requests.find_advice->most_error, 0.02);
-    EXPECT_EQ(ui.last_requests.find_advice->most_ms, 5);
+    EXPECT_EQ(ui.last_requests.find_advice->max_error, 0.02);
+    EXPECT_EQ(ui.last_requests.find_advice->max_ms, 5);
     EXPECT_EQ(ui.last_requests.find_advice->cost, CostCase::Light);
     ui.advice.advising = SearchProgress{"pcf5 at 512", 0.4};
     ui.frames(2);
@@ -117,7 +117,7 @@ TEST_F(AdvicePanelTest, SaysWhenItIsOfOtherSettings) {
 
 TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     AutopilotResult flight;
-    flight.held = true;
+    flight.goals_met = true;
     flight.summary = "hard at 512 holds it";
     flight.dropped = {{"light.contact", "0.1", "0", 0.004, {1.5, 0.2}}};
     flight.untried = {"7 of 9 combinations were not tried"};
@@ -128,7 +128,7 @@ TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"})
         EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
     EXPECT_TRUE(ui.find("found", "", "Apply"));
-    flight.held = false;
+    flight.goals_met = false;
     flight.summary = "it cannot be held";
     ui.frames(3);
     EXPECT_FALSE(ui.find("found", "", "Apply"));
@@ -164,7 +164,7 @@ TEST(EditorAdviceTest, MeasuresInTheBackgroundAndChangesNothing) {
     model.state.settings.bias.normal = 7;
     editor.settle();
     EXPECT_FALSE(model.facts().advice_current) << "other settings now";
-    request.find_advice->most_error = 1;
+    request.find_advice->max_error = 1;
     model.fulfil(request);
     EditorRequests cancel;
     cancel.scene_width = request.scene_width;

@@ -45,10 +45,10 @@ TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
 TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
     const PixelDiagnosis d = acne_diagnosis();
     SuggestedFix worth = *d.fix;
-    worth.worth_texels = 1.804;
-    EXPECT_EQ(fix_text(worth, Settings{}) + fix_worth_text(worth),
+    worth.equivalent_bias_texels = 1.804;
+    EXPECT_EQ(fix_text(worth, Settings{}) + equivalent_bias_text(worth),
               "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
-    EXPECT_EQ(fix_worth_text(*d.fix), "");
+    EXPECT_EQ(equivalent_bias_text(*d.fix), "");
     const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
     UiHarness ui(1600, 900);
@@ -83,18 +83,18 @@ TEST(TuneControls, ButtonsAskForASearchAndForItsEnd) {
     ASSERT_TRUE(button);
     ui.click(*button);
     ASSERT_TRUE(ui.last_requests.tune);
-    EXPECT_FALSE(ui.last_requests.tune->most_error || ui.last_requests.tune->most_ms);
+    EXPECT_FALSE(ui.last_requests.tune->max_error || ui.last_requests.tune->max_ms);
 
     const auto limits = ui.find("/rows_", "bias", "Tune...");
     ASSERT_TRUE(limits);
-    ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .most_error = 0.02, .most_ms = 7};
+    ui.state.tune = {.bound_error = true, .bound_ms = true, .area = true, .max_error = 0.02, .max_ms = 7};
     ui.click(*limits);
     const auto search = ui.find("##Popup", "", "Search");
     ASSERT_TRUE(search);
     ui.click(*search);
     ASSERT_TRUE(ui.last_requests.tune);
-    EXPECT_EQ(ui.last_requests.tune->most_error, 0.02);
-    EXPECT_EQ(ui.last_requests.tune->most_ms, 7);
+    EXPECT_EQ(ui.last_requests.tune->max_error, 0.02);
+    EXPECT_EQ(ui.last_requests.tune->max_ms, 7);
     EXPECT_TRUE(ui.last_requests.tune->area);
 
     ui.tuning = SearchProgress{"normal offset, 2 texels", 0.4};

@@ -22,7 +22,7 @@ const std::vector<Effect>& made_up_effects() {
         {.name = "look-ups of light 7",
          .state = EffectState::NotNeeded,
          .reason = "light.7.cast is off.",
-         .saving = Optimisation::Uncalled,
+         .optimisation = Optimisation::Uncalled,
          .pass = "visibility",
          .part = true},
         {.name = "shading", .state = EffectState::Cached, .reason = "Kept.", .pass = "shading"},
@@ -40,7 +40,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
     SavedTimes saved;
-    saved.savings.push_back(
+    saved.optimisations.push_back(
         {Optimisation::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved;
     ui.effects.saved_current = true;
@@ -49,7 +49,8 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
     EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
     std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
-    more.push_back({.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Optimisation::Uncalled});
+    more.push_back(
+        {.name = "look-ups of light 8", .reason = "light.8.cast is off.", .optimisation = Optimisation::Uncalled});
     ui.effects.effects = more;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
@@ -203,7 +204,7 @@ TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     const auto measure = ui.find("bottom", "", "Measure what is saved");
     ASSERT_TRUE(measure);
     ui.click(*measure);
-    EXPECT_TRUE(ui.last_requests.measure_saved);
+    EXPECT_TRUE(ui.last_requests.measure_saved_times);
     ui.effects.measuring_saved = SearchProgress{"alternating frames", 0.4};
     ui.frames(3);
     EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
@@ -305,24 +306,24 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved);
     EditorRequests requests = editor.frame();
-    requests.measure_saved = true;
+    requests.measure_saved_times = true;
     EXPECT_TRUE(editor.model().fulfil(requests));
     EXPECT_TRUE(editor.model().measuring());
     EXPECT_TRUE(editor.model().facts().measuring_saved);
     editor.settle();
     ASSERT_TRUE(editor.model().facts().saved);
     EXPECT_TRUE(editor.model().facts().saved_current);
-    const Spread* ms = editor.model().facts().saved->of(Optimisation::Uncalled);
+    const Spread* ms = editor.model().facts().saved->find(Optimisation::Uncalled);
     ASSERT_TRUE(ms) << "an effect names this saving";
-    EXPECT_EQ(ms->samples, kSavedRounds);
+    EXPECT_EQ(ms->samples, kSavedTimeRounds);
     EXPECT_LE(ms->median_low, ms->median_high);
     editor.model().state.settings.map.resolution = 512;
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved_current);
     requests = editor.frame();
-    requests.measure_saved = true;
+    requests.measure_saved_times = true;
     editor.model().fulfil(requests);
-    requests.measure_saved = false;
+    requests.measure_saved_times = false;
     requests.cancel_saved = true;
     editor.model().fulfil(requests);
     editor.settle();

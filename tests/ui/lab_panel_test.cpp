@@ -36,7 +36,7 @@ TEST_F(LabPanelTest, ShowsWhatWasMeasured) {
     const std::vector<PipelineError> errors{e};
     std::vector<ShimmerShown> shimmer{{"Stabilised, unsnapped", {}}};
     shimmer[0].shimmer.flips_a_step = 96.125;
-    shimmer[0].shimmer.restless = 357;
+    shimmer[0].shimmer.flipping_pixels = 357;
     shimmer[0].shimmer.places = 40514;
     ui.lab.pipelines = errors;
     ui.lab.shimmer = shimmer;

@@ -17,7 +17,7 @@ Section step_of_shadow() {
     s.shadowed = true;
     s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 5, .reach_texels = 0.5};
-    s.looked_up_texel = 102;
+    s.lookup_texel = 102;
     s.texel_m = 0.04;
     s.lit = false;
     s.visibility = 0;

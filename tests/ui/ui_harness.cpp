@@ -146,7 +146,7 @@ EditorRequests UiHarness::frame() {
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
-        requests.forget_fixes || requests.measure_saved || requests.cancel_saved || requests.find_advice ||
+        requests.forget_fixes || requests.measure_saved_times || requests.cancel_saved || requests.find_advice ||
         requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
         last_requests = requests;
     io.MouseWheel = 0;

@@ -154,15 +154,15 @@ std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vect
     Settings base;
     base.map.resolution = 0;
     AdviceMeter meter;
-    meter.judge = [&](const Settings& s, int) {
+    meter.classify = [&](const Settings& s, int) {
         const MadeUp& w = world[std::size_t(s.map.resolution)];
-        return JudgedSettings{.error = w.error, .noise = 0, .work = {.bytes_touched = w.bytes}};
+        return MeasuredSettings{.error = w.error, .noise = 0, .work = {.bytes_touched = w.bytes}};
     };
     meter.time = [&](const Settings& a, const Settings& b) {
         const MadeUp &x = world[std::size_t(a.map.resolution)], &y = world[std::size_t(b.map.resolution)];
         return CostChange{y.ms - x.ms, y.noise};
     };
-    return try_advice(base, ideas, meter);
+    return measure_ideas(base, ideas, meter);
 }
 
 TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
@@ -198,9 +198,9 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
 TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     int classified = 0;
     AdviceMeter meter;
-    meter.judge = [&](const Settings& s, int) {
+    meter.classify = [&](const Settings& s, int) {
         return ++classified,
-               JudgedSettings{.error = s.map.resolution == 1 ? 0.03 : 0.01, .noise = 0, .work = {}, .camera = {}};
+               MeasuredSettings{.error = s.map.resolution == 1 ? 0.03 : 0.01, .noise = 0, .work = {}, .camera = {}};
     };
     meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
     AdviceIdea same{.rule = "a", .claim = Claim::Same, .sentence = "the same", .settings = {}};
@@ -208,7 +208,7 @@ TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     AdviceIdea trade = same;
     trade.claim = Claim::Trade;
     trade.sentence = "coarser";
-    const std::vector<TriedAdvice> all = try_advice(Settings{}, {same, trade}, meter);
+    const std::vector<TriedAdvice> all = measure_ideas(Settings{}, {same, trade}, meter);
     ASSERT_EQ(all.size(), 1u);
     EXPECT_EQ(all[0].idea.sentence, "coarser");
     EXPECT_TRUE(all[0].why_not.empty());
@@ -226,13 +226,13 @@ TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
     AdviceIdea idea{.rule = "made up", .sentence = "turn", .settings = {}};
     idea.settings.map.resolution = 1;
     AdviceMeter meter;
-    meter.judge = [](const Settings& s, int) {
-        JudgedSettings j;
+    meter.classify = [](const Settings& s, int) {
+        MeasuredSettings j;
         j.camera.eye.x = s.map.resolution;
         return j;
     };
     meter.time = [](const Settings&, const Settings&) { return CostChange{-5, 0.1}; };
-    EXPECT_NE(try_advice(Settings{}, {idea}, meter)[0].why_not.find("would move"), std::string::npos);
+    EXPECT_NE(measure_ideas(Settings{}, {idea}, meter)[0].why_not.find("would move"), std::string::npos);
 }
 
 TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
@@ -257,7 +257,7 @@ TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
     harm.broken = 900;
     harm.cured_of[std::size_t(Artefact::Acne)] = 200;
     fixes.rows = {little, most, harm};
-    const std::vector<Finding> found = findings_of(f, fixes);
+    const std::vector<Finding> found = list_findings(f, fixes);
     ASSERT_EQ(found.size(), 4u);
     EXPECT_EQ(found[0].severity, Severity::Error);
     for (std::size_t i = 1; i < found.size(); ++i) EXPECT_LE(found[i - 1].severity, found[i].severity);

@@ -31,16 +31,16 @@ struct World {
     }
     AutopilotMeter meter() {
         AutopilotMeter m;
-        m.judge = [this](const Settings& s, int) {
+        m.classify = [this](const Settings& s, int) {
             ++classified;
             now += seconds_each;
             const auto texels =
                 std::uint64_t(s.lights[0].cascades) * std::uint64_t(s.map.resolution) * std::uint64_t(s.map.resolution);
-            return JudgedSettings{.error = error(s),
-                                  .noise = 0,
-                                  .work = {.map_texels = texels,
-                                           .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
-                                           .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
+            return MeasuredSettings{.error = error(s),
+                                    .noise = 0,
+                                    .work = {.map_texels = texels,
+                                             .map_bytes = texels * (s.map.format == MapFormat::D16 ? 2 : 4),
+                                             .bytes_touched = texels * 4 + std::uint64_t(cost_of(s).texels) * 1000}};
         };
         m.ms = [this](const Settings& s) { return ++timed, now += seconds_each, ms(s); };
         m.time = [this](const Settings& a, const Settings& b) {
@@ -78,9 +78,9 @@ std::optional<Settings> exhausted(const Settings& start, const std::vector<Sweep
     }
     std::optional<Settings> best;
     for (const Settings& s : all) {
-        if (goals.most_error && World::error(s) > *goals.most_error) continue;
-        if (goals.most_ms && World::ms(s) > *goals.most_ms) continue;
-        const auto cost = [&](const Settings& t) { return goals.most_error ? World::ms(t) : World::error(t); };
+        if (goals.max_error && World::error(s) > *goals.max_error) continue;
+        if (goals.max_ms && World::ms(s) > *goals.max_ms) continue;
+        const auto cost = [&](const Settings& t) { return goals.max_error ? World::ms(t) : World::error(t); };
         if (!best || cost(s) < cost(*best)) best = s;
     }
     return best;
@@ -94,13 +94,13 @@ Settings with_contact() {
 
 TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
     for (const AutopilotGoals& goals :
-         {AutopilotGoals{.most_error = 0.001}, AutopilotGoals{.most_error = 0.0003}, AutopilotGoals{.most_ms = 4},
-          AutopilotGoals{.most_ms = 2.5}, AutopilotGoals{.most_error = 0.002, .most_ms = 4}}) {
+         {AutopilotGoals{.max_error = 0.001}, AutopilotGoals{.max_error = 0.0003}, AutopilotGoals{.max_ms = 4},
+          AutopilotGoals{.max_ms = 2.5}, AutopilotGoals{.max_error = 0.002, .max_ms = 4}}) {
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(false), goals, world.meter());
         const std::optional<Settings> best = exhausted(with_contact(), axes_of(false), goals);
-        ASSERT_EQ(r.held, best.has_value());
-        const auto value = [&](const Settings& s) { return goals.most_error ? World::ms(s) : World::error(s); };
+        ASSERT_EQ(r.goals_met, best.has_value());
+        const auto value = [&](const Settings& s) { return goals.max_error ? World::ms(s) : World::error(s); };
         EXPECT_NEAR(value(r.best.settings), value(*best), 1e-12) << r.summary;
         EXPECT_EQ(r.combinations, 60u);
         EXPECT_TRUE(r.untried.empty());
@@ -110,10 +110,10 @@ TEST(Autopilot, FindsTheOptimumWhereAllCanBeTried) {
 
 TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
     for (const double error : {0.003, 0.001, 0.0005, 0.0003}) {
-        const AutopilotGoals goals{.most_error = error, .most_combinations = 100};
+        const AutopilotGoals goals{.max_error = error, .max_combinations = 100};
         World world;
         const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
-        ASSERT_TRUE(r.held) << r.summary;
+        ASSERT_TRUE(r.goals_met) << r.summary;
         EXPECT_LE(World::ms(r.best.settings), 1.1 * World::ms(*exhausted(with_contact(), axes_of(true), goals)))
             << r.summary;
         EXPECT_EQ(r.combinations, 240u);
@@ -124,9 +124,9 @@ TEST(Autopilot, ComesWithinATenthWhereItSearchesByParts) {
 
 TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
     World world;
-    const AutopilotGoals goals{.most_error = 0.003};
+    const AutopilotGoals goals{.max_error = 0.003};
     const AutopilotResult r = run_autopilot(with_contact(), axes_of(true), goals, world.meter());
-    ASSERT_TRUE(r.held);
+    ASSERT_TRUE(r.goals_met);
     const auto contact = std::find_if(r.dropped.begin(), r.dropped.end(),
                                       [](const DroppedEffect& d) { return d.key == "light.0.contact"; });
     ASSERT_NE(contact, r.dropped.end());
@@ -138,14 +138,14 @@ TEST(Autopilot, SaysWhatEachDroppedEffectWouldHaveCost) {
 
 TEST(Autopilot, SaysThatABoundCannotBeHeldAndWhatCameNearest) {
     World world;
-    const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.most_error = 1e-9}, world.meter());
-    EXPECT_FALSE(r.held);
+    const AutopilotResult r = run_autopilot(Settings{}, axes_of(false), {.max_error = 1e-9}, world.meter());
+    EXPECT_FALSE(r.goals_met);
     EXPECT_NE(r.summary.find("mae at most 1e-09 cannot be held by what was tried; nearest came"), std::string::npos)
         << r.summary;
     for (const AutopilotCase& c : r.cases) EXPECT_LE(r.best.classified.error, c.classified.error);
     World fast;
-    const AutopilotResult slow = run_autopilot(Settings{}, axes_of(false), {.most_ms = 0.01}, fast.meter());
-    EXPECT_FALSE(slow.held);
+    const AutopilotResult slow = run_autopilot(Settings{}, axes_of(false), {.max_ms = 0.01}, fast.meter());
+    EXPECT_FALSE(slow.goals_met);
     EXPECT_NE(slow.summary.find("while the camera moves cannot be held"), std::string::npos) << slow.summary;
 }
 
@@ -153,7 +153,7 @@ TEST(Autopilot, EndsInTimeAndSaysWhatItDidNotTry) {
     World world;
     world.seconds_each = 1;
     const AutopilotResult r =
-        run_autopilot(Settings{}, axes_of(false), {.most_error = 0.01, .most_seconds = 20}, world.meter());
+        run_autopilot(Settings{}, axes_of(false), {.max_error = 0.01, .max_seconds = 20}, world.meter());
     EXPECT_LE(r.seconds, 20 + 1) << "what was under way";
     EXPECT_FALSE(r.untried.empty());
     EXPECT_LT(r.cases.size(), 60u);
@@ -166,9 +166,9 @@ TEST(Autopilot, PricesNothingOnceTheTimeIsUpAndSaysWhat) {
     const std::vector<SweepAxis> axes = {
         {"map.resolution", {"", "256"}}, {"map.format", {"", "d16"}}, {"light.0.contact", {"", "0"}}};
     const AutopilotResult r =
-        run_autopilot(with_contact(), axes, {.most_error = 0.05, .most_seconds = 30}, world.meter());
-    ASSERT_TRUE(r.held) << r.summary;
-    EXPECT_EQ(r.best.at, (std::vector<std::size_t>{1, 1, 1})) << "the search itself had time enough";
+        run_autopilot(with_contact(), axes, {.max_error = 0.05, .max_seconds = 30}, world.meter());
+    ASSERT_TRUE(r.goals_met) << r.summary;
+    EXPECT_EQ(r.best.axis_values, (std::vector<std::size_t>{1, 1, 1})) << "the search itself had time enough";
     EXPECT_EQ(r.dropped.size(), 2u);
     EXPECT_LE(r.seconds, 30 + 9) << "what was under way";
     ASSERT_EQ(r.untried.size(), 1u);
@@ -182,8 +182,8 @@ TEST(Autopilot, KeepsTimeForPricingFromALongSearch) {
     const std::vector<SweepAxis> axes = {{"map.format", {"", "d16"}},
                                          {"light.0.contact", {"", "0", "0.02", "0.03", "0.04", "0.05"}}};
     const AutopilotResult r =
-        run_autopilot(with_contact(), axes, {.most_error = 0.05, .most_seconds = 20}, world.meter());
-    ASSERT_TRUE(r.held) << r.summary;
+        run_autopilot(with_contact(), axes, {.max_error = 0.05, .max_seconds = 20}, world.meter());
+    ASSERT_TRUE(r.goals_met) << r.summary;
     EXPECT_FALSE(r.untried.empty()) << "not all were timed";
     EXPECT_GE(r.dropped.size(), 1u);
     EXPECT_LE(r.seconds, 20 + 1) << "what was under way";

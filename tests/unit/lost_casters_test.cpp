@@ -56,7 +56,7 @@ TEST(LostCasters, FrontCullingLosesTheFloorAndKeepsTheClosedBox) {
     ASSERT_EQ(list.size(), 1u);
     EXPECT_EQ(list[0].object, 0);
     EXPECT_EQ(list[0].triangles, 2u);
-    const auto notes = lost_caster_notes(scene, list);
+    const auto notes = lost_caster_remarks(scene, list);
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_NE(notes[0].find("object.Floor.cull=none"), std::string::npos) << notes[0];
 }

@@ -11,7 +11,7 @@ const std::vector<Optimisation> kOne = {kOptimisation};
 
 TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
     double drift = 0;  // of a machine that gets slower, three times what is saved in each frame
-    const auto saved = saved_in_turns(kOne, 16, [&](OptimisationSet forced) {
+    const auto saved = time_optimisations_alternating(kOne, 16, [&](OptimisationSet forced) {
         drift += 3;
         return 100 + drift + (forced.contains(kOptimisation) ? 5 : 0);
     });
@@ -24,7 +24,7 @@ TEST(Saved, IsTheDifferenceWhateverTheMachineDoesMeanwhile) {
 
 TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
     int frame = 0;
-    const auto saved = saved_in_turns(kOne, 20, [&](OptimisationSet forced) {
+    const auto saved = time_optimisations_alternating(kOne, 20, [&](OptimisationSet forced) {
         return 10 + 0.1 * (++frame % 7) - (forced.contains(kOptimisation) ? 4.0 : 0.0);
     });
     const Spread& ms = saved[0].ms;
@@ -38,7 +38,7 @@ TEST(Saved, MayBeNegativeAndItsIntervalHoldsTheMedian) {
 TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
     int plain = 0, forced = 0;
     double share = 0;
-    saved_in_turns(
+    time_optimisations_alternating(
         kOne, 7,
         [&](OptimisationSet f) {
             ++(f.empty() ? plain : forced);
@@ -55,24 +55,24 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
 
 TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
     SavedTimes times;
-    times.savings.push_back({kOptimisation, {.median = 2}});
+    times.optimisations.push_back({kOptimisation, {.median = 2}});
     PassTime pass;
     pass.name = "shadow map 0 (spot)";
     pass.gpu_ms.median = 7;
     times.frame.passes.push_back(pass);
     Effect effect{.name = "map", .state = EffectState::Cached, .pass = pass.name};
-    ASSERT_TRUE(times.of(effect));
-    EXPECT_EQ(times.of(effect)->median, 7);
+    ASSERT_TRUE(times.find(effect));
+    EXPECT_EQ(times.find(effect)->median, 7);
     effect.part = true;
-    EXPECT_FALSE(times.of(effect)) << "the pass's time is not this one's alone";
-    effect.saving = kOptimisation;
-    ASSERT_TRUE(times.of(effect));
-    EXPECT_EQ(times.of(effect)->median, 2);
+    EXPECT_FALSE(times.find(effect)) << "the pass's time is not this one's alone";
+    effect.optimisation = kOptimisation;
+    ASSERT_TRUE(times.find(effect));
+    EXPECT_EQ(times.find(effect)->median, 2);
     effect = {.name = "blur", .state = EffectState::NotNeeded, .pass = pass.name};
-    EXPECT_FALSE(times.of(effect)) << "nothing spares it";
-    EXPECT_EQ(named_optimisations(std::vector<Effect>{effect}).size(), 0u);
-    effect.saving = kOptimisation;
-    EXPECT_EQ(named_optimisations(std::vector<Effect>{effect, effect}).size(), 1u);
+    EXPECT_FALSE(times.find(effect)) << "nothing spares it";
+    EXPECT_EQ(optimisations_of(std::vector<Effect>{effect}).size(), 0u);
+    effect.optimisation = kOptimisation;
+    EXPECT_EQ(optimisations_of(std::vector<Effect>{effect, effect}).size(), 1u);
 }
 
 }  // namespace

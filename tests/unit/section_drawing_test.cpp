@@ -22,7 +22,7 @@ Section acne() {
     s.classified = true;
     s.cut = {.axis = 0, .first = 100, .count = 10, .reach_texels = 1.5};
     s.row = 7;
-    s.looked_up_texel = 104;
+    s.lookup_texel = 104;
     s.texel_m = 0.04;
     s.lit = false;
     s.visibility = 0.25;
@@ -55,7 +55,7 @@ Section acne() {
 Section peter_panning() {
     Section s = acne();
     s.lit = true;
-    s.true_lit = false;
+    s.reference_lit = false;
     s.visibility = 1;
     s.artefact = "peter-panning";
     s.verdict = "peter-panning: bias moves it past its occluder";
@@ -81,7 +81,7 @@ Section led_aside() {
     s.artefact = "peter-panning by normal offset";
     s.moved = {0.1, 0.06};
     s.normal_offset_m = std::hypot(0.1, 0.06);
-    s.looked_up_texel = 107;
+    s.lookup_texel = 107;
     s.compared = {0.1, 0.064};
     s.terms = {{"constant bias", {0.001, 0.1, 0.004}, s.moved, s.compared}};
     s.steps[4].lit = true;
@@ -92,7 +92,7 @@ Section led_aside() {
 Section light_bleeding() {
     Section s = acne();
     s.lit = true;
-    s.true_lit = false;
+    s.reference_lit = false;
     s.visibility = 0.66;
     s.artefact = "leak";
     for (Section::Step& step : s.steps) step.weight = 0;
@@ -375,7 +375,7 @@ TEST(SectionDrawing, TheBarOfTexelsIsAsWideAsTexels) {
 TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
     Section leaves = led_aside();
     leaves.normal_offset_m = 0.15;
-    leaves.surface_aside = 2.35;
+    leaves.surface_offset_texels = 2.35;
     leaves.surface_at = {0, -0.08};
     for (const Section& s : {led_aside(), leaves}) {
         const SectionDrawing d = draw_section(s, {});
@@ -384,7 +384,7 @@ TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
         ASSERT_NE(arrow, d.marks.end());
         const glm::dvec2 way = (arrow->points[1] - arrow->points[0]) / glm::dvec2(d.across, d.along);
         EXPECT_NEAR(glm::length(way), std::hypot(0.1, 0.06), 1e-9);
-        const bool in_cut = s.surface_aside == 0;
+        const bool in_cut = s.surface_offset_texels == 0;
         EXPECT_EQ(words_of(d, "normal offset 117 mm") != nullptr, in_cut);
         EXPECT_EQ(words_of(d, "offset 117 mm in the cut") != nullptr, !in_cut);
     }
@@ -392,7 +392,7 @@ TEST(SectionDrawing, TheArrowIsAsLongAsItsLabelSays) {
 
 TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
     Section s = led_aside();
-    s.row_aside = 0.49;
+    s.row_offset_texels = 0.49;
     const auto planes = [](const SectionDrawing& d) {
         std::vector<const Mark*> out;
         for (const Mark& m : d.marks)
@@ -403,7 +403,7 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
     EXPECT_EQ(planes(inside).size(), 1u);
     EXPECT_EQ(muted_words(draw_section(s, {})).find("surface itself"), std::string::npos);
 
-    s.surface_aside = -7.32;
+    s.surface_offset_texels = -7.32;
     s.surface_at = {0, -0.08};
     s.normal_offset_m = 0.15;
     const SectionDrawing beside = draw_section(s, {.captions = false});
@@ -423,7 +423,7 @@ TEST(SectionDrawing, WhatIsFarStandsBeyondABreak) {
     Section s = acne();
     s.occluder = glm::dvec2(0, 7.5);
     s.occluder_m = 7.5;
-    s.true_lit = false;
+    s.reference_lit = false;
     const SectionDrawing d = draw_section(s, {});
     EXPECT_TRUE(d.broken);
     EXPECT_TRUE(std::ranges::any_of(d.marks, [](const Mark& m) { return m.text == "occluder 7.5 m nearer"; }));

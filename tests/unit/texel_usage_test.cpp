@@ -123,7 +123,7 @@ TEST(TexelUsage, ReadersAreGivenRowByRow) {
     EXPECT_EQ(usage.readers({2, 3}), (std::vector<glm::ivec2>{{1, 0}, {2, 1}}));
     const FloatImage counts = usage.counts();
     EXPECT_EQ(counts.at(2, 8 - 1 - 3), 2);
-    EXPECT_EQ(usage.most_pixels(), 2u);
+    EXPECT_EQ(usage.max_pixels(), 2u);
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ BiasSearch searched(const MadeUpFrame& frame, const BiasSearch::Options& options
     BiasSearch search(Settings{}, options);
     double progress = 0;
     for (int i = 0; i < 200 && !search.done(); ++i) {
-        search.report(frame.shown(search.next().bias));
+        search.add_trial(frame.shown(search.next_settings().bias));
         EXPECT_GE(search.progress(), progress);
         progress = search.progress();
     }
@@ -78,8 +78,8 @@ TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
         ASSERT_EQ(search.found().size(), kBiasFamilies);
         EXPECT_LT(search.trials(), 60);
         for (const BiasFound& f : search.found()) {
-            EXPECT_EQ(frame.shown(f.bias).acne(), 0u) << family_word(f.family);
-            EXPECT_GT(frame.shown(scaled(f.bias, 0.97)).acne(), 0u) << family_word(f.family) << ": not the least";
+            EXPECT_EQ(frame.shown(f.bias).acne(), 0u) << family_label(f.family);
+            EXPECT_GT(frame.shown(scale_bias(f.bias, 0.97)).acne(), 0u) << family_label(f.family) << ": not the least";
             EXPECT_EQ(f.trial.acne(), 0u);
         }
         if (harder > 1) continue;
@@ -127,20 +127,20 @@ struct MadeUpWorld {
 
     Tuner run(const TuneGoals& goals) {
         Tuner tuner(Settings{}, goals);
-        for (int i = 0; i < 1000 && tuner.ask() != Tuner::Ask::Nothing; ++i) {
+        for (int i = 0; i < 1000 && tuner.action() != Tuner::Action::None; ++i) {
             const Settings s = tuner.settings();
-            if (tuner.ask() == Tuner::Ask::Time) {
+            if (tuner.action() == Tuner::Action::Time) {
                 timed.push_back(s);
-                tuner.timed(ms(s));
+                tuner.add_time(ms(s));
                 continue;
             }
             ++classified;
             const MadeUpFrame frame{.kappa = reach_of(s).bias};
             BiasTrial t = frame.shown(s.bias);
             t.error.mae = error(s);
-            tuner.classified(t);
+            tuner.add_trial(t);
         }
-        EXPECT_EQ(tuner.ask(), Tuner::Ask::Nothing);
+        EXPECT_EQ(tuner.action(), Tuner::Action::None);
         EXPECT_EQ(tuner.progress(), 1);
         return tuner;
     }
@@ -148,13 +148,13 @@ struct MadeUpWorld {
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
         for (const std::string_view kernel : swept_kernels())
-            for (int n = 256; n <= goals.most_resolution; n *= 2) {
+            for (int n = 256; n <= goals.max_resolution; n *= 2) {
                 Settings s;
                 set_setting(s, "filter.kernel", kernel);
                 s.map.resolution = n;
-                if (goals.most_error && error(s) > *goals.most_error) continue;
-                if (goals.most_ms && ms(s) > *goals.most_ms) continue;
-                const auto cost = [&](const Settings& t) { return goals.most_error ? ms(t) : error(t); };
+                if (goals.max_error && error(s) > *goals.max_error) continue;
+                if (goals.max_ms && ms(s) > *goals.max_ms) continue;
+                const auto cost = [&](const Settings& t) { return goals.max_error ? ms(t) : error(t); };
                 if (!best || cost(s) < cost(*best)) best = s;
             }
         return best;
@@ -173,9 +173,8 @@ TEST(Tuner, WithoutLimitsChangesTheBiasOnly) {
 }
 
 TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
-    for (const TuneGoals& goals :
-         {TuneGoals{.most_error = 0.001}, TuneGoals{.most_error = 0.003}, TuneGoals{.most_ms = 3},
-          TuneGoals{.most_ms = 1.2}, TuneGoals{.most_error = 0.002, .most_ms = 3}}) {
+    for (const TuneGoals& goals : {TuneGoals{.max_error = 0.001}, TuneGoals{.max_error = 0.003}, TuneGoals{.max_ms = 3},
+                                   TuneGoals{.max_ms = 1.2}, TuneGoals{.max_error = 0.002, .max_ms = 3}}) {
         MadeUpWorld world;
         const Tuner tuner = world.run(goals);
         ASSERT_TRUE(tuner.result());
@@ -185,23 +184,23 @@ TEST(Tuner, FindsTheCheapestWithinTheErrorAndTheMostAccurateWithinTheTime) {
         ASSERT_TRUE(tuner.best());
         EXPECT_EQ(tuner.best()->trial->acne(), 0u);
         for (const Settings& timed : world.timed) {
-            if (!goals.most_ms || timed.map.resolution == 256) continue;
+            if (!goals.max_ms || timed.map.resolution == 256) continue;
             Settings coarser;
             coarser.filter = timed.filter;
             coarser.map.resolution = timed.map.resolution / 2;
-            EXPECT_LE(MadeUpWorld::ms(coarser), *goals.most_ms) << "finer maps than one that is too slow are not tried";
+            EXPECT_LE(MadeUpWorld::ms(coarser), *goals.max_ms) << "finer maps than one that is too slow are not tried";
         }
     }
 }
 
 TEST(Tuner, SaysWhatCameNearestWhenNothingIsWithinTheLimits) {
     MadeUpWorld world;
-    const Tuner impossible = world.run({.most_error = 1e-7});
+    const Tuner impossible = world.run({.max_error = 1e-7});
     EXPECT_FALSE(impossible.result());
     EXPECT_NE(impossible.summary().find("no kernel and resolution is within the limits: the least mae was"),
               std::string::npos)
         << impossible.summary();
-    const Tuner too_fast = world.run({.most_ms = 0.01});
+    const Tuner too_fast = world.run({.max_ms = 0.01});
     EXPECT_FALSE(too_fast.result());
     EXPECT_NE(too_fast.summary().find("no kernel"), std::string::npos);
 }

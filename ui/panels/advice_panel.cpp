@@ -66,14 +66,14 @@ void draw_advice_controls(AdvicePanel& panel, bool ready, const AdvicePanelFacts
     ImGui::EndDisabled();
     ImGui::Spacing();
     bound("Error at most", "Mean error (of visibility, 0 to 1): the cheapest effects that keep it.", panel.bound_error,
-          panel.most_error, 1e-6, "%.5f");
+          panel.max_error, 1e-6, "%.5f");
     bound("Time at most, ms", "Of a frame, ms: without a bound on the error the most accurate effects that keep it.",
-          panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+          panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     ImGui::BeginDisabled(!ready || !(panel.bound_error || panel.bound_ms));
     if (ImGui::Button("Autopilot")) {
         requests.find_advice = AdviceRequest{.cost = panel.cost};
-        if (panel.bound_error) requests.find_advice->most_error = panel.most_error;
-        if (panel.bound_ms) requests.find_advice->most_ms = panel.most_ms;
+        if (panel.bound_error) requests.find_advice->max_error = panel.max_error;
+        if (panel.bound_ms) requests.find_advice->max_ms = panel.max_ms;
     }
     ImGui::EndDisabled();
     wrapped_tooltip(
@@ -91,7 +91,7 @@ void findings_list(Settings& settings, const AdviceReport& report, bool current)
     int id = 0;
     for (const Finding& f : report.findings) {
         ImGui::PushID(id++);
-        coloured_text(fmt::format("{}: {}", severity_word(f.severity), f.text), kColours[std::size_t(f.severity)]);
+        coloured_text(fmt::format("{}: {}", severity_key(f.severity), f.text), kColours[std::size_t(f.severity)]);
         if (!f.fix.empty()) {
             if (!f.settings.empty()) {
                 apply_button(settings, f.settings, current);
@@ -144,7 +144,8 @@ void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool 
 
 void show_report(Settings& settings, const AdviceReport& r, bool current) {
     ImGui::TextDisabled("Now %s %.4g, %s ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
-                        digits_text(r.time.total_ms.median).c_str(), std::string(row_of(r.options.cost).when).c_str());
+                        digits_text(r.time.total_ms.median).c_str(),
+                        std::string(cost_row(r.options.cost).when).c_str());
     if (!current) ImGui::TextDisabled("of other settings: run again");
     if (r.holds.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
     advice_list(settings, r.holds, current, "advice");
@@ -155,9 +156,9 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
 }
 
 void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
-    coloured_text(r.summary, r.held ? theme::text() : theme::warning());
+    coloured_text(r.summary, r.goals_met ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: run again");
-    if (r.held) apply_button(settings, changes, current);
+    if (r.goals_met) apply_button(settings, changes, current);
     for (const DroppedEffect& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
                                             d.key, d.now, d.before, time_text(d.ms), d.error)

@@ -20,15 +20,15 @@ struct AdvicePanel {
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     bool bound_error = true;
     bool bound_ms = false;
-    double most_error = 0.01;  ///< largest mean error of visibility
-    double most_ms = 10;       ///< longest time of a frame
+    double max_error = 0.01;  ///< largest mean error of visibility
+    double max_ms = 10;       ///< longest time of a frame
 };
 
 /// Request for a search: advice without bounds, the autopilot with one.
 struct AdviceRequest {
     CostCase cost = kDefaultCost;
-    std::optional<double> most_error;  ///< largest mean error of visibility
-    std::optional<double> most_ms;     ///< longest time of a frame
+    std::optional<double> max_error;  ///< largest mean error of visibility
+    std::optional<double> max_ms;     ///< longest time of a frame
 };
 
 /// Facts of the panel.

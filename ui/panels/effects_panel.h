@@ -31,9 +31,9 @@ struct EffectsFacts {
 
 /// Requests of the panel.
 struct EffectsRequests {
-    bool want_effects = false;   ///< the panel is shown
-    bool measure_saved = false;  ///< measure the time that each optimisation saves
-    bool cancel_saved = false;   ///< cancel that measurement
+    bool want_effects = false;         ///< the panel is shown
+    bool measure_saved_times = false;  ///< measure the time that each optimisation saves
+    bool cancel_saved = false;         ///< cancel that measurement
 };
 
 /// Draws the panel Effects: a row an effect with its state, reason and cost, then the frame's sum.

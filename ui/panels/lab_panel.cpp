@@ -191,8 +191,8 @@ void shimmer_part(LabPanel& panel, bool ready, const LabFacts& facts, LabRequest
         ImGui::TextUnformatted(std::string(s.label).c_str());
         ImGui::PopStyleColor();
         right_cell(fmt::format("{:.2f}", s.shimmer.flips_a_step), colour);
-        right_cell(fmt::format("{}", s.shimmer.most_flips), colour);
-        right_cell(fmt::format("{}", s.shimmer.restless), colour);
+        right_cell(fmt::format("{}", s.shimmer.max_flips), colour);
+        right_cell(fmt::format("{}", s.shimmer.flipping_pixels), colour);
         right_cell(fmt::format("{:.2g}", s.shimmer.change), colour);
     }
     ImGui::EndTable();

@@ -190,7 +190,7 @@ void reference_column(const PixelDiagnosis& d) {
     if (begin_amounts("window")) {
         amount_row("needed", d.least, "The window of biases that are right begins here");
         amount_row("have", d.has, "Equivalent depth bias of all bias, against acne");
-        amount_row("shift towards the light", d.lifted, "Shift of the compared depth towards the light by bias");
+        amount_row("shift towards the light", d.shift, "Shift of the compared depth towards the light by bias");
         amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
@@ -203,7 +203,7 @@ void reference_column(const PixelDiagnosis& d) {
 /// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
     const std::string brief = "Fix: " + fix_text(fix, settings);
-    const std::string whole = brief + fix_worth_text(fix);
+    const std::string whole = brief + equivalent_bias_text(fix);
     return button_width(whole.c_str()) <= ImGui::GetContentRegionAvail().x ? whole : brief;
 }
 
@@ -221,7 +221,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
         for (const auto& [key, value] : d->fix->settings) set_setting(settings, key, value);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip("Puts this pixel right: %s%s.\nKey %s; %s takes it back", fix_text(*d->fix, settings).c_str(),
-                          fix_worth_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
+                          equivalent_bias_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
 /// Blocks beside each other as far as they fit.

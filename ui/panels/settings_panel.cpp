@@ -188,7 +188,7 @@ void draw_group(EditorState& state, const EditorFrame& frame, EditorRequests& re
     if (table) ImGui::EndTable();
     if (group.prefix == "bias" && !filtered) {
         const std::string why_not = frame.result && frame.scene
-                                        ? why_nothing_to_tune(frame.result->lights, state.settings.view.light)
+                                        ? reason_not_tunable(frame.result->lights, state.settings.view.light)
                                         : "there is no picture yet";
         draw_tune_controls(state.tune, state.settings, frame, why_not, requests);
     }

@@ -16,9 +16,9 @@ struct TunePanel {
     bool bound_error = true;
     bool bound_ms = false;
     bool area = false;             ///< compares with an area light instead of a point
-    double most_error = 0.01;      ///< largest mean error of visibility
-    double most_ms = 10;           ///< longest time of a frame
-    CostCase cost = kDefaultCost;  ///< kind of frames that most_ms bounds
+    double max_error = 0.01;       ///< largest mean error of visibility
+    double max_ms = 10;            ///< longest time of a frame
+    CostCase cost = kDefaultCost;  ///< kind of frames that max_ms bounds
 };
 
 /// Progress of a background search or measurement.
@@ -29,9 +29,9 @@ struct SearchProgress {
 
 /// Request for a search. Without limits it finds the smallest bias without acne.
 struct TuneRequest {
-    std::optional<double> most_error, most_ms;  ///< limits; with one, kernel and resolution are searched, too
-    bool area = false;                          ///< compares with an area light instead of a point
-    CostCase cost = kDefaultCost;               ///< kind of frames that most_ms bounds
+    std::optional<double> max_error, max_ms;  ///< limits; with one, kernel and resolution are searched, too
+    bool area = false;                        ///< compares with an area light instead of a point
+    CostCase cost = kDefaultCost;             ///< kind of frames that max_ms bounds
 };
 
 /// Result of a search for one kind of bias (constant, slope, normal offset).

@@ -30,11 +30,11 @@ void limits_popup(TunePanel& panel, TuneRequests& requests) {
     if (!ImGui::BeginPopup("tune limits")) return;
     ImGui::TextUnformatted("Search kernels and resolutions, each with the bias it needs");
     limit("Error at most", "Mean error over the pixels that count. The cheapest that is this accurate is chosen.",
-          panel.bound_error, panel.most_error, 1e-6, "%.5f");
+          panel.bound_error, panel.max_error, 1e-6, "%.5f");
     limit("Time at most, ms",
           "Of a frame of this picture's size. Without a bound on the error the most accurate that is\n"
           "this fast is chosen.",
-          panel.bound_ms, panel.most_ms, 1e-3, "%.3g");
+          panel.bound_ms, panel.max_ms, 1e-3, "%.3g");
     choose_cost("Time", panel.cost);
     ImGui::Checkbox("Area light (soft shadows)", &panel.area);
     if (ImGui::IsItemHovered())
@@ -45,8 +45,8 @@ void limits_popup(TunePanel& panel, TuneRequests& requests) {
     ImGui::BeginDisabled(!any);
     if (ImGui::Button("Search")) {
         requests.tune = TuneRequest{.area = panel.area, .cost = panel.cost};
-        if (panel.bound_error) requests.tune->most_error = panel.most_error;
-        if (panel.bound_ms) requests.tune->most_ms = panel.most_ms;
+        if (panel.bound_error) requests.tune->max_error = panel.max_error;
+        if (panel.bound_ms) requests.tune->max_ms = panel.max_ms;
         ImGui::CloseCurrentPopup();
     }
     ImGui::EndDisabled();

@@ -1,4 +1,4 @@
-#include "app/report/against.h"
+#include "app/report/picture_comparison.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,8 @@ Json fixes_json(const FixTable& table) {
                 row["cured_of"][std::string(style.key)] = fix.cured_of[std::size_t(style.artefact)];
         if (fix.pixel_right) row["pixel_right"] = *fix.pixel_right;
         row["ms"] =
-            fix.ms ? Json{{"difference", fix.ms->value}, {"noise", fix.ms->noise}, {"told", fix.ms->told()}} : Json();
+            fix.ms ? Json{{"difference", fix.ms->value}, {"noise", fix.ms->noise}, {"told", fix.ms->is_significant()}}
+                   : Json();
         row["map_bytes"] = fix.map_bytes;
         rows.push_back(std::move(row));
     }
