@@ -93,17 +93,17 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
     for (std::size_t i = 0; i < effects.size(); ++i) {
         const Effect& effect = effects[i];
         const Spread* ms = time_of_pass(effect, saved);
-        fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", effect_state_key(effect.state),
+        fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", effect_state_label(effect.state),
                    ms ? fmt::format("{:.2f}", ms->median) : "–", saved_texts[i], saved_wide,
                    fmt::format("{}{}", effect.part ? "  " : "", effect.name), wide, effect.reason);
     }
 }
 
 void print_waste(const Waste& waste) {
-    fmt::print("\nleft out in turn; what changes no byte of the picture is waste:\n");
+    fmt::print("\neach left out in turn; work that changes no byte of the picture is waste:\n");
     for (const WasteTrial& t : waste.tried) {
         const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
-        // Of what is not drawn it is what a kernel would read.
+        // An undrawn map's share is that of the texels that a kernel would read, so it is not printed.
         const std::string read =
             t.read < 0 || undrawn ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
         fmt::print("  {:<9} {:>10} triangles  {}{}\n",

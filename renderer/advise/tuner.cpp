@@ -20,7 +20,7 @@ namespace {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
     std::string text = fmt::format(
-        "gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
+        "gap at casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
         "{})",
         metres_text(after.needs.gap_median_m), metres_text(after.needs.gap_p95_m),
         metres_text(before.needs.gap_median_m), metres_text(before.needs.gap_p95_m), after.lost(), before.lost(),
@@ -46,14 +46,14 @@ void Tuner::open_candidate() {
         return;
     }
     Settings s = start_;
-    // What the start needed, for this kernel's reach: where the search of its own begins.
+    // The search begins with the bias of the start, scaled to this kernel's reach.
     const BiasFound& known = *first_.best();
     set_setting(s, "filter.kernel", swept_kernels()[kernel_]);
     s.bias = scale_bias(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
     candidates_.push_back({.kernel = swept_kernels()[kernel_], .settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});
-    action_ = goals_.max_ms ? Action::Time : Action::Classify;  // a look at the clock is cheaper than the truth
+    action_ = goals_.max_ms ? Action::Time : Action::Classify;  // timing is cheaper than tracing
 }
 
 void Tuner::close_candidate(bool try_finer) {
@@ -75,7 +75,7 @@ void Tuner::finish_measured_run() {
         c.trial = found->trial;
     } else {
         c.trial = search_->before();
-        c.clear = true;  // nothing is lit
+        c.clear = true;  // no pixel is lit
     }
     c.error = distance_from_best(goals_.error->better, goals_.error->value(c.trial->error));
     const bool accurate = c.clear && (!goals_.max_error || c.error <= *goals_.max_error);
@@ -84,7 +84,7 @@ void Tuner::finish_measured_run() {
         return;
     }
     c.meets = accurate && c.ms && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
-    // Finer maps cost more: once the error is small enough they are of no use.
+    // Finer maps cost more and are not needed once the error is small enough.
     close_candidate(!(goals_.max_error && c.meets));
 }
 
@@ -109,7 +109,7 @@ void Tuner::add_time(double ms) {
     if (c.trial) {
         finish_measured_run();
     } else if (goals_.max_ms && ms > *goals_.max_ms) {
-        close_candidate(false);  // and finer maps cost more
+        close_candidate(false);  // finer maps cost more
     } else {
         action_ = Action::Classify;
     }

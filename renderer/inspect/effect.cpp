@@ -8,6 +8,10 @@ std::string_view effect_state_key(EffectState state) {
     return state == EffectState::Drawn ? "simulated" : state == EffectState::Cached ? "reused" : "not called for";
 }
 
+std::string_view effect_state_label(EffectState state) {
+    return state == EffectState::Drawn ? "drawn" : state == EffectState::Cached ? "cached" : "not needed";
+}
+
 std::string as_sentence(std::string_view text) {
     if (text.empty()) return {};
     std::string out(text);

@@ -17,17 +17,17 @@
 namespace si {
 namespace {
 
-/// A kind of effect: what passes it is, what calls for it, what else those passes do.
+/// Row of the table of effects: the passes of one kind of effect, and the reasons for their states.
 struct EffectRow {
-    std::string_view pass;  ///< how the names of its passes begin
-    std::string_view name;  ///< of the effect; empty: as the pass is called
-    /// What calls for it where it is simulated, a clause.
+    std::string_view pass;  ///< start of the passes' names
+    std::string_view name;  ///< name of the effect; empty: the pass's name
+    /// Returns the reason why the effect is needed, a clause.
     std::string (*why)(const EffectFacts&, const PassInfo&);
-    /// What it consists of besides the parts that the pass reports.
+    /// Appends parts of the effect besides those that the pass reports.
     void (*parts)(const EffectFacts&, const PassInfo&, Effects&) = nullptr;
-    /// Why no frame has such a pass; empty: one without it says nothing.
+    /// Returns the reason why a frame has no such pass. Null: a missing pass is not listed.
     std::string (*reason_absent)(const EffectFacts&) = nullptr;
-    /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
+    /// Returns the reason why a pass was skipped, in place of the pass's own; empty: the pass's own.
     std::string (*skip_reason)(const EffectFacts&) = nullptr;
 };
 
@@ -39,7 +39,7 @@ std::string why_map(const EffectFacts& f, const PassInfo& pass) {
 }
 
 std::string masks_text(const EffectFacts& f) {
-    if (f.masked_casters == 0) return "no caster is masked: what is drawn into maps is drawn without its alpha";
+    if (f.masked_casters == 0) return "no caster is masked: maps are drawn without alpha";
     return fmt::format("{} of {} casters {} masked: each of their fragments looks up the mask", f.masked_casters,
                        f.casters, f.masked_casters == 1 ? "is" : "are");
 }
@@ -49,9 +49,9 @@ void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
     const FittedLight& light = f.frame.lights[number];
     for (std::size_t v = 0; pass.parts.empty() && light.views.size() > 1 && v < light.views.size(); ++v)
-        out.push_back(part_of(
-            pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number), true,
-            fmt::format("it is one of {} maps of the light, which are drawn together", light.views.size())));
+        out.push_back(
+            part_of(pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number),
+                    true, fmt::format("one of {} maps of the light, which are drawn together", light.views.size())));
     out.push_back(
         part_of(pass, fmt::format("alpha test in maps of light {}", number), f.masked_casters > 0, masks_text(f)));
 }
@@ -115,7 +115,7 @@ bool skips(const EffectFacts& f, std::string_view name) {
 }
 
 std::string reference_unrequested(const EffectFacts& f) {
-    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing that is asked for needs the truth" : "";
+    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing in the frame needs the reference" : "";
 }
 
 std::string viewer_unasked(const EffectFacts& f) {
@@ -132,11 +132,11 @@ std::string causes_unasked(const EffectFacts& f) {
 #define SI_WHY(text) [](const EffectFacts&, const PassInfo&) { return std::string(text); }
 #define SI_ABSENT(text) [](const EffectFacts&) { return std::string(text); }
 
-/// The first row that a pass's name begins like counts.
+/// Table of effects; the first row that matches the start of a pass's name counts.
 const EffectRow kRows[] = {
     {.pass = "depths seen",
      .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
-     .reason_absent = SI_ABSENT("no map goes by the depths that the camera sees (light.depth_bounds)")},
+     .reason_absent = SI_ABSENT("no map is fitted to the depths that the camera sees (light.depth_bounds)")},
     {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
     {.pass = "pages of shadow maps",
      .why = why_pages,
@@ -152,8 +152,8 @@ const EffectRow kRows[] = {
      .why = [](const EffectFacts& f,
                const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
     {.pass = "moments", .why = why_moments, .parts = moment_parts},
-    {.pass = "camera depth", .why = SI_WHY("something reads the depth that the camera sees")},
-    {.pass = "surface ids", .why = SI_WHY("somebody asks which triangle each pixel shows")},
+    {.pass = "camera depth", .why = SI_WHY("a pass reads the depth buffer of the camera")},
+    {.pass = "surface ids", .why = SI_WHY("a request needs the triangle of each pixel")},
     {.pass = "shadow volumes",
      .why =
          [](const EffectFacts& f, const PassInfo& pass) {
@@ -161,7 +161,7 @@ const EffectRow kRows[] = {
              return fmt::format("{} is {}", light_setting_key(light, "source"), source_of(f.settings, int(light)).key);
          },
      .reason_absent = SI_ABSENT("no light's source is shadow volumes")},
-    {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated again apart from the picture")},
+    {.pass = "surfaces seen", .why = SI_WHY("pixels are evaluated outside the picture, too")},
     {.pass = "blobs",
      .why = SI_WHY("light.source of a light is blob"),
      .reason_absent = SI_ABSENT("no light's source is blob")},
@@ -170,40 +170,40 @@ const EffectRow kRows[] = {
      .reason_absent = SI_ABSENT("no light's source is a light map that is baked")},
     {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
     {.pass = "unfiltered map",
-     .why = SI_WHY("somebody asks what is wrong, and polygon offset or masks with mip levels change the map"),
+     .why = SI_WHY("wrong pixels are requested, and polygon offset or masks with mip levels change the map"),
      .skip_reason = causes_unasked},
     {.pass = "truth uploaded",
-     .name = "truth on the GPU",
-     .why = SI_WHY("something shown needs the traced truth"),
+     .name = "reference on the GPU",
+     .why = SI_WHY("the picture shows or uses the ray-traced reference"),
      .skip_reason = reference_unrequested},
-    {.pass = "pixels compared",
-     .why = SI_WHY("somebody asks which pixels are wrong"),
+    {.pass = "pixels compared", .why = SI_WHY("wrong pixels are requested"), .skip_reason = reference_unrequested},
+    {.pass = "causes found",
+     .why = SI_WHY("causes of wrong pixels are requested"),
      .skip_reason = reference_unrequested},
-    {.pass = "causes found", .why = SI_WHY("somebody asks why pixels are wrong"), .skip_reason = reference_unrequested},
     {.pass = "errors summed up",
      .name = "metrics",
-     .why = SI_WHY("somebody asks for the picture's errors"),
+     .why = SI_WHY("error metrics of the picture are requested"),
      .skip_reason = reference_unrequested},
-    {.pass = "trials of every pixel", .why = SI_WHY("somebody asks for all trials")},
+    {.pass = "trials of every pixel", .why = SI_WHY("the trials of all pixels are requested")},
     {.pass = "shading by the truth",
-     .why = SI_WHY("the picture is compared with the one lit by the truth"),
+     .why = SI_WHY("the picture is compared with one lit by the reference"),
      .skip_reason = reference_unrequested},
-    {.pass = "shading", .why = SI_WHY("the picture was asked for"), .parts = shading_parts},
-    {.pass = "smoothing", .why = SI_WHY("the view rests, and view.smooth is on")},
+    {.pass = "shading", .why = SI_WHY("the picture is requested"), .parts = shading_parts},
+    {.pass = "smoothing", .why = SI_WHY("the view is static, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
     {.pass = "overlay over picture", .why = SI_WHY("an overlay is shown over the picture")},
     {.pass = "texel slabs",
      .name = "stored-depth quads",
      .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
-    {.pass = "map coordinates", .why = SI_WHY("somebody asks which texels pixels read")},
-    {.pass = "texels read", .why = SI_WHY("somebody asks which texels are read, exactly")},
+    {.pass = "map coordinates", .why = SI_WHY("the texels that pixels read are requested")},
+    {.pass = "texels read", .why = SI_WHY("exact numbers of read texels are requested")},
     {.pass = "map channel",
-     .why = SI_WHY("view.map_channel shows a moment in place of depth"),
+     .why = SI_WHY("view.map_channel shows a moment instead of depth"),
      .skip_reason = viewer_unasked},
     {.pass = "drawn depth range",
-     .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
+     .why = SI_WHY("view.map_fit fits the greys of the map viewer to the drawn depths"),
      .skip_reason = viewer_unasked},
-    {.pass = "numeric health", .why = SI_WHY("somebody asks whether all numbers are sound")},
+    {.pass = "numeric health", .why = SI_WHY("a search for unsound numbers is requested")},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
 
@@ -225,7 +225,7 @@ std::string part_reason(const PartInfo& part) {
                        part.left_out == 1 ? "is" : "are");
 }
 
-/// With the pane that the pass is of, where its name ends with one: "stored-depth quads (n-dot-l)".
+/// Returns the name of a pass's effect, with the pane if the pass belongs to one: "stored-depth quads (n-dot-l)".
 std::string effect_name(const EffectRow* row, const PassInfo& pass) {
     if (!row || row->name.empty()) return pass.name;
     const std::string end = pass.name.substr(row->pass.size());
@@ -257,17 +257,17 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (row && row->parts) row->parts(f, pass, out);
 }
 
-/// Keeping what rests apart is told of by the maps' passes once something has moved.
+/// Adds the effect of cached static casters where no pass reports one, since nothing has moved yet.
 void add_static(const EffectFacts& f, int animation, Effects& out) {
     for (const PassInfo& pass : f.frame.passes)
         for (const PartInfo& part : pass.parts)
             if (part.by == Optimisation::Static) return;
     const auto has_map = [](const FittedLight& light) { return light.casts; };
-    std::string_view why = "nothing has moved since the frame before: maps are kept as they are, or drawn whole";
+    std::string_view why = "nothing has moved since the frame before: maps are cached, or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
-        why = "nothing moves here: maps are kept as they are, or drawn whole";
+        why = "nothing moves in the scene: maps are cached, or drawn whole";
     out.push_back({.name = "casters at rest", .reason = as_sentence(why), .optimisation = Optimisation::Static});
 }
 
@@ -287,7 +287,7 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
     if (!scene.rig || scene.rig->animations.empty()) {
         effect.reason = "Nothing moves: the scene has no animation.";
     } else if (settings.animation < 0) {
-        effect.reason = "scene.animation is -1: the scene stands as it rests.";
+        effect.reason = "scene.animation is -1: the scene is in its rest pose.";
     } else {
         const auto skins =
             std::count_if(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.deformer; });

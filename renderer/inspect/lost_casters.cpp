@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The light in an object's own space: a place (w = 1) or a direction towards it (w = 0).
+/// Converts a light to an object's own space: a position (w = 1) or a direction towards the light (w = 0).
 bool light_in_object_space(const FittedLight& light, const glm::dmat4& world, glm::dvec4& out) {
     // Relative to the object's origin, so that a distant scene loses no digits.
     const glm::dvec3 origin(world[3]);
@@ -22,8 +22,8 @@ bool light_in_object_space(const FittedLight& light, const glm::dmat4& world, gl
     return std::isfinite(glm::dot(local, local));
 }
 
-/// Whether every triangle of the mesh is culled. The winding in the object's own space decides: under a mirroring both
-/// the winding and the rasteriser's idea of a front face turn round.
+/// Returns true when every triangle of a mesh is culled. The winding in the object's own space decides: a mirroring
+/// reverses both the winding and the rasteriser's front face.
 bool all_culled(const Mesh& mesh, const glm::dvec4& light, Cull cull) {
     const glm::dvec3 place(light);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {

@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// Linear interpolation between the two nearest ranks.
+/// Returns a quantile by linear interpolation between the two nearest ranks.
 double quantile(const std::vector<double>& sorted, double q) {
     const double at = q * double(sorted.size() - 1);
     const auto below = std::size_t(at);

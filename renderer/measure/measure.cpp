@@ -43,7 +43,7 @@ FrameResult TimedFrames::draw_next() {
 
 void TimedFrames::warm_up() {
     draw_next();
-    // The first draws all anew; what is kept from frame to frame shows in the next.
+    // The first frame draws everything; the next one shows cached results.
     if (frames_.size() > 1) draw_next();
 }
 

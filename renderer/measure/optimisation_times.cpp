@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// spread_of() of numbers of either sign, which it takes for times.
+/// Computes the distribution of differences of either sign, as spread_of() expects positive times.
 Spread spread_of_differences(std::vector<double> values) {
     if (values.empty()) return {};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -49,7 +49,7 @@ std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisati
     std::vector<std::vector<double>> differences(optimisations.size());
     for (int round = 0; round < rounds; ++round)
         for (std::size_t i = 0; i < optimisations.size(); ++i) {
-            // Whichever comes first finds caches as the one before left them: each is first every other time.
+            // The first frame of a pair finds the caches of the frame before, so each kind is first every other time.
             double with = 0, without = 0;
             if (round % 2 == 0) with = draw_ms({});
             without = draw_ms({optimisations[i]});
@@ -85,7 +85,7 @@ FrameResult CachedFrames::draw(OptimisationSet forced) {
 
 void CachedFrames::advance_time() {
     if (!advances_time_) return;
-    constexpr double kStep_s = 1.0 / 30;  // as an animation that is played
+    constexpr double kStep_s = 1.0 / 30;  // frame time of a playing animation
     SceneSettings& at = steps_.front().scene;
     at.time = std::fmod(at.time + kStep_s, scene_.rig->animations[std::size_t(at.animation)].duration_s);
     pose(scene_, at.animation, at.time);
@@ -135,7 +135,7 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
             return total_ms(frames.draw(forced));
         };
         const Optimisation one[] = {kept[i]};
-        time_optimisations_alternating(one, 4, draw_moment);  // until what is kept is there
+        time_optimisations_alternating(one, 4, draw_moment);  // fills the caches
         saved.optimisations.push_back(time_optimisations_alternating(one, rounds, draw_moment, [&](double share) {
                                           report_part(double(again.size() + i), 1, share);
                                       }).front());

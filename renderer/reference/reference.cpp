@@ -228,7 +228,7 @@ private:
         return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
-    /// Finds Truth::nearest_m and blocker_m of a pixel on its shadow ray.
+    /// Finds Reference::nearest_m and blocker_m of a pixel on its shadow ray.
     void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
@@ -355,8 +355,7 @@ std::string noise_text(const Reference& reference) {
         used.least == used.most
             ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
             : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
-    if (std::isnan(reference.noise))
-        return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
+    if (std::isnan(reference.noise)) return fmt::format("noise unknown, {}: it needs truth.samples=4 or more", samples);
     std::string text = fmt::format("noise {:.4f}, {}", reference.noise, samples);
     if (reference.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", reference.noise_unknown);
     return text;

@@ -153,7 +153,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
         ASSERT_TRUE(effect_named(list, name)) << name;
         EXPECT_NE(effect_named(list, name)->reason.find(what), std::string::npos) << effect_named(list, name)->reason;
     };
-    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "asked for");
+    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "needs the reference");
     says(all, "drawn depth range", "closed");
     says(all, "unfiltered map", "Not needed: causes are not shown");
     FrameRequest request = small();
@@ -244,11 +244,11 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
     EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Drawn);
-    EXPECT_NE(reason_of(rays, "blocker search").find("follows rays"), std::string::npos);
+    EXPECT_NE(reason_of(rays, "blocker search").find("marches rays"), std::string::npos);
     EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
     const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
     const std::vector<Effect> spared = effects(scene, no_size);
-    EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
+    EXPECT_NE(reason_of(spared, "blocker search").find("none is marched where no occluder"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
     EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->optimisation, Optimisation::Blockers);
     FrameRequest request = small();

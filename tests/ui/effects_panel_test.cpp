@@ -36,7 +36,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
     std::string text = letters(ui);
-    for (const char* part : {"simulated", "notcalledfor", "reused", "shadowmap0", "Itcasts.", "light.7.castisoff."})
+    for (const char* part : {"drawn", "notneeded", "cached", "shadowmap0", "Itcasts.", "light.7.castisoff."})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
     SavedTimes saved;
@@ -112,7 +112,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows(longest)) << width;
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7")) << width;
-        EXPECT_TRUE(ui.drawn().shows("not called for")) << width;
+        EXPECT_TRUE(ui.drawn().shows("not needed")) << width;
         EXPECT_TRUE(ui.drawn().shows("Saved ms") && ui.drawn().shows("Force") && ui.drawn().shows("Time ms")) << width;
     }
 }

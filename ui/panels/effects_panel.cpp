@@ -54,7 +54,7 @@ Room room_of(float ems) {
 /// By shape and word, so that nobody has to tell colours apart.
 void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
-    const std::string shape = kShapes[std::size_t(state)], word(effect_state_key(state));
+    const std::string shape = kShapes[std::size_t(state)], word(effect_state_label(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
     ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
