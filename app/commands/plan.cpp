@@ -83,7 +83,7 @@ Json plan_json(const Session& session, const PlanOptions& options, const Planned
                  {"scene", session.scene_name},       {"width", options.size.width},
                  {"height", options.size.height},     {"measured", saved != nullptr}};
     json["effects"] = effects_json(plan.effects, saved);
-    json["savings"] = savings_json(saved);
+    json["savings"] = optimisations_json(saved);
     json["frame_ms"] = saved ? Json(saved->frame.total_ms.median) : Json();
     json["rounds"] = saved ? Json(saved->rounds) : Json();
     json["clock"] = saved ? Json(saved->frame.clock) : Json();

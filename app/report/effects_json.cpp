@@ -32,9 +32,9 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     Json rows = Json::array();
     for (const Effect& effect : effects) {
         Json row = {{"name", effect.name}, {"state", effect_state_key(effect.state)}, {"reason", effect.reason}};
-        const Spread* spared = saved ? saved->find(effect) : nullptr;
-        put_saved(row, spared);
-        row["saved_together"] = spared ? Json(sharing_optimisation_count(effects, effect)) : Json();
+        const Spread* saved_ms = saved ? saved->find(effect) : nullptr;
+        put_saved(row, saved_ms);
+        row["saved_together"] = saved_ms ? Json(sharing_optimisation_count(effects, effect)) : Json();
         row["saving"] = effect.optimisation ? Json(row_of(*effect.optimisation).key) : Json();
         row["pass"] = effect.pass.empty() ? Json() : Json(effect.pass);
         row["part"] = effect.part;
@@ -45,7 +45,7 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     return rows;
 }
 
-Json savings_json(const SavedTimes* saved) {
+Json optimisations_json(const SavedTimes* saved) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < kOptimisations; ++i) {
         const OptimisationRow& saving = savings()[i];

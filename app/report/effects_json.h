@@ -14,7 +14,7 @@ namespace si {
 /// Converts the effects of a frame to JSON, one object each. @param saved measured times; null: each saved_ms is null
 nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
 /// Converts the table of optimisations to JSON. @param saved measured times; null: none
-nlohmann::ordered_json savings_json(const SavedTimes* saved);
+nlohmann::ordered_json optimisations_json(const SavedTimes* saved);
 /// Converts wasted work (work that changes no pixel) to JSON.
 nlohmann::ordered_json waste_json(const Waste& waste);
 

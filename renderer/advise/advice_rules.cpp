@@ -122,7 +122,7 @@ void unread_texels(const Settings& s, const AdviceFacts& f, const Offer& offer) 
     offer(fmt::format("{}: a tighter fit gives finer ones to visible surfaces", read), std::move(tight), f.light);
 }
 
-void beyond_the_picture(const Settings& s, const AdviceFacts& f, const Offer& offer) {
+void fine_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || s.map.paged || !(f.texel_px < 0.5)) return;
     const double halvings = std::floor(std::log2(1 / f.texel_px) + 1e-9);
     for (double n = 1; n <= std::min(halvings, 3.0); ++n) {
@@ -305,8 +305,7 @@ constexpr AdviceRule kRules[] = {
     {"cascade-overlap", "Overlapping cascades", "light.cascade_blend is above 0.", Claim::Same, cascade_overlap},
     {"depth-bounds", "Measured depth bounds", "light.depth_bounds is sdsm.", Claim::Same, measured_depths},
     {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same, unread_texels},
-    {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same,
-     beyond_the_picture},
+    {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same, fine_map},
     {"unseen-blur", "A kernel wider than visible", "The kernel blurs over less than 1.5 pixels.", Claim::Same,
      unseen_blur},
     {"moments", "Moments", "The kernel reads moments.", Claim::Same, moments_without_blur},

@@ -53,7 +53,7 @@ struct AutopilotResult {
     AutopilotCase best;  ///< best case within the limits, or the nearest to them
     MeasuredSettings before;
     double before_ms = 0;                ///< frame time of the present settings
-    std::vector<AutopilotCase> cases;    ///< all measured cases
+    std::vector<AutopilotCase> cases;    ///< measured cases
     std::vector<DroppedEffect> dropped;  ///< settings that changed, as far as time allowed to measure them
     std::size_t combinations = 0;        ///< number of combinations of the axes
     std::vector<std::string> untried;    ///< sentences about parts of the search that were left out

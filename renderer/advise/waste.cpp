@@ -25,7 +25,7 @@ constexpr int kTimedTurns = 7;  ///< odd, so that the median is one of them
 enum class ComparedBy {
     Picture,       ///< the whole picture
     SameSurfaces,  ///< pixels that show the same triangle in both
-    Shown,         ///< all panes with their overlays
+    Shown,         ///< panes with their overlays
 };
 
 /// Frame without one piece of work.
@@ -211,7 +211,7 @@ public:
             if (report) report(double(waste.tried.size()) / double(trials.size()));
             try_it(trial);
             some_map_needed_ |= trial.draws_into_maps && trial.about.changes;  // maps are tried first
-            if (timed && is_timed(trial)) trial.about.maps_ms = spared_ms(trial);
+            if (timed && is_timed(trial)) trial.about.maps_ms = saved_ms(trial);
             waste.tried.push_back(std::move(trial.about));
         }
         if (timed) waste.maps_ms = whole_ms();
@@ -310,18 +310,18 @@ private:
 
     /// Returns the milliseconds that maps save without a trial's work. Frames with and without the work alternate, and
     /// each kind is first every other turn.
-    double spared_ms(const Trial& trial) {
+    double saved_ms(const Trial& trial) {
         const FrameRequest request = timed_request();
-        std::vector<double> spared;
+        std::vector<double> saved;
         for (int turn = 0; turn < kTimedTurns; ++turn) {
             double with = 0, without = 0;
             if (turn % 2 == 0) with = time_of_maps(draw(scene_, measured_, request));
             without = time_of_maps(draw(trial, request));
             if (turn % 2 != 0) with = time_of_maps(draw(scene_, measured_, request));
             whole_ms_.push_back(with);
-            spared.push_back(with - without);
+            saved.push_back(with - without);
         }
-        return spread_of(std::move(spared)).median;
+        return spread_of(std::move(saved)).median;
     }
 
     double whole_ms() {

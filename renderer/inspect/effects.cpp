@@ -106,8 +106,8 @@ void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
                               : fmt::format("map.samples is {}", samples)));
 }
 
-// What is skip_reason for
-// -------------------------------------------------------------------------------------------------
+// Skipped passes
+// -------------------------------------------------------------------------------------------------------
 
 bool skips(const EffectFacts& f, std::string_view name) {
     const PassInfo* pass = f.frame.pass(name);

@@ -18,7 +18,7 @@ namespace {
 enum class Search {
     None,
     Places,  ///< a blocker search with taps of its own, before the comparisons
-    Taps,    ///< by the taps of the comparisons
+    Taps,    ///< blocker distances from the taps of the comparisons
     Rays     ///< along rays through the map
 };
 
@@ -168,14 +168,14 @@ void lookup_parts(const EffectFacts& f, const PassInfo& pass, bool separate, Eff
         skipped_part(f, pass, "look-ups where light does not arrive", Optimisation::Facing,
                      "surfaces that face away from a light, or lie outside its range or cone, are dark without a "
                      "look-up"));
-    const char* spared = search_of(f.filter()) == Search::Rays
-                             ? "no penumbra opens, and no ray is marched where no occluder is"
-                             : "no penumbra opens, and all taps of the search fall on one point";
+    const char* skipped = search_of(f.filter()) == Search::Rays
+                              ? "no penumbra opens, and no ray is marched where no occluder is"
+                              : "no penumbra opens, and all taps of the search fall on one point";
     for (const std::size_t i : looked_up)
         if (skips_blocker_search(f, f.frame.lights[i]))
             out.push_back(skipped_part(f, pass, fmt::format("search for a penumbra of light {}", i),
                                        Optimisation::Blockers,
-                                       fmt::format("{} is 0: {}", light_setting_key(i, "size"), spared)));
+                                       fmt::format("{} is 0: {}", light_setting_key(i, "size"), skipped)));
 }
 
 void contact_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {

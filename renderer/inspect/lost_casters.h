@@ -16,7 +16,7 @@ namespace si {
 struct LostCaster {
     int object = 0;             ///< index into Scene::objects
     Cull cull = Cull::None;     ///< culling mode in force
-    std::size_t triangles = 0;  ///< all triangles of the object
+    std::size_t triangles = 0;  ///< number of triangles of the object
 };
 
 /// Finds the objects that should cast a shadow under a light but leave nothing in its map, because culling removes all

@@ -20,7 +20,7 @@
 namespace si {
 namespace {
 
-constexpr int kMostTaps = 1024;
+constexpr int kMaxTaps = 1024;
 
 struct PixelFacts {
     std::array<glm::vec4, 4> values{};  // outputs of probe.frag.glsl
@@ -118,7 +118,7 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
 std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int light) {
     std::vector<RecordedTap> out;
     if (!filter_of(f.settings).linear) return out;
-    for (const glm::vec4& v : run_kernel(f, seen, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
+    for (const glm::vec4& v : run_kernel(f, seen, light, kMaxTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
         if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
     return out;
 }

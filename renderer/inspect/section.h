@@ -87,7 +87,7 @@ struct Section {
     std::string verdict;           ///< a sentence
     bool reference_lit = true;     ///< result of the reference for a light without size
     bool tested = true;            ///< false: lit or dark without a look-up
-    DepthShift least, has, shift;  ///< as in PixelDiagnosis
+    DepthShift least, has, shift;  ///< members of PixelDiagnosis
     /// Range of right biases: metres from the surface along its light ray (PixelDiagnosis::least and occluder). `has`
     /// must reach the near end, and `shift` must stay below the far end.
     double window_from = 0, window_to = std::numeric_limits<double>::infinity();

@@ -382,8 +382,8 @@ private:
                    : fits >= 1  ? 1
                    : fits > 0.1 ? 1 / std::ceil(1 / fits)
                                 : round_length(fits);
-        const double along = stretch_ * across, spare = high / along - (hi - lo);
-        lo -= 0.4 * spare;
+        const double along = stretch_ * across, free_height = high / along - (hi - lo);
+        lo -= 0.4 * free_height;
         hi = lo + high / along;
         near_ = {{x0, lo}, {x1, hi}, left_, bottom_, across, along};
         if (out_.broken) {
@@ -402,13 +402,16 @@ private:
         below_ = bottom_;
     }
 
-    double beyond() const { return 4 * (near_.hi.y - near_.lo.y) + (far_ ? far_->hi.y - near_.lo.y : 0); }
+    /// Returns a length in metres that leads from any point out of the drawing.
+    double outside_length() const { return 4 * (near_.hi.y - near_.lo.y) + (far_ ? far_->hi.y - near_.lo.y : 0); }
 
     void columns() {
         for (const Section::Step& step : s_.steps) {
-            line_m(step.from - step.from_ray * beyond(), step.from + step.from_ray * beyond(), Ink::Grid, 0.8);
+            line_m(step.from - step.from_ray * outside_length(), step.from + step.from_ray * outside_length(),
+                   Ink::Grid, 0.8);
             if (&step == &s_.steps.back())
-                line_m(step.to - step.to_ray * beyond(), step.to + step.to_ray * beyond(), Ink::Grid, 0.8);
+                line_m(step.to - step.to_ray * outside_length(), step.to + step.to_ray * outside_length(), Ink::Grid,
+                       0.8);
         }
         if (far_) {  // the break
             const double y = 0.5 * (near_.px(near_.hi).y + far_->px(far_->lo).y), h = 0.22 * em_;
@@ -423,7 +426,8 @@ private:
         const auto shows = [](const Section::Step& s) { return s.in_map && s.meets != KernelTap::Meets::Nothing; };
         for (const Section::Step& step : s_.steps)
             if (shows(step))
-                area_m({step.from, step.to, step.to - step.to_ray * beyond(), step.from - step.from_ray * beyond()},
+                area_m({step.from, step.to, step.to - step.to_ray * outside_length(),
+                        step.from - step.from_ray * outside_length()},
                        Ink::Shade, 0.2);
         for (std::size_t i = 0; i < s_.steps.size(); ++i) {
             const Section::Step& step = s_.steps[i];
@@ -474,7 +478,7 @@ private:
 
     void window() {
         if (!s_.has_window) return;
-        const double end = std::isfinite(s_.window_to) ? s_.window_to : beyond();
+        const double end = std::isfinite(s_.window_to) ? s_.window_to : outside_length();
         const bool open = s_.window_open();
         const Ink ink = open ? Ink::Window : Ink::NoWindow;
         // The window lies next to the surface's ray, so that both are visible.
@@ -497,7 +501,7 @@ private:
     }
 
     void ray() {
-        const glm::dvec2 end = s_.light_ray * beyond();
+        const glm::dvec2 end = s_.light_ray * outside_length();
         line_m({0, 0}, end, Ink::Ray, 1.4, true);
         const Viewport& v = far_ ? *far_ : near_;
         if (const auto part = clipped(glm::dvec2(0), end, v)) {

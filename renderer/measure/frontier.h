@@ -41,8 +41,8 @@ struct Dot {
 /// Largest noise, as a share of the value, up to which two points may tie.
 inline constexpr double kMaxTieNoise = 0.03;
 
-/// Returns true when point `a` dominates point `b`: worse on neither axis beyond noise (at most kMaxTieNoise), and
-/// better on one beyond noise.
+/// Returns true when point `a` dominates point `b`: worse on neither axis by more than noise (at most kMaxTieNoise),
+/// and better on one by more than noise.
 bool dominates(const Dot& a, const Dot& b);
 
 /// Computes the Pareto frontier: for each point, true when no other point dominates it. Points closer than noise do not

@@ -33,6 +33,7 @@ public:
     void warm_up();
 
 private:
+    /// Settings and request of one timed frame.
     struct Frame {
         Settings settings;
         FrameRequest request;

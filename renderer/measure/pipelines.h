@@ -14,7 +14,7 @@ struct PipelineError {
     MapOrigin origin;
     MapTransform transform;
     std::size_t pixels = 0;        ///< pixels with a look-up
-    PrecisionSpread texels, ulps;  ///< as in Precision
+    PrecisionSpread texels, ulps;  ///< members of Precision
     std::size_t flips = 0;         ///< pixels lit here and in shadow by the first pipeline, or the reverse
 };
 

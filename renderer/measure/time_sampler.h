@@ -73,6 +73,7 @@ public:
         double over_s = 1;               ///< shortest duration of all bursts, seconds
     };
     TimeSampler() : TimeSampler(Limits{}) {}
+    /// Begins a timing with these limits.
     explicit TimeSampler(const Limits& limits) : limits_(limits) {}
 
     /// Adds the pass times of a frame. The first frame, and the first after a pause, only warms up and is not counted.
@@ -86,7 +87,7 @@ public:
     bool settled() const;
     /// Returns true when no further frame is needed: settled, or at the limit of frames.
     bool done() const { return settled() || frames() >= limits_.most; }
-    /// Returns the measured time so far.
+    /// Returns the distributions of the pass times collected so far.
     TimeMeasurement result() const;
 
 private:

@@ -22,7 +22,7 @@ struct LightMapChart {
     glm::ivec4 rect{0};                 ///< first texel, width and height, gutters included
     std::uint32_t object = 0;
     std::uint32_t first = 0, count = 0;  ///< range in LightMapLayout::triangles
-    bool flat = true;                    ///< all triangles lie in one plane
+    bool flat = true;                    ///< true when the triangles lie in one plane
 };
 
 /// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.

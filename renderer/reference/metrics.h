@@ -31,7 +31,8 @@ struct ClassifiedPixel {
     Artefact artefact = Artefact::None;
     std::uint32_t bits = 0;
     float visibility = 1;
-    std::uint32_t also() const { return bits >> kAlsoShift; }  ///< Cause::also
+    /// Returns further causes of the pixel's error: bits as in Cause::also.
+    std::uint32_t also() const { return bits >> kAlsoShift; }
     /// Returns true when the classified pixel has flag `b`.
     bool has(Bits b) const { return (bits & b) != 0; }
 };

@@ -64,7 +64,7 @@ struct Estimate {
 
 /// Variance of light samples, estimated from groups of neighbouring samples.
 struct Variance {
-    double sum = 0;         ///< of the number of lit samples
+    double sum = 0;         ///< group sizes times the sample variance, summed over groups
     std::size_t known = 0;  ///< number of samples in the estimate
 
     /// Adds a group of samples. @param above samples above the horizon @param lit samples of those that are lit
@@ -238,11 +238,11 @@ private:
         const ExactRay exact{glm::dvec3(origin), direction, distance * scene_.scale, r.object, r.primitive};
         if (glm::dot(r.normal_ws, direction) < kGrazingCosine) rules.exact = {&exact, 1};
         collect_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
-        const double lift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
+        const double origin_shift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
         const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
         double drawn = kNaN, any = kNaN;
         for (const Hit& hit : hits) {
-            const double t = hit.t + lift;
+            const double t = hit.t + origin_shift;
             if (!(t <= any)) any = t;
             if (!hit.culled && t <= most && !(t <= drawn)) drawn = t;
         }

@@ -53,7 +53,7 @@ ReferenceOptions reference_options(const Settings& settings);
 /// Light, objects and options that a reference is traced for.
 struct ReferenceQuery {
     Emitter emitter;
-    std::vector<ObjectTraits> traits;  ///< by object
+    std::vector<ObjectTraits> traits;  ///< one per object of the scene
     std::vector<LightView> views;      ///< views of the light's map, whose near planes limit nearest_m; may be empty
     ViewChooser chooser;               ///< selects the view of a point
     ReferenceOptions options;

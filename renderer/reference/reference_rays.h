@@ -40,8 +40,8 @@ inline constexpr double kGrazingCosine = 1e-3;
 
 /// Rules by which hits of a shadow ray count: face culling by object, and double-precision tests of grazing rays.
 struct HitRules {
-    std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
-    std::span<const ExactRay> exact;      ///< by the ray's id; empty: none
+    std::span<const ObjectTraits> culls;  ///< one per object; empty: every face counts
+    std::span<const ExactRay> exact;      ///< index: the ray's id; empty: none
 };
 
 /// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
