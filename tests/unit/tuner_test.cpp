@@ -110,7 +110,7 @@ TEST(BiasSearch, SaysWhenNothingHelps) {
     ASSERT_NE(search.nearest(), nullptr);
     EXPECT_GT(search.nearest()->trial.acne(), 0u);
     BiasSearch dark(Settings{});
-    dark.report({});
+    dark.add_trial({});
     EXPECT_TRUE(dark.done()) << "nothing is lit";
 }
 
