@@ -70,7 +70,7 @@ void add_cost_option(CLI::App& command, CostCase& cost) {
                     throw CLI::ValidationError("--" + std::string(e.what()));
                 }
             },
-            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), row_of(kDefaultCost).key))
+            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), cost_row(kDefaultCost).key))
         ->type_name("FRAMES");
 }
 

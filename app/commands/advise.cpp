@@ -27,7 +27,7 @@ Json changes_json(const Changes& changes) {
 }
 
 Json ms_json(const CostChange& ms) {
-    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.told()}};
+    return {{"difference", ms.value}, {"noise", ms.noise}, {"told", ms.is_significant()}};
 }
 
 Json advice_json(const TriedAdvice& t) {
@@ -56,7 +56,7 @@ Json head_json(const char* format, const AdviseOptions& o, const Metric& error) 
             {"version", 1},
             {"width", o.size.width},
             {"height", o.size.height},
-            {"timed", row_of(o.cost).key},
+            {"timed", cost_row(o.cost).key},
             {"metric", error.key}};
 }
 
@@ -74,7 +74,7 @@ Json report_json(const AdviceReport& r, const AdviseOptions& o) {
 
 Json autopilot_json(const AutopilotResult& r, const Settings& before, const AdviseOptions& o, const Metric& error) {
     Json json = head_json("shadow-inspector-autopilot", o, error);
-    json["held"] = r.held;
+    json["held"] = r.goals_met;
     json["summary"] = r.summary;
     json["before"] = {{"error", r.before.error}, {"ms", r.before_ms}};
     json["best"] = {{"error", r.best.classified.error},
@@ -105,7 +105,7 @@ void print_advice(const TriedAdvice& t) {
 }
 
 void print_report(const AdviceReport& r) {
-    const CostRow& cost = row_of(r.options.cost);
+    const CostRow& cost = cost_row(r.options.cost);
     fmt::print("now {} {:.5g}, {} ms a frame {}\n", r.options.error->key, r.before.error,
                digits_text(r.time.total_ms.median), cost.when);
     for (const Finding& f : r.findings)
@@ -159,8 +159,8 @@ public:
             fmt::print("{}", json_text(autopilot_json(r, session_.settings, o_, error)));
         else
             print_flight(r);
-        if (!r.held) numbers_.require_sound();
-        if (!r.held) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
+        if (!r.goals_met) numbers_.require_sound();
+        if (!r.goals_met) throw Error(r.summary + (o_.output.empty() ? "" : "; nothing was written"));
         if (!o_.output.empty()) write(r);
         print_notes(session_.notes);
         numbers_.require_sound();

@@ -206,7 +206,7 @@ public:
     std::string draw_row(const PageSection& section, const Entry& e) {
         if (interrupt_.stop_requested()) interrupt_.end();
         line_.show(fmt::format("{} of {}  {}", ++done_, count_, e.label), false);
-        const Classification classified = measurer_.judge(scene_, e.settings);
+        const Classification classified = measurer_.classify(scene_, e.settings);
         const std::string file = picture_name(section, e);
         pictures_[file] = png_bytes(
             side_by_side_image(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));

@@ -62,7 +62,7 @@ void print_time_and_cost(const std::optional<TimeMeasurement>& time, const WorkC
         fmt::print(
             "{} ms a frame {} within this run ({} to {}: 95 % interval of the median of {} frames in {} "
             "bursts over {:.1f} s, {}; 95 % of frames below {}; {})\n",
-            digits_text(t.median), row_of(time->cost).when, digits_text(t.median_low), digits_text(t.median_high),
+            digits_text(t.median), cost_row(time->cost).when, digits_text(t.median_low), digits_text(t.median_high),
             t.samples, t.bursts, time->seconds, time->settled ? "settled" : "not settled", digits_text(t.p95),
             time->clock);
         for (const PassTime& pass : time->passes)
@@ -80,7 +80,7 @@ void run_measure(const MeasureOptions& options) {
     const HeadlessContext context;
     Renderer renderer;
     Measurer measurer(renderer, options.size.width, options.size.height);
-    const Classification classified = measurer.judge(session.scene, session.settings);
+    const Classification classified = measurer.classify(session.scene, session.settings);
     std::optional<TimeMeasurement> time;
     if (options.time) time = measurer.time(session.scene, session.settings, options.cost);
     std::optional<FixTable> fixes;

@@ -110,7 +110,7 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     print_amount("  format", a.amount(a.least.quantum));
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
-    print_amount("shift towards the light", d.lifted, "a surface nearer than this is lost");
+    print_amount("shift towards the light", d.shift, "a surface nearer than this is lost");
     print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
     fmt::print("  truth: {}", d.reference.lit ? "lit" : "in shadow");
     if (d.reference.share > 0 && d.reference.share < 1)
@@ -149,8 +149,8 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     std::vector<PixelDiagnosis> out;
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe.lights)
-        out.push_back(
-            explain(probe, light, trace_fragment_reference(casters, probe, light, settings, traits), settings, driver));
+        out.push_back(diagnose_pixel(probe, light, trace_fragment_reference(casters, probe, light, settings, traits),
+                                     settings, driver));
     return out;
 }
 

@@ -48,7 +48,7 @@ Json tuned_json(const Tuner& tuner, const Settings& before, const Settings& afte
                  {"version", 1},
                  {"found", tuner.result().has_value()},
                  {"summary", tuner.summary()},
-                 {"timed", row_of(cost).key},
+                 {"timed", cost_row(cost).key},
                  {"trials", tuner.trials()},
                  {"seconds", seconds},
                  {"before", trial_json(search.before())},
@@ -144,7 +144,7 @@ void run_tune(const TuneOptions& options) {
                               }};
         tuner = run_tuning(renderer, session.scene, job, workers, [&](const Tuner& t) {
             if (interrupt.stop_requested()) stop.request_stop();
-            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.about()), false);
+            line.show(fmt::format("{:3.0f} %  {}", 100 * t.progress(), t.step_label()), false);
         });
     } catch (const Cancelled&) {
         print_to_stderr(fmt::format("shadow-inspector: interrupted; {} was not written\n", options.output));

@@ -57,7 +57,7 @@ void EditorBiasSearch::start(const Scene& scene, const Settings& settings, int w
     job_.start(
         [job, about = about_, copy = std::make_shared<const Scene>(scene)](const Workers& workers, const auto& report) {
             return search(about, *copy, job, workers, [&](const Tuner& tuner) {
-                report({tuner.about(), tuner.progress()});
+                report({tuner.step_label(), tuner.progress()});
             });
         },
         {"the present bias", 0});

@@ -107,13 +107,13 @@ Effect reference_effect(const ReferenceFacts& reference) {
         effect.reason = "Neither a panel, an overlay nor a light's source needs rays.";
     else if (!reference.doing.empty()) {
         effect.state = EffectState::Drawn;
-        effect.reason = sentence(reference.doing + " in the background");
+        effect.reason = as_sentence(reference.doing + " in the background");
     } else if (reference.current) {
         effect.state = EffectState::Cached;
         effect.reason = "They were traced, and nothing they depend on changed.";
     } else
         effect.reason =
-            reference.problem.empty() ? "They wait until the picture stays the same." : sentence(reference.problem);
+            reference.problem.empty() ? "They wait until the picture stays the same." : as_sentence(reference.problem);
     return effect;
 }
 

@@ -48,7 +48,7 @@ bool EditorPixelDiagnosis::update_reference(const Probe* probe, bool fresh, cons
     }
     const auto traits = object_traits(scene, settings);
     for (const Probe::PerLight& light : probe->lights)
-        diagnoses_.push_back(explain(
+        diagnoses_.push_back(diagnose_pixel(
             *probe, light, trace_fragment_reference(*casters_, *probe, light, settings, traits), settings, driver));
     return true;
 }

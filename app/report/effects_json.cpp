@@ -32,10 +32,10 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     Json rows = Json::array();
     for (const Effect& effect : effects) {
         Json row = {{"name", effect.name}, {"state", effect_state_key(effect.state)}, {"reason", effect.reason}};
-        const Spread* spared = saved ? saved->of(effect) : nullptr;
-        put_saved(row, spared);
-        row["saved_together"] = spared ? Json(sharing_optimisation_count(effects, effect)) : Json();
-        row["saving"] = effect.saving ? Json(row_of(*effect.saving).key) : Json();
+        const Spread* saved_ms = saved ? saved->find(effect) : nullptr;
+        put_saved(row, saved_ms);
+        row["saved_together"] = saved_ms ? Json(sharing_optimisation_count(effects, effect)) : Json();
+        row["saving"] = effect.optimisation ? Json(row_of(*effect.optimisation).key) : Json();
         row["pass"] = effect.pass.empty() ? Json() : Json(effect.pass);
         row["part"] = effect.part;
         const Spread* ms = time_of_pass(effect, saved);
@@ -50,7 +50,7 @@ Json optimisations_json(const SavedTimes* saved) {
     for (std::size_t i = 0; i < kOptimisations; ++i) {
         const OptimisationRow& saving = optimisation_rows()[i];
         Json row = {{"key", saving.key}, {"label", saving.label}, {"help", saving.help}};
-        put_saved(row, saved ? saved->of(Optimisation(i)) : nullptr);
+        put_saved(row, saved ? saved->find(Optimisation(i)) : nullptr);
         rows.push_back(std::move(row));
     }
     return rows;
@@ -58,7 +58,7 @@ Json optimisations_json(const SavedTimes* saved) {
 
 Json waste_json(const Waste& waste) {
     Json rows = Json::array();
-    for (const Tried& t : waste.tried)
+    for (const WasteTrial& t : waste.tried)
         rows.push_back({{"name", t.name},
                         {"changes_picture", t.changes},
                         {"texels_read", t.read < 0 ? Json() : Json(t.read)},
@@ -86,24 +86,24 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
     for (const Effect& effect : effects) {
         wide = std::max(wide, effect.name.size() + (effect.part ? 2 : 0));
         saved_texts.push_back(
-            saved_time_text(saved ? saved->of(effect) : nullptr, sharing_optimisation_count(effects, effect)));
+            saved_time_text(saved ? saved->find(effect) : nullptr, sharing_optimisation_count(effects, effect)));
         saved_wide = std::max(saved_wide, saved_texts.back().size());
     }
     fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", "state", "ms", "saved ms", saved_wide, "effect", wide, "why");
     for (std::size_t i = 0; i < effects.size(); ++i) {
         const Effect& effect = effects[i];
         const Spread* ms = time_of_pass(effect, saved);
-        fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", effect_state_key(effect.state),
+        fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", effect_state_label(effect.state),
                    ms ? fmt::format("{:.2f}", ms->median) : "–", saved_texts[i], saved_wide,
                    fmt::format("{}{}", effect.part ? "  " : "", effect.name), wide, effect.reason);
     }
 }
 
 void print_waste(const Waste& waste) {
-    fmt::print("\nleft out in turn; what changes no byte of the picture is waste:\n");
-    for (const Tried& t : waste.tried) {
+    fmt::print("\neach left out in turn; work that changes no byte of the picture is waste:\n");
+    for (const WasteTrial& t : waste.tried) {
         const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
-        // Of what is not drawn it is what a kernel would read.
+        // An undrawn map's share is that of the texels that a kernel would read, so it is not printed.
         const std::string read =
             t.read < 0 || undrawn ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
         fmt::print("  {:<9} {:>10} triangles  {}{}\n",

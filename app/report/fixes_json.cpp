@@ -27,7 +27,8 @@ Json fixes_json(const FixTable& table) {
                 row["cured_of"][std::string(style.key)] = fix.cured_of[std::size_t(style.artefact)];
         if (fix.pixel_right) row["pixel_right"] = *fix.pixel_right;
         row["ms"] =
-            fix.ms ? Json{{"difference", fix.ms->value}, {"noise", fix.ms->noise}, {"told", fix.ms->told()}} : Json();
+            fix.ms ? Json{{"difference", fix.ms->value}, {"noise", fix.ms->noise}, {"told", fix.ms->is_significant()}}
+                   : Json();
         row["map_bytes"] = fix.map_bytes;
         rows.push_back(std::move(row));
     }
@@ -36,7 +37,7 @@ Json fixes_json(const FixTable& table) {
 
 void print_fixes(const FixTable& table, std::size_t rows) {
     if (table.rows.empty()) return;
-    fmt::print("cures, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
+    fmt::print("fixes, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
     fmt::print("  {:>8} {:>8} {:>10} {:>9}\n", "cured", "broken", "time", "map");
     for (const MeasuredFix& fix : table.rows) {
         if (!fix.untried.empty()) {

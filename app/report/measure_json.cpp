@@ -41,7 +41,7 @@ Json time_json(const TimeMeasurement& time) {
                  {"spread", time.total_ms.relative()},
                  {"settled", time.settled},
                  {"clock", time.clock},
-                 {"timed", row_of(time.cost).key},
+                 {"timed", cost_row(time.cost).key},
                  {"passes", Json::array()}};
     for (const PassTime& pass : time.passes)
         json["passes"].push_back(

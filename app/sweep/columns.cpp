@@ -103,7 +103,7 @@ const Column* find_column(std::string_view key) {
 }
 
 std::string label_of(const Column& column, CostCase cost) {
-    return column.unit == "ms" ? column.label + " " + std::string(row_of(cost).when) : column.label;
+    return column.unit == "ms" ? column.label + " " + std::string(cost_row(cost).when) : column.label;
 }
 
 double plotted_value(const Column& column, const CaseNumbers& numbers) {

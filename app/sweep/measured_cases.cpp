@@ -80,7 +80,7 @@ FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers*
     if (!present || !is_dot(here)) return view;
     view.present = here;
     if (const Dot there = before ? dot_of(*before, *x, *y) : Dot{}; before && is_dot(there)) view.before = there;
-    view.advice = advise(here, dots, on);
+    view.advice = frontier_advice(here, dots, on);
     return view;
 }
 

@@ -226,7 +226,7 @@ void MeasuringThread::measure_picture(Bench& bench, const PictureWanted& wanted)
         bench.width = p.width;
         bench.height = p.height;
         bench.measurer->set_workers(workers_of(wanted.stop.get_token()));
-        const Classification classified = bench.measurer->judge(*p.scene, p.settings);
+        const Classification classified = bench.measurer->classify(*p.scene, p.settings);
         numbers.error = {classified.error, classified.reference->noise};
         numbers.cost = classified.cost;
         publish(numbers, "", false);

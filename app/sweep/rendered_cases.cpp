@@ -17,7 +17,7 @@ RunInfo RenderedCases::run() {
 CaseFacts RenderedCases::facts(const SweepCase& c) {
     CaseFacts facts;
     CaseSessions::Prepared prepared = sessions_.prepare(c.values);
-    const Classification classified = measurer_.judge(prepared.scene, prepared.settings);
+    const Classification classified = measurer_.classify(prepared.scene, prepared.settings);
     facts.notes = std::move(prepared.notes);
     facts.error = {classified.error, classified.reference->noise};
     if (classified.reference->noise_unknown > 0)

@@ -41,7 +41,7 @@ Json run_json(const RunInfo& run, int ranked_rounds) {
             {"clock", run.clock},
             {"cpu_rasteriser", run.software},
             {"load", run.load},
-            {"timed", row_of(run.cost).key},
+            {"timed", cost_row(run.cost).key},
             {"ranked_rounds", ranked_rounds}};
 }
 
@@ -139,7 +139,7 @@ SweepResults sweep_results(const SweepState& state, const SweepPlan& plan) {
         put_drawn_resolution(row, c.map_resolution);
         if (c.failed.empty()) row.numbers = {.error = c.error, .cost = c.cost, .time = {}};
         if (const TimeSamples samples = ranked_samples(c, ranked); c.failed.empty() && !samples.total_ms.empty()) {
-            row.numbers.time = summary(samples);
+            row.numbers.time = summarise_times(samples);
             const RunInfo& run = *state.run(ranked.rounds.front().first);
             row.numbers.time->clock = out.clock = run.clock;
             row.numbers.time->cost = out.cost = run.cost;
@@ -169,7 +169,7 @@ Json results_json(const SweepResults& results) {
     json["renderer"] = results.renderer;
     json["cpu_rasteriser"] = results.software;
     json["clock"] = results.clock;
-    json["timed"] = row_of(results.cost).key;
+    json["timed"] = cost_row(results.cost).key;
     json["rounds"] = results.rounds;
     json["runs"] = Json::array();
     for (const auto& [run, rounds] : results.runs) json["runs"].push_back(run_json(run, rounds));
@@ -199,7 +199,7 @@ std::string results_csv(const SweepResults& results) {
             add(std::isfinite(v) ? fmt::format("{:.9g}", v) : "");
         }
         const auto& on = results.frontier;
-        add(row.numbers.time ? row_of(row.numbers.time->cost).key : "");
+        add(row.numbers.time ? cost_row(row.numbers.time->cost).key : "");
         add(std::find(on.begin(), on.end(), row.number) != on.end() ? "true" : "false");
         add(csv_cell(row.failed));
         add(csv_cell(fmt::format("{}", fmt::join(row.notes, "; "))));

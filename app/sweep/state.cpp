@@ -199,7 +199,7 @@ Json run_line(const RunInfo& run) {
               {"clock", run.clock},
               {"software", run.software},
               {"load", run.load},
-              {"cost", row_of(run.cost).key}}}};
+              {"cost", cost_row(run.cost).key}}}};
 }
 
 Json begin_line(std::size_t case_number) {

@@ -29,22 +29,22 @@ Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, c
     const Settings start = as_drawn(renderer, scene, job);
     const FrameRequest request{.width = job.width, .height = job.height};
     TuneGoals goals = job.goals;
-    goals.most_resolution = std::min(goals.most_resolution, renderer.driver().max_texture_size);
+    goals.max_resolution = std::min(goals.max_resolution, renderer.driver().max_texture_size);
     Tuner tuner(start, goals);
     ReferenceCache cache;
     const ReferenceOptions reference = reference_options(start);
     Measurer clock(renderer, job.width, job.height);
-    while (tuner.ask() != Tuner::Ask::Nothing) {
+    while (tuner.action() != Tuner::Action::None) {
         report(tuner);
         if (workers.stop.stop_requested()) throw Cancelled();
         const Settings s = tuner.settings();
-        if (tuner.ask() == Tuner::Ask::Time) {
-            tuner.timed(clock.time(scene, s, goals.cost, {.bursts = kMinBursts, .over_s = 0.3}).total_ms.median);
+        if (tuner.action() == Tuner::Action::Time) {
+            tuner.add_time(clock.time(scene, s, goals.cost, {.bursts = kMinBursts, .over_s = 0.3}).total_ms.median);
             continue;
         }
         const MeasuredError measured =
             measure_error(renderer, scene, s, request, start.view.light, reference, cache, workers);
-        tuner.classified(measure_bias_trial(measured, s, renderer.driver()));
+        tuner.add_trial(measure_bias_trial(measured, s, renderer.driver()));
     }
     return tuner;
 }

@@ -14,8 +14,11 @@
 namespace si {
 namespace {
 
-constexpr int kLeastRounds = 3, kMostRounds = 8, kRoundFrames = 2;
-constexpr double kMostSeconds = 2, kSharpEnough = 0.01;  // of two that are timed; of a frame's time
+constexpr int kMinRounds = 3;
+constexpr int kMaxRounds = 8;
+constexpr int kRoundFrames = 2;
+constexpr double kMaxSeconds = 2;           // for one comparison of two settings
+constexpr double kMaxRelativeNoise = 0.01;  // share of the frame time below which a comparison ends
 
 double mean_of(const std::vector<double>& values) {
     double sum = 0;
@@ -23,28 +26,28 @@ double mean_of(const std::vector<double>& values) {
     return values.empty() ? 0 : sum / double(values.size());
 }
 
-/// Alternating rounds: a machine's mood falls on both alike.
+/// Times frames of two settings in alternating rounds, so that drift of the machine's speed affects both alike.
 CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& workers) {
     const auto round = [&](TimedFrames& frames) {
         frames.warm_up();
         TimeSamples samples;
-        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.next());
+        for (int i = 0; i < kRoundFrames; ++i) samples.add(frames.draw_next());
         return mean_of(samples.total_ms);
     };
     round(before);
     round(with);  // programs are compiled
     std::vector<double> more, base;
     const auto start = std::chrono::steady_clock::now();
-    for (int i = 0; i < kMostRounds; ++i) {
+    for (int i = 0; i < kMaxRounds; ++i) {
         if (workers.stop.stop_requested()) throw Cancelled();
         const bool there = i % 2 == 0;
         const double a = there ? round(before) : 0, b = round(with), c = there ? a : round(before);
         base.push_back(c);
         more.push_back(b - c);
         const double noise = half_interval(more), value = mean_of(more);
-        const bool sharp = noise < kSharpEnough * mean_of(base) || std::abs(value) > 2 * noise;
+        const bool sharp = noise < kMaxRelativeNoise * mean_of(base) || std::abs(value) > 2 * noise;
         const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start;
-        if (i + 1 >= kLeastRounds && (sharp || spent.count() > kMostSeconds)) break;
+        if (i + 1 >= kMinRounds && (sharp || spent.count() > kMaxSeconds)) break;
     }
     return {mean_of(more), half_interval(more)};
 }
@@ -52,7 +55,7 @@ CostChange difference_of(TimedFrames before, TimedFrames with, const Workers& wo
 std::string verdict(const TriedAdvice& t) {
     if (!(t.before.camera == t.after.camera)) return "the camera looks through this light and would move with it";
     const double added = t.added_error();
-    const bool faster = t.ms.told() && t.ms.value < 0, slower = t.ms.told() && t.ms.value > 0;
+    const bool faster = t.ms.is_significant() && t.ms.value < 0, slower = t.ms.is_significant() && t.ms.value > 0;
     if (t.idea.claim == Claim::Right)
         return added < -t.tolerance() ? "" : fmt::format("the error does not fall ({:+.3g})", added);
     if (t.idea.claim == Claim::Same && added > t.tolerance()) return fmt::format("the error grows by {:.3g}", added);
@@ -62,10 +65,10 @@ std::string verdict(const TriedAdvice& t) {
     return fmt::format("a frame takes no less time ({} ± {} ms)", signed_text(t.ms.value), digits_text(t.ms.noise));
 }
 
-/// Kinds of advice in the order of rank, then what they are ranked by, the least first.
+/// Returns the rank of a measured change: its kind, then the value by which that kind is sorted, the least first.
 std::pair<int, double> rank_of(const TriedAdvice& t) {
     if (!t.why_not.empty()) return {4, t.ms.value};
-    const bool faster = t.ms.told() && t.ms.value < 0;
+    const bool faster = t.ms.is_significant() && t.ms.value < 0;
     if (faster && t.added_error() <= t.tolerance()) return {0, t.ms.value};
     if (faster) return {1, t.ms.value / t.added_error()};
     if (t.added_error() < -t.tolerance()) return {2, t.added_error()};
@@ -91,7 +94,7 @@ void add_limits(const FittedLight& light, int number, std::vector<Finding>& out)
     if (light.limits.one_depth_step)
         out.push_back({Severity::Error,
                        fmt::format("light {}: all depth lies in one step of the map's format", number),
-                       "a finer map.format, or near and far planes nearer to what casts",
+                       "a finer map.format, or near and far planes nearer to the casters",
                        {}});
     if (light.limits.one_texel)
         out.push_back({Severity::Error,
@@ -121,7 +124,7 @@ std::vector<TriedAdvice> measure_ideas(const Settings& settings, std::vector<Adv
     for (std::size_t i = 0; i < ideas.size(); ++i) {
         if (report) report(double(i) / double(ideas.size()), ideas[i].sentence);
         const int light = ideas[i].light;
-        if (!before.contains(light)) before[light] = meter.judge(settings, light);
+        if (!before.contains(light)) before[light] = meter.classify(settings, light);
         TriedAdvice t{
             .idea = std::move(ideas[i]), .settings = {}, .before = before[light], .after = {}, .ms = {}, .why_not = {}};
         const auto known = std::find_if(tried.begin(), tried.end(), [&](const TriedAdvice& other) {
@@ -132,12 +135,12 @@ std::vector<TriedAdvice> measure_ideas(const Settings& settings, std::vector<Adv
             TriedAdvice again = *known;
             again.idea = std::move(t.idea);
             again.why_not = verdict(again);
-            // What saves time at a loss is offered as that, by its own name.
+            // The change may hold under this weaker claim.
             if (again.why_not.empty()) *known = std::move(again);
             continue;
         }
         t.settings = setting_changes(settings, t.idea.settings);
-        t.after = meter.judge(t.idea.settings, light);
+        t.after = meter.classify(t.idea.settings, light);
         t.ms = meter.time(settings, t.idea.settings);
         t.why_not = verdict(t);
         tried.push_back(std::move(t));
@@ -166,12 +169,12 @@ std::vector<Finding> list_findings(const AdviceFacts& facts, const FixTable& fix
         if (pixels == 0 || facts.error.counted == 0) continue;
         const double share = double(pixels) / double(facts.error.counted);
         Finding finding{severity_of(share),
-                        fmt::format("{}: {} pixel{}, {} % of those that count", style.label, pixels,
+                        fmt::format("{}: {} pixel{}, {} % of the counted ones", style.label, pixels,
                                     pixels == 1 ? "" : "s", digits_text(100 * share)),
                         {},
                         {}};
         if (const MeasuredFix* fix = best_fix(fixes, style.artefact)) {
-            finding.fix = fmt::format("{} puts {} of them right, and breaks {} others", fix->name,
+            finding.fix = fmt::format("{} cures {} of them and breaks {} others", fix->name,
                                       fix->cured_of[std::size_t(style.artefact)], fix->broken);
             finding.settings = fix->settings;
         }
@@ -189,7 +192,7 @@ AdviceMeter renderer_advice_meter(Renderer& renderer, const Scene& scene, int wi
     };
     const FrameRequest request{.width = width, .height = height};
     AdviceMeter meter;
-    meter.judge = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
+    meter.classify = [=, &renderer, &scene, &cache, &workers](const Settings& s, int light) {
         stop();
         FrameRequest own = request;
         trace_sources(renderer, scene, s, own, cache, workers);
@@ -212,7 +215,7 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
                          const AdviceOptions& options, ReferenceCache& cache, const Workers& workers,
                          const std::function<void(double, const std::string&)>& report) {
     constexpr double kLooking = 0.1, kCuring = 0.2;  // shares of the whole
-    const auto tell = [&](double share, const std::string& what) {
+    const auto report_progress = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
     };
@@ -220,21 +223,22 @@ AdviceReport find_advice(Renderer& renderer, const Scene& scene, const Settings&
     const Workers quiet = workers.with_progress_range(0, 0);
     AdviceReport out;
     out.options = options;
-    tell(0, "the present settings");
+    report_progress(0, "the present settings");
     out.facts = advice_facts(renderer, scene, base, width, height, cache, quiet);
     const AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, options, cache, quiet);
-    out.before = meter.judge(base, base.view.light);
+    out.before = meter.classify(base, base.view.light);
     out.time = Measurer(renderer, width, height, quiet)
                    .time(scene, base, options.cost, {.most = 15, .bursts = kMinBursts, .over_s = 0.3});
     FixTable fixes;
     if (options.fixes)
-        fixes = find_fixes(renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
-                           [&](double share, const std::string& what) { tell(kLooking + kCuring * share, what); });
+        fixes = find_fixes(
+            renderer, scene, base, width, height, {.reference = reference_options(base)}, cache, quiet,
+            [&](double share, const std::string& what) { report_progress(kLooking + kCuring * share, what); });
     out.findings = list_findings(out.facts, fixes);
     const double begun = kLooking + (options.fixes ? kCuring : 0);
-    for (TriedAdvice& t :
-         measure_ideas(base, advice_ideas(base, out.facts), meter,
-                       [&](double share, const std::string&what) { tell(begun + (1 - begun) * share, what); }))
+    for (TriedAdvice& t : measure_ideas(
+             base, advice_ideas(base, out.facts), meter,
+             [&](double share, const std::string&what) { report_progress(begun + (1 - begun) * share, what); }))
         (t.why_not.empty() ? out.holds : out.fails).push_back(std::move(t));
     return out;
 }

@@ -18,12 +18,12 @@ double quantile_of(std::vector<double> values, double share) {
     return *at;
 }
 
-/// Width of a pixel at this depth along the camera's axis, metres.
+/// Returns the width of a pixel at a depth along the camera's axis, metres.
 double pixel_m(const Camera& camera, double depth_m, int lines) {
     return (camera.orthographic ? camera.height : 2 * depth_m * std::tan(0.5 * camera.fov_y_rad)) / lines;
 }
 
-/// Width of the penumbra of an edge so far before a surface, metres across the light.
+/// Returns the width of the penumbra of an edge `gap_m` before a surface, metres across the light.
 double penumbra_m(const FittedLight& light, const glm::dvec3& at_ws, double gap_m) {
     if (light.type == LightType::Directional) return 2 * light.size * gap_m;
     const double room = glm::distance(light.position, at_ws) - gap_m;
@@ -41,8 +41,8 @@ double shadowed_share(const Reference& reference) {
     return counted ? double(dark) / double(counted) : kUnknown;
 }
 
-/// Depths, texels and penumbrae: one pixel in seven says enough.
-void look_at_pixels(AdviceFacts& f, const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
+/// Collects the range of depths from all pixels, and the widths of texels and penumbrae from every seventh.
+void add_pixel_facts(AdviceFacts& f, const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const Reference& reference = *m.traced.reference;
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> texels, penumbrae;
@@ -78,7 +78,7 @@ AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings&
     f.lights = m.lights;
     f.light = m.light;
     f.map_resolution = m.map_resolution;
-    look_at_pixels(f, m, s, renderer.driver());
+    add_pixel_facts(f, m, s, renderer.driver());
     const FittedLight& light = m.lights[std::size_t(m.light)];
     if (light.casts) f.needs = bias_needs(m, s, renderer.driver());
     f.shadowed.assign(f.lights.size(), kUnknown);

@@ -1,30 +1,35 @@
-// What of a scene, its frame and its truth says which settings are worth trying.
+// Facts of a scene, its frame and its reference from which advice rules propose setting changes.
 #pragma once
 
 #include "renderer/advise/fixes.h"
 
 namespace si {
 
-/// About view.light, over the pixels that count for it unless another is named. Numbers of what there is none are NaN.
+/// Facts of a frame for advice rules, for view.light and its counted pixels unless stated otherwise. Unknown numbers
+/// are NaN.
 struct AdviceFacts {
     ErrorMetrics error;
-    BiasNeeds needs;  ///< no pixels where the light has no map
+    BiasNeeds needs;  ///< without pixels when the light has no map
     std::vector<FittedLight> lights;
-    int light = 0, map_resolution = 0;
-    std::size_t pixels = 0;                ///< that count
-    double nearest_m = 0, farthest_m = 0;  ///< along the camera's axis
-    double texel_px = 0;                   ///< width of the map's texels in pixels of the picture, median
-    double penumbra_texels = 0;      ///< widest that the light throws in the picture, in texels; 99 of 100 are narrower
-    double read_share = 1;           ///< of the texels of a light's only map, that some kernel fetches
-    std::uint64_t paged_texels = 0;  ///< of virtual maps, that are read; 0: maps are whole
-    std::vector<double> shadowed;    ///< by light: share of the pixels that count for it, which are in its shadow
-    std::vector<std::string> notes;  ///< of the frame
+    int light = 0;                         ///< view.light
+    int map_resolution = 0;                ///< texels per side
+    std::size_t pixels = 0;                ///< number of counted pixels
+    double nearest_m = 0, farthest_m = 0;  ///< range of depths along the camera's axis
+    double texel_px = 0;                   ///< median width of the map's texels in pixels of the picture
+    double penumbra_texels = 0;            ///< penumbra width, 99th percentile, in texels
+    double read_share = 1;                 ///< share of texels that kernels fetch, for lights with a single map
+    std::uint64_t paged_texels = 0;        ///< texels of virtual maps that are read; 0: maps are whole
+    std::vector<double> shadowed;          ///< share of each light's counted pixels in shadow
+    std::vector<std::string> notes;        ///< remarks of the renderer
+    /// Returns the frame's data of view.light; null: no such light.
     const FittedLight* fitted() const {
         return std::size_t(light) < lights.size() ? &lights[std::size_t(light)] : nullptr;
     }
 };
 
-/// Draws and traces. On the renderer's thread. @throws Cancelled, Error
+/// Collects the facts for advice rules: draws a frame and traces its reference. Call on the renderer's thread.
+/// @param measured settings from measured_settings() @param width, height of the picture in pixels
+/// @throws Cancelled, Error
 AdviceFacts advice_facts(Renderer& renderer, const Scene& scene, const Settings& measured, int width, int height,
                          ReferenceCache& cache, const Workers& workers);
 

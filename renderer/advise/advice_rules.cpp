@@ -1,4 +1,4 @@
-// The table of what is worth trying, and when.
+// Table of the advice rules: conditions and the setting changes that they propose.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -39,7 +39,7 @@ bool is_wider(const Settings& s, std::string_view kernel) {
     return reach_of(s).edge > reach_of(with_kernel(s, kernel)).edge;
 }
 
-/// Kernels that compare depths over a square of texels, the narrowest first: `count` of them from `first` on.
+/// Returns kernels that compare depths over a square of texels, the narrowest first: `count` kernels from `first` on.
 std::vector<std::string_view> plain_kernels(const Settings& s, std::size_t first, std::size_t count) {
     std::vector<std::pair<double, std::string_view>> all;
     for (const std::string_view kernel : sweep_kernels()) {
@@ -68,8 +68,8 @@ void narrow_penumbra(const Settings& s, const AdviceFacts& f, const Offer& offer
     const Filter& row = filter_of(s);
     if (!has_map(f) || !(row.searches_blockers || row.reads_light_size) || f.penumbra_texels > 1) return;
     for (const std::string_view kernel : plain_kernels(s, 1, 2))  // not the hard one
-        offer(fmt::format("the penumbra is at most {:.2g} texels wide here: {} buys nothing over {}", f.penumbra_texels,
-                          kernel_label(s), kernel_label(with_kernel(s, kernel))),
+        offer(fmt::format("the penumbra is at most {:.2g} texels wide here: {} has no advantage over {}",
+                          f.penumbra_texels, kernel_label(s), kernel_label(with_kernel(s, kernel))),
               with_kernel(s, kernel), f.light);
 }
 
@@ -100,8 +100,10 @@ void measured_depths(const Settings& s, const AdviceFacts& f, const Offer& offer
     if (!has_map(f) || !fit_reads_measured_depths(s, f.light)) return;
     Settings boxes = s;
     shown(boxes, f).depth_bounds = DepthBounds::Boxes;
-    offer("the depths that cascades go by are measured in every frame: the boxes of what is seen say nearly the same",
-          std::move(boxes), f.light);
+    offer(
+        "cascades are fitted to depths measured in every frame: the bounding boxes of visible objects give nearly the "
+        "same",
+        std::move(boxes), f.light);
 }
 
 void unread_texels_part(const Settings& s, const AdviceFacts& f, const Offer& offer) {
@@ -117,18 +119,20 @@ void unread_texels_part(const Settings& s, const AdviceFacts& f, const Offer& of
                       f.map_resolution),
           tight, f.light);
     tight.map.resolution = s.map.resolution;
-    offer(fmt::format("{}: a tighter fit gives finer ones to what is seen", read), std::move(tight), f.light);
+    offer(fmt::format("{}: a tighter fit gives finer ones to visible surfaces", read), std::move(tight), f.light);
 }
 
-void beyond_the_picture(const Settings& s, const AdviceFacts& f, const Offer& offer) {
+void fine_map(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || s.map.paged || !(f.texel_px < 0.5)) return;
     const double halvings = std::floor(std::log2(1 / f.texel_px) + 1e-9);
     for (double n = 1; n <= std::min(halvings, 3.0); ++n) {
         Settings coarser = s;
         coarser.map.resolution = std::max(64, int(f.map_resolution / std::exp2(n)));
-        offer(fmt::format("half of all texels are narrower than {:.2g} pixels: the picture cannot resolve {}², {}² do",
-                          f.texel_px, f.map_resolution, coarser.map.resolution),
-              std::move(coarser), f.light);
+        offer(
+            fmt::format(
+                "half of all texels are narrower than {:.2g} pixels: the picture cannot resolve {}², and {}² is enough",
+                f.texel_px, f.map_resolution, coarser.map.resolution),
+            std::move(coarser), f.light);
     }
 }
 
@@ -140,9 +144,9 @@ void unseen_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     const bool moments = filter_of(s).samples == Samples::Moments;
     for (const std::string_view kernel : plain_kernels(s, 0, 2))
         if (moments || is_wider(s, kernel))
-            offer(fmt::format("{} blurs over {:.2g} pixels, which no one sees: {} will do{}", kernel_label(s), width_px,
-                              kernel_label(with_kernel(s, kernel)),
-                              moments ? ", and its moments and their blur are for nothing" : ""),
+            offer(fmt::format("{} blurs over {:.2g} pixels, which is invisible: {} is enough{}", kernel_label(s),
+                              width_px, kernel_label(with_kernel(s, kernel)),
+                              moments ? ", and moments and their blur are not needed" : ""),
                   with_kernel(s, kernel), f.light);
 }
 
@@ -150,8 +154,8 @@ void moments_without_blur(const Settings& s, const AdviceFacts& f, const Offer& 
     if (!has_map(f) || filter_of(s).samples != Samples::Moments) return;
     const double width_px = 2 * kernel_reach_in_light(s, *f.fitted(), f.map_resolution).edge * f.texel_px;
     for (const std::string_view kernel : plain_kernels(s, 2, 1))
-        offer(fmt::format("{} prepares the map to blur {} pixels: comparing depths directly may do", kernel_label(s),
-                          digits_text(width_px)),
+        offer(fmt::format("{} prepares the map to blur {} pixels: direct comparison of depths may be enough",
+                          kernel_label(s), digits_text(width_px)),
               with_kernel(s, kernel), f.light);
 }
 
@@ -178,13 +182,13 @@ void least_bias(const Settings& s, const AdviceFacts& f, const Offer& offer) {
         least.bias = least_bias_of(f.needs, family);
         const double now = amount_of(s.bias, family), need = amount_of(least.bias, family);
         const bool in_use = family == family_in_use(s.bias) && s.bias.unit == BiasUnit::Texels;
-        if (!(need < most_of(family))) continue;  // none that there is clears them
+        if (!(need < most_of(family))) continue;  // above the limit of the setting
         if (acne > 0)
             offer(fmt::format("pixels that shadow themselves: {}; {} of {} clears them", acne, family_label(family),
                               texels_text(need)),
                   std::move(least), f.light);
         else if (in_use && now > 1.1 * need)
-            offer(fmt::format("{} of {} is more than the {} that what is seen needs", family_label(family),
+            offer(fmt::format("{} of {} is more than the {} that visible surfaces need", family_label(family),
                               texels_text(now), texels_text(need)),
                   std::move(least), f.light);
     }
@@ -194,7 +198,7 @@ void polygon_offset(const Settings& s, const AdviceFacts& f, const Offer& offer)
     if (!has_map(f) || (s.bias.raster_slope == 0 && s.bias.raster_units == 0)) return;
     Settings none = s;
     none.bias.raster_slope = none.bias.raster_units = none.bias.raster_clamp = 0;
-    offer(fmt::format("polygon offset of slope {:g} and {:g} units, beside a bias that serves without it",
+    offer(fmt::format("polygon offset of slope {:g} and {:g} units, in addition to a bias that is enough without it",
                       s.bias.raster_slope, s.bias.raster_units),
           std::move(none), f.light);
 }
@@ -238,8 +242,8 @@ void depth_blur(const Settings& s, const AdviceFacts& f, const Offer& offer) {
     if (!has_map(f) || s.map.blur_texels == 0) return;
     Settings none = s;
     none.map.blur_texels = 0;
-    offer(fmt::format("blurring depths over {} texels is a pass, and no filter", s.map.blur_texels), std::move(none),
-          f.light);
+    offer(fmt::format("blurring depths over {} texels takes a pass and does not filter shadows", s.map.blur_texels),
+          std::move(none), f.light);
 }
 
 void map_samples(const Settings& s, const AdviceFacts& f, const Offer& offer) {
@@ -262,7 +266,7 @@ void separate_visibility(const Settings& s, const AdviceFacts& f, const Offer& o
     if (!s.shading.separate_visibility) return;
     Settings fused = s;
     fused.shading.separate_visibility = false;
-    offer("visibility is drawn apart, and nothing but shading reads it", std::move(fused), f.light);
+    offer("visibility has a pass of its own, and only shading reads it", std::move(fused), f.light);
 }
 
 void fewer_taps(const Settings& s, const AdviceFacts& f, const Offer& offer) {
@@ -296,15 +300,14 @@ void half_the_resolution(const Settings& s, const AdviceFacts& f, const Offer& o
 constexpr AdviceRule kRules[] = {
     {"no-shadow", "A light without visible shadow", "No pixel that a light reaches lies in its shadow.", Claim::Same,
      no_shadow},
-    {"narrow-penumbra", "Soft shadows that are not soft", "The penumbra is no wider than a texel.", Claim::Same,
+    {"narrow-penumbra", "Soft shadows without a penumbra", "The penumbra is no wider than a texel.", Claim::Same,
      narrow_penumbra},
     {"cascades", "Fewer cascades", "There are several; measured down to one.", Claim::Same, one_cascade},
-    {"cascade-overlap", "Cascades that overlap", "light.cascade_blend is above 0.", Claim::Same, cascade_overlap},
-    {"depth-bounds", "Depths that are measured", "light.depth_bounds is sdsm.", Claim::Same, measured_depths},
+    {"cascade-overlap", "Overlapping cascades", "light.cascade_blend is above 0.", Claim::Same, cascade_overlap},
+    {"depth-bounds", "Measured depth bounds", "light.depth_bounds is sdsm.", Claim::Same, measured_depths},
     {"unread-texels", "A tighter fit", "A quarter of the map's texels is read, or less.", Claim::Same,
      unread_texels_part},
-    {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same,
-     beyond_the_picture},
+    {"fine-map", "A map finer than the picture", "Texels are narrower than half a pixel.", Claim::Same, fine_map},
     {"unseen-blur", "A kernel wider than visible", "The kernel blurs over less than 1.5 pixels.", Claim::Same,
      unseen_blur},
     {"moments", "Moments", "The kernel reads moments.", Claim::Same, moments_without_blur},
@@ -318,7 +321,8 @@ constexpr AdviceRule kRules[] = {
     {"depth-blur", "Blurred depths", "map.blur_texels is above 0.", Claim::Right, depth_blur},
     {"map-samples", "Multisampled maps", "map.samples is above 1.", Claim::Same, map_samples},
     {"gathers", "Gathers", "filter.method is not auto, and gathers serve the kernel.", Claim::Same, gathers},
-    {"separate-visibility", "Visibility apart", "shading.separate_visibility is on.", Claim::Same, separate_visibility},
+    {"separate-visibility", "Separate visibility", "shading.separate_visibility is on.", Claim::Same,
+     separate_visibility},
     {"fewer-taps", "Fewer samples", "The kernel samples eight places or more.", Claim::Trade, fewer_taps},
     {"narrower-kernel", "A narrower kernel", "There is a narrower one.", Claim::Trade, narrower_kernel},
     {"half-resolution", "Half the resolution", "The map has 256 texels a side or more.", Claim::Trade,
@@ -334,7 +338,7 @@ std::span<const AdviceRule> advice_rules() {
 std::vector<AdviceIdea> advice_ideas(const Settings& settings, const AdviceFacts& facts) {
     std::vector<AdviceIdea> ideas;
     for (const AdviceRule& rule : advice_rules())
-        rule.look(settings, facts, [&](std::string sentence, Settings changed, int light) {
+        rule.propose(settings, facts, [&](std::string sentence, Settings changed, int light) {
             const auto same = [&](const AdviceIdea& i) { return i.claim == rule.claim && i.settings == changed; };
             if (changed == settings || std::any_of(ideas.begin(), ideas.end(), same)) return;
             ideas.push_back({rule.key, rule.claim, std::move(sentence), std::move(changed), light});

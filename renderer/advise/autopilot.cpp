@@ -17,9 +17,9 @@ namespace {
 
 using AxisChoice = std::vector<std::size_t>;
 
-constexpr double kClose = 0.1;  ///< shares of the least time: those are timed against each other
+constexpr double kMaxTieShare = 0.1;  ///< cases within this share of the least time are timed against each other
 constexpr std::size_t kFinalists = 3;
-// Shares of the time: judging ends with the first; the second is left for pricing what was dropped.
+// Shares of the search time: measuring errors ends after the first; the second is kept for timing dropped settings.
 constexpr double kMeasuringShare = 0.6, kTimingShare = 0.15;
 
 std::string value_of(const Settings& s, const std::string& key) {
@@ -27,21 +27,21 @@ std::string value_of(const Settings& s, const std::string& key) {
     return value_text(*ref.param, get_value(s, ref));
 }
 
-class Flight {
+class AutopilotSearch {
 public:
-    Flight(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
-           const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
+    AutopilotSearch(const Settings& start, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
+                    const AutopilotMeter& meter, const std::function<void(double, const std::string&)>& report)
         : start_(start), axes_(axes), goals_(goals), meter_(meter), report_(report), begun_s_(meter.now_s()) {}
 
-    AutopilotResult fly() {
+    AutopilotResult run() {
         AutopilotResult out;
-        out.before = meter_.judge(start_, start_.view.light);
+        out.before = meter_.classify(start_, start_.view.light);
         out.before_ms = meter_.ms(start_);
         out.combinations = 1;
         for (const SweepAxis& axis : axes_) out.combinations *= axis.values.size();
         at_.assign(axes_.size(), 0);
         if (settings_at(at_) == start_)
-            known_[at_] = {.at = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
+            known_[at_] = {.axis_values = at_, .settings = start_, .classified = out.before, .ms = out.before_ms};
         if (out.combinations <= goals_.max_combinations) {
             search_block(all_axes());
         } else {
@@ -63,16 +63,16 @@ private:
     double begun_s_;
     std::map<AxisChoice, AutopilotCase> known_;
     AxisChoice at_;
-    std::set<AxisChoice> unjudged_;
+    std::set<AxisChoice> unmeasured_;
     std::size_t untimed_ = 0;
 
     double spent_s() const { return meter_.now_s() - begun_s_; }
     bool late() const { return spent_s() > goals_.max_seconds; }
-    /// What is left is for pricing what was dropped.
+    /// Returns true when the remaining time is kept for measuring dropped settings.
     bool late_to_search() const { return spent_s() > (1 - kTimingShare) * goals_.max_seconds; }
-    /// What is left is for timing what was judged.
+    /// Returns true when the remaining time is kept for timing measured cases.
     bool out_of_measuring_time() const { return spent_s() > kMeasuringShare * goals_.max_seconds; }
-    void tell(const std::string& what) const {
+    void report_progress(const std::string& what) const {
         if (report_) report_(std::min(spent_s() / goals_.max_seconds, 0.99), what);
     }
 
@@ -85,9 +85,9 @@ private:
             set_setting(s, axes_[i].key, value);
             bias |= axes_[i].key.starts_with("bias.");
         }
-        // Wider kernels need more of it.
+        // Wider kernels need more bias.
         if (!bias && !(s.filter == start_.filter))
-            s.bias = scaled(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
+            s.bias = scale_bias(s.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
         return s;
     }
 
@@ -102,25 +102,25 @@ private:
     AutopilotCase* classified(const AxisChoice& at) {
         if (const auto it = known_.find(at); it != known_.end()) return &it->second;
         if (out_of_measuring_time()) return nullptr;
-        tell(name_of(at));
-        AutopilotCase c{.at = at, .settings = settings_at(at), .classified = {}, .ms = {}};
-        c.classified = meter_.judge(c.settings, start_.view.light);
+        report_progress(name_of(at));
+        AutopilotCase c{.axis_values = at, .settings = settings_at(at), .classified = {}, .ms = {}};
+        c.classified = meter_.classify(c.settings, start_.view.light);
         return &known_.emplace(at, std::move(c)).first->second;
     }
 
     bool accurate(const AutopilotCase& c) const { return !goals_.max_error || c.classified.error <= *goals_.max_error; }
-    /// Whether it holds both bounds; times it if need be. Nothing known when it is late.
+    /// Returns true when a case is within both limits; times it if needed. False when there is no time left.
     bool time_it(AutopilotCase& c) {
         if (!c.ms) {
             if (late_to_search()) return ++untimed_, false;
-            tell(name_of(c.at) + ", timing");
+            report_progress(name_of(c.axis_values) + ", timing");
             c.ms = meter_.ms(c.settings);
         }
         c.holds = accurate(c) && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
         return c.holds;
     }
 
-    /// With the same kernel, another does no more of anything and less of something.
+    /// Returns true when another case with the same kernel does less work and no more of any kind.
     static bool outdone(const AutopilotCase& c, const std::vector<AutopilotCase*>& others) {
         const auto no_more = [](const WorkCost& a, const WorkCost& b) {
             return a.map_texels <= b.map_texels && a.map_bytes <= b.map_bytes && a.bytes_touched <= b.bytes_touched &&
@@ -133,7 +133,7 @@ private:
         });
     }
 
-    /// So that those that there is time for lie evenly among all.
+    /// Returns a stride that visits all cases in a spread-out order, so that those within the time are evenly chosen.
     static std::size_t stride_over(std::size_t count) {
         std::size_t stride = std::max<std::size_t>(1, std::size_t(0.618 * double(count)));
         while (std::gcd(stride, count) != 1) ++stride;
@@ -142,10 +142,10 @@ private:
 
     double cost_of_case(const AutopilotCase& c) const { return goals_.max_error ? *c.ms : c.classified.error; }
 
-    /// Of these the best that holds the bounds; null: none does.
+    /// Returns the best case within the limits; null: none.
     AutopilotCase* best_of(std::vector<AutopilotCase*> cases) {
         std::erase_if(cases, [&](const AutopilotCase* c) { return !accurate(*c); });
-        // Without a bound on the error the first that is fast enough is the most accurate.
+        // Without an error limit, the first case that is fast enough is the most accurate.
         const auto order = [&](const AutopilotCase* a, const AutopilotCase* b) {
             return goals_.max_error ? a->classified.work.bytes_touched < b->classified.work.bytes_touched
                                     : a->classified.error < b->classified.error;
@@ -161,19 +161,19 @@ private:
         return goals_.max_error ? settle(best, cases) : best;
     }
 
-    /// Those that are about as fast are timed against each other: times taken apart err by more.
+    /// Times cases of similar speed against the best one alternately, as separate times are less precise.
     AutopilotCase* settle(AutopilotCase* best, const std::vector<AutopilotCase*>& cases) {
         if (!best) return nullptr;
         std::vector<AutopilotCase*> close;
         for (AutopilotCase* c : cases)
-            if (c != best && c->holds && *c->ms < (1 + kClose) * *best->ms) close.push_back(c);
+            if (c != best && c->holds && *c->ms < (1 + kMaxTieShare) * *best->ms) close.push_back(c);
         std::sort(close.begin(), close.end(), [](const auto* a, const auto* b) { return *a->ms < *b->ms; });
         if (close.size() > kFinalists) close.resize(kFinalists);
         for (AutopilotCase* c : close) {
             if (late_to_search()) break;
-            tell(name_of(c->at) + ", against the best");
+            report_progress(name_of(c->axis_values) + ", against the best");
             const CostChange more = meter_.time(best->settings, c->settings);
-            if (more.told() && more.value < 0) best = c;
+            if (more.is_significant() && more.value < 0) best = c;
         }
         return best;
     }
@@ -184,7 +184,8 @@ private:
         return all;
     }
 
-    /// All combinations of some axes, the others as they stand. Goes to the best, and returns whether there is one.
+    /// Searches all combinations of some axes, with the others unchanged. Moves to the best case; returns true when it
+    /// is within the limits.
     bool search_block(const std::vector<std::size_t>& block) {
         std::vector<AxisChoice> choices = {at_};
         for (const std::size_t axis : block) {
@@ -201,27 +202,27 @@ private:
             if (AutopilotCase* found = classified(choices[i * stride_over(choices.size()) % choices.size()]))
                 cases.push_back(found);
             else
-                unjudged_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
+                unmeasured_.insert(choices[i * stride_over(choices.size()) % choices.size()]);
         const AutopilotCase* best = best_of(cases);
         if (!best && !cases.empty()) best = nearest(cases);
-        if (best) at_ = best->at;
+        if (best) at_ = best->axis_values;
         return best && best->holds;
     }
 
-    /// What comes nearest to the bounds, where nothing holds them.
+    /// Returns the case nearest to the limits.
     const AutopilotCase* nearest(const std::vector<AutopilotCase*>& cases) const {
         const auto missed = [&](const AutopilotCase* c) {
             const double error = goals_.max_error ? std::max(c->classified.error / *goals_.max_error, 1.0) : 1;
             const double ms = goals_.max_ms && c->ms ? std::max(*c->ms / *goals_.max_ms, 1.0) : 1;
-            // One that was not timed, as it is too far off, is nearer than none.
+            // Cases without a time come last.
             return std::pair(goals_.max_ms && !c->ms ? 1 : 0, error * ms);
         };
         return *std::min_element(cases.begin(), cases.end(),
                                  [&](const auto* a, const auto* b) { return missed(a) < missed(b); });
     }
 
-    /// Two axes at a time, kernel and resolution first: one may be worth changing only with another, as cascades for
-    /// texels.
+    /// Searches two axes at a time, kernel and resolution first, since one may pay off only with another, such as
+    /// cascades with a lower resolution.
     void search_by_parts() {
         std::vector<std::size_t> axes = all_axes();
         const auto rank = [&](std::size_t i) {
@@ -249,20 +250,20 @@ private:
             out.dropped.push_back(std::move(d));
         }
         if (!unpriced.empty())
-            out.untried.push_back(fmt::format("what {} would have cost was not measured for want of time", unpriced));
+            out.untried.push_back(fmt::format("the cost of {} was not measured: no time left", unpriced));
     }
 
-    /// What the effect adds to the best settings. False: it is too late to find out.
+    /// Measures error and time of a dropped setting on the best settings. Returns false when there is no time left.
     bool price(DroppedEffect& d, const Settings& best) const {
         if (late()) return false;
-        tell("what " + d.key + " would have cost");
+        report_progress("the cost of " + d.key);
         Settings with = best;
         set_setting(with, d.key, d.before);
         if (d.key == "filter.kernel") {
             with.filter = start_.filter;
             with.bias = start_.bias;
         }
-        d.error = meter_.judge(with, start_.view.light).error;
+        d.error = meter_.classify(with, start_.view.light).error;
         if (late()) return false;
         d.ms = meter_.time(best, with);
         return true;
@@ -274,14 +275,15 @@ private:
         const auto best = known_.find(at_);
         if (best != known_.end() && best->second.holds) {
             out.best = best->second;
-            out.held = true;
+            out.goals_met = true;
         } else if (!cases.empty())
             out.best = *nearest(cases);
-        if (out.held) find_dropped(out);
-        if (!unjudged_.empty())
-            out.untried.push_back(fmt::format("{} combinations were not judged for want of time", unjudged_.size()));
+        if (out.goals_met) find_dropped(out);
+        if (!unmeasured_.empty())
+            out.untried.push_back(fmt::format("{} combinations were not measured: no time left", unmeasured_.size()));
         if (untimed_ > 0)
-            out.untried.push_back(fmt::format("{} that may hold were not timed for want of time", untimed_));
+            out.untried.push_back(
+                fmt::format("{} combinations within the error limit were not timed: no time left", untimed_));
         for (const auto* c : cases) out.cases.push_back(*c);
         out.summary = summary_of(out);
         out.seconds = spent_s();
@@ -292,24 +294,25 @@ private:
         if (goals_.max_error) text = fmt::format("{} at most {:g}", goals_.error->key, *goals_.max_error);
         if (goals_.max_ms)
             text += fmt::format("{}{:g} ms at most {}", text.empty() ? "" : " and ", *goals_.max_ms,
-                                row_of(goals_.cost).when);
+                                cost_row(goals_.cost).when);
         return text;
     }
 
     std::string summary_of(const AutopilotResult& out) const {
-        if (out.cases.empty()) return fmt::format("{} cannot be held: there was no time to try anything", bounds());
+        if (out.cases.empty()) return fmt::format("{} cannot be met: there was no time to try anything", bounds());
         const std::string ms =
-            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), row_of(goals_.cost).when) : "";
-        const std::string found =
-            fmt::format("{}: {} {:.4g}{}", name_of(out.best.at), goals_.error->key, out.best.classified.error, ms);
-        if (!out.held) return fmt::format("{} cannot be held by what was tried; nearest came {}", bounds(), found);
+            out.best.ms ? fmt::format(", {} ms a frame {}", digits_text(*out.best.ms), cost_row(goals_.cost).when) : "";
+        const std::string found = fmt::format("{}: {} {:.4g}{}", name_of(out.best.axis_values), goals_.error->key,
+                                              out.best.classified.error, ms);
+        if (!out.goals_met)
+            return fmt::format("{} cannot be met by any tried combination; the nearest is {}", bounds(), found);
         return fmt::format("{} (now {:.4g}, {} ms)", found, out.before.error, digits_text(out.before_ms));
     }
 };
 
 }  // namespace
 
-std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, int most_resolution) {
+std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, int max_resolution) {
     std::vector<SweepAxis> axes;
     const auto offer = [&](const std::string& key, const std::vector<std::string>& values) {
         SweepAxis axis{key, {""}};
@@ -326,7 +329,7 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
     if (!fitted || !fitted->casts) return axes;
     offer("filter.kernel", {sweep_kernels().begin(), sweep_kernels().end()});
     std::vector<std::string> sizes;
-    for (int n = 256; n <= std::min(most_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
+    for (int n = 256; n <= std::min(max_resolution, 4096); n *= 2) sizes.push_back(std::to_string(n));
     offer("map.resolution", sizes);
     if (s.map.paged) offer("map.virtual", {"false"});
     if (fitted->type == LightType::Directional && !fitted->is_perspective() && !s.map.paged)
@@ -342,20 +345,20 @@ std::vector<SweepAxis> autopilot_axes(const Settings& s, const AdviceFacts& f, i
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const AutopilotMeter& meter,
                               const std::function<void(double, const std::string&)>& report) {
-    return Flight(settings, axes, goals, meter, report).fly();
+    return AutopilotSearch(settings, axes, goals, meter, report).run();
 }
 
 AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
                                        int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
                                        ReferenceCache& cache, const Workers& workers,
                                        const std::function<void(double, const std::string&)>& report) {
-    const auto tell = [&](double share, const std::string& what) {
+    const auto report_progress = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
     };
     const Settings base = measured_settings(settings);
     const Workers quiet = workers.with_progress_range(0, 0);
-    tell(0, "the present settings");
+    report_progress(0, "the present settings");
     if (axes.empty())
         axes = autopilot_axes(base, advice_facts(renderer, scene, base, width, height, cache, quiet),
                               renderer.driver().max_texture_size);
@@ -367,7 +370,7 @@ AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, c
             .total_ms.median;
     };
     meter.now_s = BurstClock::steady().now_s;
-    return run_autopilot(base, axes, goals, meter, tell);
+    return run_autopilot(base, axes, goals, meter, report_progress);
 }
 
 }  // namespace si

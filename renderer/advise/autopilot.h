@@ -1,8 +1,8 @@
-// The cheapest set of effects that keeps an error, or the most accurate within a time: kernels, resolutions and what
-// else the facts of a scene leave to choose, judged by truth and clock.
+// Autopilot: searches combinations of settings for the cheapest within an error limit, or the most accurate within a
+// time limit. Error and time are measured.
 //
 //     AutopilotResult r = run_autopilot(settings, autopilot_axes(settings, facts), {.max_error = 0.01}, meter);
-//     if (r.held) use(r.best.settings); else tell(r.summary);
+//     if (r.goals_met) use(r.best.settings); else print(r.summary);
 #pragma once
 
 #include <optional>
@@ -12,57 +12,65 @@
 
 namespace si {
 
+/// Goals and limits of an autopilot search.
 struct AutopilotGoals {
-    std::optional<double> max_error, max_ms;   ///< one of them at least
-    const Metric* error = &metrics().front();  ///< one that has a better
-    CostCase cost = kDefaultCost;              ///< which frames max_ms bounds
-    double max_seconds = 100;                  ///< from then on nothing more is tried or priced
-    std::size_t max_combinations = 160;        ///< more are not all tried, but searched by parts
+    std::optional<double> max_error, max_ms;   ///< limits; at least one
+    const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
+    CostCase cost = kDefaultCost;              ///< case under which max_ms is timed
+    double max_seconds = 100;                  ///< duration of the search
+    std::size_t max_combinations = 160;        ///< limit of an exhaustive search; above, axes are searched in pairs
 };
 
-/// An empty value: as the settings are. The first of each axis is that.
-std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int most_resolution = 8192);
+/// Chooses the settings that the autopilot varies, with their values, from facts of the frame. The first value of each
+/// axis is empty and keeps the present setting.
+std::vector<SweepAxis> autopilot_axes(const Settings& settings, const AdviceFacts& facts, int max_resolution = 8192);
 
+/// Functions that measure settings for the autopilot: an advice meter with frame times and a clock.
 struct AutopilotMeter : AdviceMeter {
-    std::function<double(const Settings&)> ms;  ///< of a frame
-    std::function<double()> now_s;              ///< by any clock
+    std::function<double(const Settings&)> ms;  ///< frame time, milliseconds
+    std::function<double()> now_s;              ///< time in seconds, by any clock
 };
 
+/// One combination of settings that the autopilot measured.
 struct AutopilotCase {
-    std::vector<std::size_t> at;  ///< a value of each axis
+    std::vector<std::size_t> axis_values;  ///< index of the value on each axis
     Settings settings;
-    MeasuredSettings classified;
-    std::optional<double> ms;  ///< of a frame, where it was needed
-    bool holds = false;        ///< the bounds, as far as it was timed
+    MeasuredSettings classified;  ///< error and work
+    std::optional<double> ms;     ///< frame time; none: not timed, since not needed
+    bool holds = false;           ///< within the limits, as far as timed
 };
 
-/// What the settings had, and the best case has not.
+/// Setting that the autopilot changed, with error and time of the best case if the setting were kept.
 struct DroppedEffect {
-    std::string key, before, now;  ///< of the setting
-    double error = 0;              ///< with it, all else as in the best case
-    CostChange ms;                 ///< that it would have cost
+    std::string key, before, now;  ///< setting with its old and new value
+    double error = 0;              ///< error with the old value
+    CostChange ms;                 ///< frame time that the old value adds
 };
 
+/// Result of an autopilot search.
 struct AutopilotResult {
-    bool held = false;
-    AutopilotCase best;  ///< where nothing holds the bounds: what came nearest
+    bool goals_met = false;
+    AutopilotCase best;  ///< best case within the limits, or the nearest to them
     MeasuredSettings before;
-    double before_ms = 0;
-    std::vector<AutopilotCase> cases;    ///< all that were judged
-    std::vector<DroppedEffect> dropped;  ///< those that there was time to price
-    std::size_t combinations = 0;        ///< that the axes make
-    std::vector<std::string> untried;    ///< in sentences
-    std::string summary;                 ///< one
-    double seconds = 0;
+    double before_ms = 0;                ///< frame time of the present settings
+    std::vector<AutopilotCase> cases;    ///< measured cases
+    std::vector<DroppedEffect> dropped;  ///< settings that changed, as far as time allowed to measure them
+    std::size_t combinations = 0;        ///< number of combinations of the axes
+    std::vector<std::string> untried;    ///< sentences about parts of the search that were left out
+    std::string summary;                 ///< a sentence
+    double seconds = 0;                  ///< duration of the search
 };
 
-/// @param report hears of the share done and what is tried; may throw Cancelled
+/// Searches combinations of settings for the best within the goals: the cheapest under an error limit, else the most
+/// accurate under a time limit. Draws nothing; the meter does.
+/// @param report receives the share done, 0..1, and the present case; may throw Cancelled
 AutopilotResult run_autopilot(const Settings& settings, const std::vector<SweepAxis>& axes, const AutopilotGoals& goals,
                               const AutopilotMeter& meter,
                               const std::function<void(double, const std::string&)>& report = {});
 
-/// As the renderer draws, on its thread, with axes of the facts unless some are given. @throws Cancelled; Error when
-/// there is no light to judge
+/// Runs the autopilot with a renderer, on the renderer's thread. Without axes, chooses them by autopilot_axes().
+/// @param width, height of the picture in pixels
+/// @throws Cancelled; Error when there is no light to compare
 AutopilotResult run_rendered_autopilot(Renderer& renderer, const Scene& scene, const Settings& settings, int width,
                                        int height, const AutopilotGoals& goals, std::vector<SweepAxis> axes,
                                        ReferenceCache& cache, const Workers& workers = {},

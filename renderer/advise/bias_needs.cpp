@@ -12,12 +12,13 @@
 namespace si {
 namespace {
 
-/// What one pixel asks for, in texels.
+/// Bias that one pixel needs, in texels.
 struct Need {
-    double total = 0, step = 0;  ///< the least bias, and its part that does not grow with the slope
+    double total = 0;  ///< least bias
+    double step = 0;   ///< part of it that does not grow with the slope
     double n_dot_l = 1;
-    double per_normal = 0;     ///< bias that one texel of normal offset is worth: 1 / |n . ray|
-    double gap_per_texel = 0;  ///< metres of contact gap that a texel of bias costs
+    double per_normal = 0;     ///< equivalent depth bias of one texel of normal offset: 1 / |n . ray|
+    double gap_per_texel = 0;  ///< contact gap per texel of bias, metres
     double gap(double bias_texels) const { return bias_texels * gap_per_texel; }
 };
 
@@ -44,8 +45,9 @@ BiasSettings in_texels(double constant, double slope, double normal) {
     return b;
 }
 
-/// Of all pairs that clear every pixel, the one that costs the least gap on average. A slope term of 1 - n.l rises too
-/// late for flat light, so a constant carries that part: for each constant, the slope that does the rest.
+/// Finds the pair of constant and slope bias with the least mean contact gap among pairs without acne on any plane. The
+/// slope term 1 - n.l is small at moderate slopes, so a constant covers those; for each constant the least slope
+/// follows.
 BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
     BiasSettings best = in_texels(largest, 0, 0);
     double least_cost = std::numeric_limits<double>::infinity();
@@ -66,10 +68,10 @@ BiasSettings cheapest_slope(const std::vector<Need>& needs, double largest) {
     return best;
 }
 
-constexpr double kCleared = 0.999;  // of the pixels: a few that are all but edge-on would ask for anything
+constexpr double kCleared = 0.999;  // share of pixels; a few almost edge-on ones need any amount
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Calls `use` with the number and receiver of each pixel that counts, is lit in truth and lies in the map.
+/// Calls `use` with index and receiver of each counted pixel that is lit in the reference and covered by the map.
 template <class Use>
 void each_lit_receiver(const MeasuredError& measured, Use use) {
     const Reference& reference = *measured.traced.reference;
@@ -80,7 +82,7 @@ void each_lit_receiver(const MeasuredError& measured, Use use) {
             use(i, measured.traced.receivers->pixels[i]);
 }
 
-/// The settings by which a row may give more: its own numbers, and bias.constant of those that compare.
+/// Lists the settings that set the amount of a row's bias: its own, and bias.constant for rows of the comparison.
 std::vector<SettingRef> amounts_of(const Bias& row) {
     std::vector<SettingRef> refs;
     for (const std::string_view key : row.settings) refs.push_back(*find_setting(key));
@@ -97,7 +99,7 @@ BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Setti
                           driver);
 }
 
-const Bias& row_of(BiasFamily family) {
+const Bias& family_row(BiasFamily family) {
     switch (family) {
         case BiasFamily::Constant:
             return *std::ranges::find(biases(), "constant", &Bias::key);
@@ -121,7 +123,7 @@ std::string_view family_label(BiasFamily family) {
     return "";
 }
 
-BiasSettings scaled(const BiasSettings& bias, double factor) {
+BiasSettings scale_bias(const BiasSettings& bias, double factor) {
     BiasSettings out = bias;
     const auto scale = [&](double& value, const char* key) {
         value = std::clamp(value * factor, 0.0, find_setting(key)->param->max);
@@ -136,7 +138,7 @@ BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, co
     BiasNeeds out;
     const FittedLight& light = measured.lights[std::size_t(measured.light)];
     if (!light.casts) return out;
-    Settings searched = settings;  // the families' kind, whatever the present one is
+    Settings searched = settings;  // families use the default kind of bias
     searched.bias.kind = default_bias();
     std::vector<Need> needs;
     std::vector<double> gaps, shifts;
@@ -178,16 +180,16 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
     Settings least = settings;
     least.bias = in_texels(0, 0, 0);
     if (row.stage == BiasStage::Compare) set_setting(least, "bias.kind", row.key);
-    // Only where it is clamped, all but edge-on, would more be asked for.
+    // The row computes the needed bias itself, up to a clamp for almost edge-on surfaces.
     if (row.gives_needed_bias) return least.bias;
     const std::vector<SettingRef> amounts = amounts_of(row);
-    // Amounts add up. Each takes the share that grows with the slope, and the last one worth anything all that is left.
-    std::vector<double> worth_it(amounts.size());
+    // Amounts add up. Each covers the part that grows with the slope; the last effective one covers the remainder.
+    std::vector<double> max_effect(amounts.size());
     std::vector<Settings> one(amounts.size(), least);
     for (std::size_t k = 0; k < amounts.size(); ++k) set_value(one[k], amounts[k], 1.0);
     struct At {
         double need, kernel;
-        std::vector<double> worth;
+        std::vector<double> effect;
     };
     std::vector<At> pixels;
     each_lit_receiver(measured, [&](std::size_t, const Receiver& r) {
@@ -195,28 +197,28 @@ std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredErr
         At at{none.least.total() - none.equivalent_depth(), none.least.kernel, {}};
         if (!std::isfinite(at.need) || none.plane.edge_on()) return;
         for (std::size_t k = 0; k < amounts.size(); ++k) {
-            at.worth.push_back(measured_bias_breakdown(measured, one[k], r, driver).equivalent_depth() -
-                               none.equivalent_depth());
-            worth_it[k] = std::max(worth_it[k], at.worth.back());
+            at.effect.push_back(measured_bias_breakdown(measured, one[k], r, driver).equivalent_depth() -
+                                none.equivalent_depth());
+            max_effect[k] = std::max(max_effect[k], at.effect.back());
         }
         pixels.push_back(std::move(at));
     });
-    const auto last = std::ranges::find_if(worth_it.rbegin(), worth_it.rend(), [](double w) { return w > 0; });
+    const auto last = std::ranges::find_if(max_effect.rbegin(), max_effect.rend(), [](double w) { return w > 0; });
     const bool needed = std::ranges::any_of(pixels, [](const At& at) { return at.need > 0; });
-    if (needed && last == worth_it.rend()) return std::nullopt;
+    if (needed && last == max_effect.rend()) return std::nullopt;
     for (std::size_t k = 0; k < amounts.size(); ++k) {
-        if (!(worth_it[k] > 0)) continue;
-        const bool is_last = &worth_it[k] == &*last;
+        if (!(max_effect[k] > 0)) continue;
+        const bool is_last = &max_effect[k] == &*last;
         std::vector<double> values;
         for (const At& at : pixels) {
             const double share = is_last ? at.need : std::min(at.kernel, at.need);
-            values.push_back(!(share > 0) ? 0 : at.worth[k] > 0 ? share / at.worth[k] : kNever);
+            values.push_back(!(share > 0) ? 0 : at.effect[k] > 0 ? share / at.effect[k] : kNever);
         }
         double value = share_of(std::move(values), kCleared);
         value = round_up_3_digits(value * 1.001);
         if (value > amounts[k].param->max) return std::nullopt;
         set_value(least, amounts[k], value);
-        for (At& at : pixels) at.need -= value * at.worth[k];
+        for (At& at : pixels) at.need -= value * at.effect[k];
     }
     return least.bias;
 }

@@ -1,4 +1,4 @@
-// How much bias a whole frame needs, by theory: the start of every search for the least bias.
+// Depth bias that a whole frame needs, by theory: the start of every search for the least bias.
 #pragma once
 
 #include <optional>
@@ -10,48 +10,54 @@
 
 namespace si {
 
-/// A way to spend bias. Each leaves the others at nothing but a small constant for what grows with no slope.
+/// Combination of bias settings in which a search looks for the least bias: a constant alone, or a small constant with
+/// slope bias or normal offset.
 enum class BiasFamily {
     Constant,  ///< bias.constant alone
-    Slope,     ///< bias.slope over a constant, the pair that costs least
-    Normal,    ///< bias.normal over a constant for the format's steps
+    Slope,     ///< bias.slope over a constant, the pair with the smallest gap at casters
+    Normal,    ///< bias.normal over a constant for the format's depth steps
 };
 inline constexpr std::size_t kBiasFamilies = 3;
+/// Returns the name of a bias family for people and JSON: "constant bias", "slope bias" or "normal offset".
 std::string_view family_label(BiasFamily family);
 
+/// Depth bias that the lit pixels of a frame need, by theory, and side effects of the present bias.
 struct BiasNeeds {
-    std::size_t pixels = 0;  ///< that the light reaches, inside the map
-    /// Of them those that more bias lights wholly. Faint: half lit or more, on planes that have less bias than they
-    /// need. Folds: the plane has all that it needs, so what darkens it rises beside it, as a wall does above the floor
-    /// that it stands on.
-    std::size_t faint_acne = 0, folds = 0;
-    /// The least setting of each family that clears every one of these pixels' planes, in texels.
+    std::size_t pixels = 0;  ///< number of pixels that are lit in the reference and covered by the map
+    /// Number of faintly darkened pixels, half lit or more, on planes with less bias than they need.
+    std::size_t faint_acne = 0;
+    /// Number of faintly darkened pixels on planes with enough bias: an adjoining surface rises within the kernel's
+    /// reach, as a wall above its floor.
+    std::size_t folds = 0;
+    /// Least bias of each family under which no pixel's plane shadows itself, in texels.
     std::array<BiasSettings, kBiasFamilies> least{};
-    /// What the present bias costs: metres of lit ground beside a caster that touches its receiver, over these pixels.
+    /// Width of the lit gap at casters that touch their receiver, under the present bias, metres.
     double gap_median_m = 0, gap_p95_m = 0;
-    /// How far the normal offset moves a shadow's edges along the surface, h tan(theta), for 95 % of these pixels.
+    /// Shift of shadow edges along the surface by the normal offset, h tan(theta), 95th percentile, metres.
     double shift_p95_m = 0;
-    const BiasSettings& of(BiasFamily family) const { return least[std::size_t(family)]; }
+    /// Returns the least bias of a family under which no pixel's plane shadows itself.
+    const BiasSettings& least_of(BiasFamily family) const { return least[std::size_t(family)]; }
 };
 
-/// Over the pixels that count, are lit in truth and lie in the map: only these can show acne.
-/// @param settings that were measured
+/// Computes the depth bias that a measured frame needs, over pixels that are counted, lit in the reference and covered
+/// by the map. Only these can show acne.
+/// @param settings settings of the measured frame
 BiasNeeds bias_needs(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
-/// What of bias a receiver of the picture that was measured gets and needs under the settings.
+/// Computes the bias terms of one receiver of a measured frame under given settings, and the bias that it needs.
 BiasBreakdown measured_bias_breakdown(const MeasuredError& measured, const Settings& settings, const Receiver& receiver,
                                       const RasterTraits& driver);
 
-/// The row that a family spends.
-const Bias& row_of(BiasFamily family);
+/// Returns the row of the bias table whose settings a bias family uses.
+const Bias& family_row(BiasFamily family);
 
-/// The least settings under which a row clears 999 of 1000 of the pixels of bias_needs() by its own account, in texels
-/// where it counts in bias.unit: those settings of the row that are worth anything, the last of them for what grows
-/// with no slope. A row that needs no numbers gets none; nothing where the settings' limits do not let it.
+/// Computes the least settings of one row of the bias table under which 999 of 1000 pixels of bias_needs() have enough
+/// bias. Amounts are in texels where they count in bias.unit. A row without amounts gets none.
+/// @return none when the limits of the settings do not allow enough bias
 std::optional<BiasSettings> least_bias_of_row(const Bias& row, const MeasuredError& measured, const Settings& settings,
                                               const RasterTraits& driver);
 
-/// Every amount times `factor`, within what the settings allow.
-BiasSettings scaled(const BiasSettings& bias, double factor);
+/// Multiplies constant, slope and normal bias by a factor and clamps them to the limits of the settings.
+BiasSettings scale_bias(const BiasSettings& bias, double factor);
 
 }  // namespace si

@@ -35,33 +35,33 @@ BiasSearch::BiasSearch(const Settings& start, const Options& options) : start_(s
         families_ = {BiasFamily::Normal, BiasFamily::Slope, BiasFamily::Constant};
 }
 
-/// A plane needs factor 1. Where surfaces rise beside it (a wall above its floor) more normal offset is of no use, as
-/// it moves along the wall: texels of constant bias are added.
-BiasSettings BiasSearch::tried(double factor) const {
+// Planes need factor 1. Next to a rising surface (a wall above its floor), more normal offset only moves along the
+// wall, so texels of constant bias are added instead.
+BiasSettings BiasSearch::bias_at_factor(double factor) const {
     const BiasFamily family = families_[at_];
-    const BiasSettings& theory = before_.needs.of(family);
-    if (family != BiasFamily::Normal || factor <= 1) return scaled(theory, factor);
+    const BiasSettings& theory = before_.needs.least_of(family);
+    if (family != BiasFamily::Normal || factor <= 1) return scale_bias(theory, factor);
     BiasSettings bias = theory;
     bias.constant += factor - 1;
-    return scaled(bias, 1);
+    return scale_bias(bias, 1);
 }
 
-Settings BiasSearch::next() const {
+Settings BiasSearch::next_settings() const {
     Settings s = start_;
-    if (step_ == Step::Family) s.bias = tried(factor_);
+    if (step_ == Step::Family) s.bias = bias_at_factor(factor_);
     return s;
 }
 
-std::string BiasSearch::about() const {
+std::string BiasSearch::step_label() const {
     if (step_ == Step::Before) return "the present bias";
     if (step_ == Step::Done) return "done";
-    return fmt::format("{}: {}", family_label(families_[at_]), bias_text(next().bias));
+    return fmt::format("{}: {}", family_label(families_[at_]), bias_text(next_settings().bias));
 }
 
 double BiasSearch::progress() const {
     if (step_ == Step::Done) return 1;
     if (step_ == Step::Before) return 0;
-    constexpr double kUsual = 7;  // trials of a family
+    constexpr double kUsual = 7;  // usual number of trials per family
     const double within = std::min(trials_of_family_ / kUsual, 0.95);
     return 0.05 + 0.95 * (double(at_) + within) / double(families_.size());
 }
@@ -77,27 +77,27 @@ void BiasSearch::start_family(std::size_t index) {
     if (at_ == families_.size()) step_ = Step::Done;
 }
 
-void BiasSearch::report(const BiasTrial& trial) {
+void BiasSearch::add_trial(const BiasTrial& trial) {
     ++trials_;
     if (step_ == Step::Before) {
         before_ = trial;
-        step_ = trial.needs.pixels > 0 ? Step::Family : Step::Done;  // nothing is lit: nothing can shadow itself
+        step_ = trial.needs.pixels > 0 ? Step::Family : Step::Done;  // without lit pixels there is no acne
         if (step_ == Step::Family) start_family(0);
         return;
     }
     ++trials_of_family_;
-    const BiasFound here{families_[at_], factor_, next().bias, trial};
+    const BiasFound here{families_[at_], factor_, next_settings().bias, trial};
     if (trial.acne() == 0) clear_ = here;
     if (!nearest_ || trial.acne() < nearest_->trial.acne()) nearest_ = here;
-    // Of trials without acne the last has the least bias.
+    // The last trial without acne has the least bias.
     if (!nearest_of_family_ || trial.acne() == 0 || trial.acne() < nearest_of_family_->trial.acne())
         nearest_of_family_ = here;
     narrow(trial.acne() == 0);
 }
 
-/// Down from what is enough, up from what is not, then halves between the two.
+// Lowers a factor without acne, raises one with acne, then bisects between the two.
 void BiasSearch::narrow(bool clear) {
-    const BiasSettings before = next().bias;
+    const BiasSettings before = next_settings().bias;
     (clear ? hi_ : lo_) = factor_;
     const bool known = hi_ > 0 && (options_.quick || hi_ - lo_ <= options_.tolerance * hi_ || hi_ < 1e-3);
     if (known) {
@@ -109,8 +109,8 @@ void BiasSearch::narrow(bool clear) {
     if (hi_ == 0) {
         const bool normal = families_[at_] == BiasFamily::Normal;
         factor_ = normal ? 1 + std::max(0.25, 2 * (lo_ - 1)) : 1.25 * lo_;
-        // At the settings' own limits more is the same.
-        if (factor_ > (normal ? 130 : 16) || next().bias == before) start_family(at_ + 1);
+        // At the limits of the settings a larger factor changes nothing.
+        if (factor_ > (normal ? 130 : 16) || next_settings().bias == before) start_family(at_ + 1);
     } else if (lo_ == 0) {
         factor_ = hi_ == 1 ? 0.93 : 0.75 * hi_;
     } else {
@@ -129,8 +129,8 @@ const BiasFound* BiasSearch::best() const {
 
 std::string theory_text(const BiasFound& found) {
     if (found.family == BiasFamily::Normal && found.factor > 1)
-        return fmt::format("what theory says of planes, and {:.2g} texels for corners", found.factor - 1);
-    return fmt::format("{:.2f} of what theory says", found.factor);
+        return fmt::format("the bias by theory for planes, and {:.2g} texels for corners", found.factor - 1);
+    return fmt::format("{:.2f} of the bias by theory", found.factor);
 }
 
 std::string bias_text(const BiasSettings& b) {

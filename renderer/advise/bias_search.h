@@ -1,10 +1,11 @@
-// The least bias that leaves no acne in a frame: predicted by theory, found by measuring. Says what to measure next and
-// draws nothing itself.
+// Search for the least bias without acne in a frame: predicted by theory, confirmed by measured trials. The search
+// returns the settings to measure next and draws nothing.
 //
 //     BiasSearch search(settings);
 //     while (!search.done()) {
-//         const MeasuredError measured = measure_error(renderer, scene, search.next(), request, light, {}, cache);
-//         search.report(measure_bias_trial(measured, search.next(), driver));
+//         const Settings s = search.next_settings();
+//         const MeasuredError measured = measure_error(renderer, scene, s, request, light, {}, cache);
+//         search.add_trial(measure_bias_trial(measured, s, driver));
 //     }
 //     search.best()->bias
 #pragma once
@@ -17,65 +18,77 @@
 
 namespace si {
 
-/// What a frame under some bias showed.
+/// Measured frame under one bias: error metrics and the bias that the frame needs.
 struct BiasTrial {
     ErrorMetrics error;
     BiasNeeds needs;
-    /// Pixels that are dark though lit and that more bias puts right, and with wide kernels those whose surface darkens
-    /// itself faintly, long before that counts as shadow.
+    /// Returns the number of pixels with acne, faint acne of wide kernels included. More bias makes them right.
     std::size_t acne() const;
-    /// The price of bias: pixels that are wrong, and would be right if each had just the least bias of its own.
+    /// Returns the number of pixels that are wrong by too much bias: peter-panning and shadows by normal offset.
     std::size_t lost() const;
-    /// Pixels that are wrong for whatever cause.
+    /// Returns the number of wrong pixels of all causes.
     std::size_t wrong() const;
 };
 
-/// What was measured, as a search takes it. @param settings that were measured
+/// Converts a measured frame to a trial for BiasSearch::add_trial(). @param settings settings of the measured frame
 BiasTrial measure_bias_trial(const MeasuredError& measured, const Settings& settings, const RasterTraits& driver);
 
+/// Bias that a search found for one family, with the trial that confirmed it.
 struct BiasFound {
     BiasFamily family = BiasFamily::Constant;
-    double factor =
-        1;  ///< of what theory says; a normal offset is given texels of constant bias where that is not enough
+    double factor = 1;  ///< multiple of the bias by theory; normal offset above 1: plus texels of constant bias
     BiasSettings bias;
     BiasTrial trial;
 };
 
+/// Search for the least bias without acne, by bisection within each bias family. The caller measures next_settings()
+/// and adds the trial until done().
 class BiasSearch {
 public:
+    /// Options of a search for the least bias.
     struct Options {
-        double tolerance = 0.02;         ///< the least factor is known to this share
-        std::optional<BiasFamily> only;  ///< else all are tried
-        bool quick = false;              ///< content with what theory says where that leaves no acne
+        double tolerance = 0.02;         ///< relative precision of the least factor
+        std::optional<BiasFamily> only;  ///< family to search; none: all
+        bool quick = false;              ///< accepts the bias by theory where no acne is left
     };
-    /// @param start with the bias that is to be replaced; it is tried first
+    /// Begins a search with default options. @param start settings whose bias is replaced; measured first
     explicit BiasSearch(const Settings& start) : BiasSearch(start, Options()) {}
+    /// Begins a search. @param start settings whose bias is replaced; measured first
     BiasSearch(const Settings& start, const Options& options);
 
+    /// Returns true when no further trial is needed.
     bool done() const { return step_ == Step::Done; }
-    /// What to measure next.
-    Settings next() const;
-    void report(const BiasTrial& trial);
+    /// Returns the settings to measure next.
+    Settings next_settings() const;
+    /// Adds the measured trial of next_settings() and chooses the next settings.
+    void add_trial(const BiasTrial& trial);
+    /// Returns the estimated share of the bias search that is done, 0..1.
     double progress() const;
-    /// "normal offset, 3.1 texels".
-    std::string about() const;
+    /// Returns the present step of the bias search for people: "normal offset: bias.normal 3.1 texels".
+    std::string step_label() const;
+    /// Returns the number of added trials.
     int trials() const { return trials_; }
 
+    /// Returns the trial of the start settings.
     const BiasTrial& before() const { return before_; }
-    /// The least of each family that leaves no acne; families that never do are missing.
+    /// Returns the least bias without acne of each family; families without one are missing.
     const std::vector<BiasFound>& found() const { return found_; }
-    /// One of each family that was tried: the least that leaves no acne, or else what came nearest to that.
+    /// Returns one bias for each searched family: the least without acne, else the one with the least acne.
     const std::vector<BiasFound>& tried() const { return tried_; }
-    /// The one that loses the fewest pixels, and of equal ones that with the smallest gap for 95 %; nothing when no
-    /// bias leaves no acne.
+    /// Returns the bias without acne that loses the fewest shadow pixels, then the one with the smallest gap at
+    /// casters; null: no bias is without acne.
     const BiasFound* best() const;
-    /// Where none does: what came nearest.
+    /// Returns the bias with the least acne of all trials; null: no trials.
     const BiasFound* nearest() const { return nearest_ ? &*nearest_ : nullptr; }
 
 private:
+    /// Stage of the search: start settings, a family, done.
     enum class Step { Before, Family, Done };
-    BiasSettings tried(double factor) const;
+    /// Returns the bias of the present family at a multiple of the bias by theory.
+    BiasSettings bias_at_factor(double factor) const;
+    /// Begins the bisection of a family by its index in families_.
     void start_family(std::size_t index);
+    /// Narrows the range of factors after a trial. @param clear the trial had no acne
     void narrow(bool clear);
 
     Settings start_;
@@ -90,10 +103,10 @@ private:
     std::optional<BiasFound> clear_, nearest_, nearest_of_family_;
 };
 
-/// How it compares with theory: "0.97 of what theory says".
+/// Formats a found bias as a multiple of the bias by theory: "0.97 of the bias by theory".
 std::string theory_text(const BiasFound& found);
 
-/// The bias in words: "bias.normal 3.1, bias.constant 0.02 texels".
+/// Formats bias settings: "bias.normal 3.1, bias.constant 0.02 texels".
 std::string bias_text(const BiasSettings& bias);
 
 }  // namespace si

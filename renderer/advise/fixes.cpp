@@ -26,7 +26,7 @@ double power_of_two_above(double v) {
     return std::exp2(std::ceil(std::log2(std::max(v, 1.0)) - 1e-9));
 }
 
-/// Texels at which nineteen of twenty undersampled pixels are no longer so.
+/// Returns the map resolution at which 95 % of the undersampled pixels have narrow enough texels.
 double sampling_resolution(const MeasuredError& m, const Settings& settings, const DriverInfo& driver) {
     const FittedLight& light = m.lights[std::size_t(m.light)];
     std::vector<double> wanted;
@@ -36,7 +36,7 @@ double sampling_resolution(const MeasuredError& m, const Settings& settings, con
         const BiasBreakdown a = measured_bias_breakdown(m, settings, r, driver);
         const float run_m = m.traced.runs->run_m.data[i];
         double n = run_m > 0 && a.receiver.texel_m > run_m ? m.map_resolution * a.receiver.texel_m / run_m : 0;
-        // Where the window is closed for one nearest tap, finer texels open it.
+        // Where no bias is right even for one nearest tap, finer texels make room for one.
         const double gap_m = m.traced.reference->blocker_m.data[i];
         if (std::isfinite(gap_m)) {
             const double along = gap_m * glm::dot(a.receiver.to_light, light.views[a.receiver.view].axes[2]);
@@ -58,7 +58,7 @@ constexpr std::pair<BiasFamily, const char*> kFamilies[] = {{BiasFamily::Normal,
                                                             {BiasFamily::Slope, "least bias, slope over constant"},
                                                             {BiasFamily::Constant, "least bias, constant alone"}};
 
-/// "Receiver plane" as "receiver plane".
+/// Converts a label for use in a sentence: "Receiver plane" becomes "receiver plane".
 std::string in_a_sentence(std::string_view label) {
     std::string out(label);
     if (!out.empty()) out[0] = char(std::tolower(static_cast<unsigned char>(out[0])));
@@ -70,14 +70,14 @@ void cast_from_both_sides(Settings& s) {
     for (auto& [path, object] : s.objects) object.cull = ObjectCull::Inherit;
 }
 
-/// What a light's map covers, and how many maps it is divided among: the rows of the fit table, and cascades.
+/// Proposes other fits of a light's map, and other numbers of cascades.
 template <class Idea>
 void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
     const auto light = std::size_t(f.light);
     const FittedLight& fitted = f.lights[light];
     const bool sun = fitted.type == LightType::Directional;
     const bool by_hand = base.lights[light].fit == LightFit::Manual;
-    // Fits are asked for maps whose rays are the light's own.
+    // Fits apply to maps whose rays are the light's own.
     const bool narrows = fitted.views.size() == 1 && sun != fitted.is_perspective();
     for (std::size_t i = 0; i < fits().size(); ++i) {
         const FitRow& row = fits()[i];
@@ -98,7 +98,7 @@ void add_fits(const Settings& base, const FixFacts& f, Idea idea) {
         idea(fmt::format("{} cascades", n), [&](Settings& s) { s.lights[light].cascades = n; });
 }
 
-/// Differences of the times of passes, of frames drawn to and fro.
+/// Timer of the difference between two settings: frames are drawn alternately, and only affected passes count.
 class Stopwatch {
 public:
     Stopwatch(Renderer& renderer, const Scene& scene, FrameRequest request, int frames)
@@ -114,7 +114,7 @@ public:
         const auto start = std::chrono::steady_clock::now();
         for (int i = -1; i < frames_; ++i) {
             if (workers.stop.stop_requested()) throw Cancelled();
-            if (i >= kFewestFrames && std::chrono::steady_clock::now() - start > kLongEnough) break;
+            if (i >= kMinFrames && std::chrono::steady_clock::now() - start > kMaxDuration) break;
             const double first = time(before, changed), second = time(with, changed);
             if (i < 0) continue;  // warms up
             a.push_back(first), b.push_back(second);
@@ -127,14 +127,14 @@ public:
 private:
     Renderer& renderer_;
     const Scene& scene_;
-    // Frames that take long differ by little of it.
-    static constexpr int kFewestFrames = 2;
-    static constexpr std::chrono::seconds kLongEnough{2};
+    // Slow frames scatter little, so a few are enough.
+    static constexpr int kMinFrames = 2;
+    static constexpr std::chrono::seconds kMaxDuration{2};
 
     FrameRequest request_;
     int frames_;
 
-    /// The passes that run anew when one setting takes the other's place.
+    /// Returns the passes that must run again when one setting replaces the other.
     std::set<std::string> changed_passes(const Settings& before, const Settings& with) {
         FrameRequest quiet = request_;
         quiet.timing = quiet.force = false;
@@ -144,7 +144,7 @@ private:
                 if (pass.state == PassState::Drawn) out.insert(pass.name);
         };
         draw(before);
-        out.clear();  // whatever was drawn last
+        out.clear();  // passes that depend on earlier frames do not count
         draw(with);
         draw(before);
         return out;
@@ -168,11 +168,11 @@ std::vector<std::pair<std::string, std::string>> setting_changes(const Settings&
 }
 
 BiasSettings least_bias_of(const BiasNeeds& needs, BiasFamily family) {
-    BiasSettings b = needs.of(family);
+    BiasSettings b = needs.least_of(family);
     b.constant = round_up_3_digits(b.constant * 1.001);
     b.slope = round_up_3_digits(b.slope * 1.001);
     b.normal = round_up_3_digits(b.normal * 1.001);
-    return scaled(b, 1);  // within what the settings allow
+    return scale_bias(b, 1);  // clamps to the limits of the settings
 }
 
 std::pair<std::string_view, std::string_view> adjacent_kernels(const Settings& settings) {
@@ -209,7 +209,8 @@ FixFacts fix_facts(const MeasuredError& measured, const Settings& settings, cons
     f.max_resolution = driver.max_texture_size;
     f.sampling_resolution = sampling_resolution(measured, settings, driver);
     for (const Bias& row : biases()) {
-        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &row_of(family.first) == &row; })) continue;
+        if (std::ranges::any_of(kFamilies, [&](const auto& family) { return &family_row(family.first) == &row; }))
+            continue;
         if (const auto least = least_bias_of_row(row, measured, settings, driver))
             f.least_of_rows.emplace_back(&row, *least);
     }
@@ -265,7 +266,7 @@ std::vector<FixCandidate> fix_candidates(const Settings& base, const FixFacts& f
         const double most = find_setting("map.resolution")->param->max;
         if (n > std::min(double(limit), most)) {
             idea(
-                title, [](Settings&) {}, fmt::format("beyond the limit of {:.0f}²", std::min(double(limit), most)));
+                title, [](Settings&) {}, fmt::format("above the limit of {:.0f}²", std::min(double(limit), most)));
             return;
         }
         idea(title, change);
@@ -284,7 +285,7 @@ std::vector<FixCandidate> fix_candidates(const Settings& base, const FixFacts& f
         }
     };
     finer(2.0 * f.map_resolution, "twice the resolution", std::span(kFamilies));
-    // Large maps take seconds to try: with the family that shifts least alone.
+    // Large maps take seconds to draw, so only the family with the smallest gap is tried.
     if (f.sampling_resolution > 2.0 * f.map_resolution)
         finer(f.sampling_resolution, "the resolution that is needed", std::span(kFamilies).first(1));
 
@@ -303,7 +304,7 @@ FixCandidate suggested_candidate(const SuggestedFix& fix, const Settings& settin
 
 std::string time_text(const std::optional<CostChange>& ms) {
     if (!ms) return "-";
-    return ms->told() ? signed_text(ms->value) + " ms" : "< noise";
+    return ms->is_significant() ? signed_text(ms->value) + " ms" : "< noise";
 }
 
 std::string map_bytes_text(long long bytes) {
@@ -318,11 +319,11 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
     const Settings base = measured_settings(settings);
     const FrameRequest request{.width = width, .height = height};
     const int light = base.view.light;
-    const auto tell = [&](double share, const std::string& what) {
+    const auto report_progress = [&](double share, const std::string& what) {
         if (workers.stop.stop_requested()) throw Cancelled();
         if (report) report(share, what);
     };
-    tell(0, "the present settings");
+    report_progress(0, "the present settings");
     const auto measure = [&](const Settings& s) {
         return measure_error(renderer, scene, s, request, light, options.reference, cache,
                              workers.with_progress_range(0, 0));
@@ -358,7 +359,7 @@ FixTable find_fixes(Renderer& renderer, const Scene& scene, const Settings& sett
         MeasuredFix row{.name = idea.name, .settings = setting_changes(base, idea.settings), .untried = idea.untried};
         row.label = idea.label;
         if (row.untried.empty()) {
-            tell((double(k) + 1) / (double(ideas.size()) + 1), row.shown_name());
+            report_progress((double(k) + 1) / (double(ideas.size()) + 1), row.shown_name());
             const MeasuredError after = measure(idea.settings);
             if (after.camera.eye != before.camera.eye || after.camera.clip_from_relative(after.camera.eye) !=
                                                              before.camera.clip_from_relative(before.camera.eye)) {

@@ -20,7 +20,7 @@ namespace {
 
 std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
     std::string text = fmt::format(
-        "gap beside casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
+        "gap at casters {} at the median, {} for 95 % (was {}, {}); {} px lost to bias (was {}); acne {} px (was "
         "{})",
         metres_text(after.needs.gap_median_m), metres_text(after.needs.gap_p95_m),
         metres_text(before.needs.gap_median_m), metres_text(before.needs.gap_p95_m), after.lost(), before.lost(),
@@ -35,33 +35,33 @@ std::string cost_text(const BiasTrial& before, const BiasTrial& after) {
 Tuner::Tuner(const Settings& start, const TuneGoals& goals) : start_(start), goals_(goals), first_(start) {}
 
 Settings Tuner::settings() const {
-    if (ask_ == Ask::Time) return candidates_.back().settings;
-    return search_ ? search_->next() : first_.next();
+    if (action_ == Action::Time) return candidates_.back().settings;
+    return search_ ? search_->next_settings() : first_.next_settings();
 }
 
 void Tuner::open_candidate() {
     if (kernel_ == sweep_kernels().size()) {
         search_.reset();
-        ask_ = Ask::Nothing;
+        action_ = Action::None;
         return;
     }
     Settings s = start_;
-    // What the start needed, for this kernel's reach: where the search of its own begins.
+    // The search begins with the bias of the start, scaled to this kernel's reach.
     const BiasFound& known = *first_.best();
     set_setting(s, "filter.kernel", sweep_kernels()[kernel_]);
-    s.bias = scaled(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
+    s.bias = scale_bias(known.bias, std::max(reach_of(s).bias, 0.5) / std::max(reach_of(start_).bias, 0.5));
     s.map.resolution = resolution_;
     candidates_.push_back({.kernel = sweep_kernels()[kernel_], .settings = s});
     search_.emplace(s, BiasSearch::Options{.only = known.family, .quick = true});
-    ask_ = goals_.max_ms ? Ask::Time : Ask::Judge;  // a look at the clock is cheaper than the truth
+    action_ = goals_.max_ms ? Action::Time : Action::Classify;  // timing is cheaper than tracing
 }
 
 void Tuner::close_candidate(bool try_finer) {
-    if (try_finer && 2 * resolution_ <= goals_.most_resolution) {
+    if (try_finer && 2 * resolution_ <= goals_.max_resolution) {
         resolution_ *= 2;
     } else {
         ++kernel_;
-        resolution_ = std::min(kMinResolution, goals_.most_resolution);
+        resolution_ = std::min(kMinResolution, goals_.max_resolution);
     }
     open_candidate();
 }
@@ -75,59 +75,59 @@ void Tuner::finish_measured_run() {
         c.trial = found->trial;
     } else {
         c.trial = search_->before();
-        c.clear = true;  // nothing is lit
+        c.clear = true;  // no pixel is lit
     }
     c.error = distance_from_best(goals_.error->better, goals_.error->value(c.trial->error));
     const bool accurate = c.clear && (!goals_.max_error || c.error <= *goals_.max_error);
     if (!c.ms && accurate) {
-        ask_ = Ask::Time;
+        action_ = Action::Time;
         return;
     }
     c.meets = accurate && c.ms && (!goals_.max_ms || *c.ms <= *goals_.max_ms);
-    // Finer maps cost more: once the error is small enough they are of no use.
+    // Finer maps cost more and are not needed once the error is small enough.
     close_candidate(!(goals_.max_error && c.meets));
 }
 
-void Tuner::classified(const BiasTrial& trial) {
+void Tuner::add_trial(const BiasTrial& trial) {
     ++trials_;
     if (!search_) {
-        first_.report(trial);
+        first_.add_trial(trial);
         if (!first_.done()) return;
         if (!goals_.any() || !first_.best())
-            ask_ = Ask::Nothing;
+            action_ = Action::None;
         else
             open_candidate();
         return;
     }
-    search_->report(trial);
+    search_->add_trial(trial);
     if (search_->done()) finish_measured_run();
 }
 
-void Tuner::timed(double ms) {
+void Tuner::add_time(double ms) {
     TuneCandidate& c = candidates_.back();
     c.ms = ms;
     if (c.trial) {
         finish_measured_run();
     } else if (goals_.max_ms && ms > *goals_.max_ms) {
-        close_candidate(false);  // and finer maps cost more
+        close_candidate(false);  // finer maps cost more
     } else {
-        ask_ = Ask::Judge;
+        action_ = Action::Classify;
     }
 }
 
 double Tuner::progress() const {
-    if (ask_ == Ask::Nothing) return 1;
+    if (action_ == Action::None) return 1;
     const double first = goals_.any() ? 0.2 : 1.0;
     if (!search_) return first * first_.progress();
-    const double steps = std::log2(double(goals_.most_resolution) / kMinResolution) + 1;
+    const double steps = std::log2(double(goals_.max_resolution) / kMinResolution) + 1;
     const double within = std::log2(double(resolution_) / kMinResolution) / steps;
     return first + (1 - first) * (double(kernel_) + within) / double(sweep_kernels().size());
 }
 
-std::string Tuner::about() const {
-    if (!search_) return first_.about();
+std::string Tuner::step_label() const {
+    if (!search_) return first_.step_label();
     return fmt::format("{} at {}²{}", kernel_label(candidates_.back().settings), resolution_,
-                       ask_ == Ask::Time ? ", timing" : "");
+                       action_ == Action::Time ? ", timing" : "");
 }
 
 const TuneCandidate* Tuner::best() const {
@@ -166,14 +166,14 @@ std::string Tuner::summary() const {
     if (const TuneCandidate* c = best())
         return fmt::format("{} at {}², {}: {} {:.4g}, {} ms a frame {}; {}", kernel_label(c->settings),
                            c->settings.map.resolution, bias_text(c->settings.bias), goals_.error->key, c->error,
-                           digits_text(*c->ms), row_of(goals_.cost).when, cost_text(first_.before(), *c->trial));
+                           digits_text(*c->ms), cost_row(goals_.cost).when, cost_text(first_.before(), *c->trial));
     const TuneCandidate* near = nullptr;
     for (const TuneCandidate& c : candidates_)
         if (c.trial && c.clear && (!near || c.error < near->error)) near = &c;
     if (!near) return "no kernel and resolution is within the limits: each takes longer than allowed or shows acne";
     return fmt::format("no kernel and resolution is within the limits: the least {} was {:.4g} with {} at {}²{}",
                        goals_.error->key, near->error, kernel_label(near->settings), near->settings.map.resolution,
-                       near->ms ? fmt::format(" in {} ms {}", digits_text(*near->ms), row_of(goals_.cost).when) : "");
+                       near->ms ? fmt::format(" in {} ms {}", digits_text(*near->ms), cost_row(goals_.cost).when) : "");
 }
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// Searches bias, and with limits kernel and resolution too, for the setting that is least wrong or least costly. Says
-// what to measure next and draws nothing itself.
+// Tuner: searches the least bias, and with limits also kernel and resolution, for the most accurate or cheapest
+// settings. The tuner returns the settings to measure next and draws nothing.
 #pragma once
 
 #include <functional>
@@ -13,66 +13,86 @@
 
 namespace si {
 
-/// Why a light of a frame has no bias to search, in words; empty: it has.
+/// Returns the reason why the bias of a light cannot be tuned, such as a light without a map; empty: it can.
+/// @param light index of light.*
 std::string reason_not_tunable(std::span<const FittedLight> lights, int light);
 
+/// Goals and limits of a tuner.
 struct TuneGoals {
-    std::optional<double> max_error, max_ms;
-    const Metric* error = &metrics().front();  ///< one that has a better
-    int most_resolution = 8192;                ///< that may be tried
-    CostCase cost = kDefaultCost;              ///< which frames max_ms bounds
+    std::optional<double> max_error, max_ms;   ///< limits; without any, only bias is searched
+    const Metric* error = &metrics().front();  ///< metric of max_error; not Better::Neither
+    int max_resolution = 8192;                 ///< largest map.resolution to try
+    CostCase cost = kDefaultCost;              ///< case under which max_ms is timed
+    /// Returns true when there is a limit of error or time.
     bool any() const { return max_error || max_ms; }
 };
 
-/// A kernel and resolution with the bias that it needs.
+/// Kernel and resolution that the tuner tried, with the least bias for them.
 struct TuneCandidate {
-    std::string_view kernel;  ///< as --set filter.kernel takes it
+    std::string_view kernel;  ///< value of filter.kernel
     Settings settings;
     std::optional<BiasTrial> trial;
-    double error = 0;          ///< shortfall() of TuneGoals::error
-    std::optional<double> ms;  ///< of a frame
-    bool clear = false;        ///< no acne
-    bool meets = false;        ///< clear, and within the limits
+    double error = 0;          ///< distance_from_best() of TuneGoals::error
+    std::optional<double> ms;  ///< frame time
+    bool clear = false;        ///< without acne
+    bool meets = false;        ///< without acne, and within the limits
 };
 
+/// Search for the least bias, and with limits also for kernel and resolution. The caller measures settings() as
+/// action() requests, until Action::None.
 class Tuner {
 public:
+    /// Begins a search. @param start settings whose bias, kernel and resolution are replaced
     Tuner(const Settings& start, const TuneGoals& goals);
 
-    enum class Ask { Judge, Time, Nothing };
-    /// What to do next with settings(), until Nothing.
-    Ask ask() const { return ask_; }
+    /// Measurement that the tuner needs next.
+    enum class Action {
+        Classify,  ///< error of a frame, for add_trial()
+        Time,      ///< frame time, for add_time()
+        None,      ///< done
+    };
+    /// Returns the measurement that the tuner needs next, of settings().
+    Action action() const { return action_; }
+    /// Returns the settings to measure next.
     Settings settings() const;
-    void classified(const BiasTrial& trial);
-    void timed(double ms);
+    /// Adds the error measurement that Action::Classify requested.
+    void add_trial(const BiasTrial& trial);
+    /// Adds the frame time that Action::Time requested. @param ms milliseconds
+    void add_time(double ms);
 
+    /// Returns the estimated share of the tuner's search that is done, 0..1.
     double progress() const;
-    std::string about() const;
+    /// Returns the present step of the tuner for people: "PCF 3x3 at 1024², timing".
+    std::string step_label() const;
+    /// Returns the number of error measurements so far.
     int trials() const { return trials_; }
-    /// The least bias for the kernel and resolution of the start.
+    /// Returns the search for the least bias at the start's kernel and resolution.
     const BiasSearch& bias() const { return first_; }
-    /// Without limits empty.
+    /// Returns the kernels and resolutions that were tried; empty without limits.
     const std::vector<TuneCandidate>& candidates() const { return candidates_; }
-    /// With a bound on the error the cheapest candidate within all limits, else the most accurate; nothing when none
-    /// is.
+    /// Returns the best candidate within all limits: with max_error the cheapest, else the most accurate. Null: none.
     const TuneCandidate* best() const;
-    /// The start with what was found; nothing when nothing leaves no acne within the limits.
+    /// Returns the start settings with the bias, kernel and resolution that were found; none: no candidate is without
+    /// acne and within the limits.
     std::optional<Settings> result() const;
-    /// One sentence: what was found, what it costs; or why nothing was.
+    /// Returns the tuner's result in one sentence: the settings and their cost, or the reason why there are none.
     std::string summary() const;
 
 private:
     static constexpr int kMinResolution = 256;
 
+    /// Begins the next candidate: present kernel and resolution.
     void open_candidate();
+    /// Ends the present candidate. @param try_finer goes on with twice the resolution, else with the next kernel
     void close_candidate(bool try_finer);
+    /// Completes the present candidate after its bias search.
     void finish_measured_run();
 
     Settings start_;
     TuneGoals goals_;
     BiasSearch first_;
-    std::optional<BiasSearch> search_;  ///< of the present candidate
-    Ask ask_ = Ask::Judge;
+    std::optional<BiasSearch> search_;  ///< search of the present candidate
+    Action action_ = Action::Classify;
     std::size_t kernel_ = 0;
     int resolution_ = kMinResolution;
     int trials_ = 0;

@@ -19,25 +19,25 @@
 namespace si {
 namespace {
 
-constexpr int kTimedTurns = 7;  ///< odd: one of them is the middle
+constexpr int kTimedTurns = 7;  ///< odd, so that the median is one of them
 
-/// How a frame without something is compared with the whole one.
+/// Comparison of a frame without some work with the whole frame.
 enum class ComparedBy {
-    Picture,       ///< all of it
-    SameSurfaces,  ///< where both show the same triangle: what else there is to see may differ
-    Shown,         ///< all panes, with what settings show over them
+    Picture,       ///< the whole picture
+    SameSurfaces,  ///< pixels that show the same triangle in both
+    Shown,         ///< panes with their overlays
 };
 
-/// A frame without something.
+/// Frame without one piece of work.
 struct Trial {
     Trial(std::string name, const Settings& s) : settings(s) { about.name = std::move(name); }
-    Tried about;
+    WasteTrial about;
     Settings settings;
     std::optional<MapOfLight> map;
-    std::shared_ptr<const Scene> scene;  ///< in place of the frame's; null: that one
+    std::shared_ptr<const Scene> scene;  ///< changed scene; null: the frame's own
     ComparedBy by = ComparedBy::Picture;
-    bool is_drawn_into_maps = false;  ///< leaves out triangles
-    bool takes_map_time = false;      ///< may spare the maps' passes time
+    bool is_drawn_into_maps = false;  ///< the work draws triangles into maps
+    bool takes_map_time = false;      ///< the work takes time of the maps' passes
 };
 
 std::uint64_t map_triangles(const FrameResult& frame) {
@@ -62,7 +62,7 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
         const FittedLight& light = frame.lights[i];
         if (!light.casts) continue;
         if (draws_pages(settings)) {
-            // Its contact shadows stay: they darken whatever the source.
+            // The light's contact shadows stay, as they do not depend on the source.
             Trial& trial = out.emplace_back(fmt::format("pages of light {}", i), settings);
             set_setting(trial.settings, fmt::format("light.{}.source", i), "none");
             trial.is_drawn_into_maps = trial.takes_map_time = true;
@@ -80,14 +80,14 @@ std::vector<Trial> map_trials(const Settings& settings, const FrameResult& frame
     return out;
 }
 
-/// Whether some caster has a material of this kind.
+/// Returns true when some caster has a material with this alpha mode.
 bool casts_with(const Scene& scene, const Settings& settings, AlphaMode alpha) {
     return std::ranges::any_of(scene.objects, [&](const Object& o) {
         return material_of(scene, scene.meshes[std::size_t(o.mesh)]).alpha == alpha && can_cast(scene, settings, o);
     });
 }
 
-/// What settings put on, off.
+/// Lists frames with one setting switched off.
 std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
     std::vector<Trial> out;
     const auto without = [&](std::string name, const auto& change) {
@@ -123,7 +123,7 @@ std::vector<Trial> setting_trials(const Scene& scene, const Settings& settings, 
     return out;
 }
 
-/// What the scene brings, without it.
+/// Lists frames with a changed scene: without alpha test, or without the ground disc.
 std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, const FrameResult& frame) {
     std::vector<Trial> out;
     const bool has_map = std::ranges::any_of(frame.lights, [](const FittedLight& light) { return light.casts; });
@@ -132,7 +132,7 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
         for (Material& m : opaque->materials)
             if (m.alpha == AlphaMode::Mask) m.alpha = AlphaMode::Opaque;
         refresh(*opaque);
-        // The camera sees no holes either, so that there is more of the casters to see: their shadows are looked at.
+        // The camera sees no holes either, so only pixels with the same surface are compared.
         Trial& trial = out.emplace_back("alpha test in maps", settings);
         trial.scene = opaque;
         trial.by = ComparedBy::SameSurfaces;
@@ -140,7 +140,7 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
     }
     const auto ground = std::ranges::find_if(scene.objects, [](const Object& o) { return o.ground; });
     if (ground != scene.objects.end()) {
-        // Hidden, not taken away: cameras go on framing it.
+        // The ground is hidden, not removed, so that cameras do not change.
         std::set<std::string> paths = {scene.nodes[std::size_t(ground->node)].path};
         for (const HiddenObject& h : scene.hidden) paths.insert(scene.nodes[std::size_t(h.object.node)].path);
         const auto bare = std::make_shared<Scene>(scene);
@@ -150,11 +150,11 @@ std::vector<Trial> scene_trials(const Scene& scene, const Settings& settings, co
     return out;
 }
 
-/// What is shown over the panes, left out.
+/// Lists frames without one overlay of the panes.
 std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& shown) {
     std::vector<Trial> out;
     for (std::size_t pane = 0; pane < shown.panes.size(); ++pane) {
-        // Where the truth is lacking there is nothing over it.
+        // Panes without a reference have no overlay.
         if (shown.panes[pane].overlay == 0 || shown.panes[pane].lacks_reference) continue;
         const std::string_view key = overlays()[std::size_t(shown.panes[pane].overlay - 1)].key;
         Trial& trial = out.emplace_back(shown.panes.size() > 1 ? fmt::format("overlay {} in pane {}", key, pane + 1)
@@ -174,7 +174,7 @@ std::vector<Trial> shown_trials(const Settings& settings, const FrameResult& sho
     return out;
 }
 
-/// Whether a pixel that shows the same triangle in both pictures has another colour in them.
+/// Returns true when a pixel that shows the same triangle in both pictures has different colours.
 bool differ_on_same_surfaces(const Scene& scene, const ByteImage& a, const SurfaceIds& ids_a, const ByteImage& b,
                              const SurfaceIds& ids_b) {
     if (ids_a.data.size() != ids_b.data.size()) return true;
@@ -211,7 +211,7 @@ public:
             if (report) report(double(waste.tried.size()) / double(trials.size()));
             try_it(trial);
             some_map_needed_ |= trial.is_drawn_into_maps && trial.about.changes;  // maps are tried first
-            if (timed && is_timed(trial)) trial.about.maps_ms = spared_ms(trial);
+            if (timed && is_timed(trial)) trial.about.maps_ms = saved_ms(trial);
             waste.tried.push_back(std::move(trial.about));
         }
         if (timed) waste.maps_ms = whole_ms();
@@ -225,10 +225,10 @@ private:
     const Settings measured_;
     FrameRequest request_;
     const Workers& workers_;
-    std::vector<ByteImage> picture_, shown_;  ///< of the whole frame, without and with what is shown over it
+    std::vector<ByteImage> picture_, shown_;  ///< panes of the whole frame, without and with overlays
     std::uint64_t triangles_ = 0;
     bool some_map_needed_ = false;
-    std::vector<double> whole_ms_;  ///< the maps' time of frames in which nothing is left out
+    std::vector<double> whole_ms_;  ///< map times of whole frames
 
     FrameResult draw(const Scene& scene, const Settings& settings, const FrameRequest& request) {
         if (workers_.stop.stop_requested()) throw Cancelled();
@@ -295,8 +295,8 @@ private:
         return exact_utilisation(renderer_.read_float(frame.texels_read, 1));
     }
 
-    /// What is needed is needed whatever it takes, and a map that nothing is drawn into takes the same without. What is
-    /// done to maps that are all waste is a part of their time, which counts once.
+    /// Returns true when the time of a trial is measured. Needed work is not timed, nor are maps without triangles.
+    /// Work on maps that are all waste is a part of the maps' time, which counts once.
     bool is_timed(const Trial& trial) const {
         const bool counts = trial.is_drawn_into_maps ? trial.about.triangles > 0 : some_map_needed_;
         return trial.takes_map_time && !trial.about.changes && counts;
@@ -308,19 +308,20 @@ private:
         return request;
     }
 
-    /// The first of two finds what the one before left, so that each is first every other turn.
-    double spared_ms(const Trial& trial) {
+    /// Returns the milliseconds that maps save without a trial's work. Frames with and without the work alternate, and
+    /// each kind is first every other turn.
+    double saved_ms(const Trial& trial) {
         const FrameRequest request = timed_request();
-        std::vector<double> spared;
+        std::vector<double> saved;
         for (int turn = 0; turn < kTimedTurns; ++turn) {
             double with = 0, without = 0;
             if (turn % 2 == 0) with = time_of_maps(draw(scene_, measured_, request));
             without = time_of_maps(draw(trial, request));
             if (turn % 2 != 0) with = time_of_maps(draw(scene_, measured_, request));
             whole_ms_.push_back(with);
-            spared.push_back(with - without);
+            saved.push_back(with - without);
         }
-        return spread_of(std::move(spared)).median;
+        return spread_of(std::move(saved)).median;
     }
 
     double whole_ms() {
@@ -334,20 +335,20 @@ private:
 
 std::uint64_t Waste::triangles() const {
     std::uint64_t n = 0;
-    for (const Tried& t : tried) n += t.triangles;
+    for (const WasteTrial& t : tried) n += t.triangles;
     return n;
 }
 
 std::uint64_t Waste::wasted() const {
     std::uint64_t n = 0;
-    for (const Tried& t : tried) n += t.changes ? 0 : t.triangles;
+    for (const WasteTrial& t : tried) n += t.changes ? 0 : t.triangles;
     return n;
 }
 
 double Waste::wasted_ms() const {
     double ms = 0;
-    for (const Tried& t : tried) ms += t.changes ? 0 : t.maps_ms;
-    return std::max(ms, 0.0);  // differences of times may fall below by their noise
+    for (const WasteTrial& t : tried) ms += t.changes ? 0 : t.maps_ms;
+    return std::max(ms, 0.0);  // noise may make differences negative
 }
 
 std::optional<double> Waste::share_of_time() const {

@@ -1,5 +1,5 @@
-// What a frame simulates to no end: each map, face and cascade, and each effect that the frame simulates, is left out
-// in turn. Where no byte of the picture changes, it was waste.
+// Wasted work of a frame: each map, cube face, cascade and effect is left out in turn. Work that changes no byte of the
+// picture is waste.
 #pragma once
 
 #include <functional>
@@ -12,30 +12,35 @@
 
 namespace si {
 
-/// Something that the frame drew, left out.
-struct Tried {
+/// One piece of a frame's work, with the change of the picture when the work is left out.
+struct WasteTrial {
     std::string name;             ///< "cascade 2 of 4 of light 0"
-    bool changes = false;         ///< a byte of the picture; else it is waste
-    double read = -1;             ///< share of its texels that some visible pixel's kernel reads; below 0: it is no map
-    std::uint64_t triangles = 0;  ///< drawn for it into maps
-    double maps_ms = 0;           ///< of waste: what maps take less without it, where times were asked for; noisy
+    bool changes = false;         ///< the picture changes; false: waste
+    double read = -1;             ///< share of texels that visible pixels' kernels read; negative: not a map
+    std::uint64_t triangles = 0;  ///< triangles drawn into maps
+    double maps_ms = 0;           ///< time that maps save without wasted work, milliseconds; 0: not timed
 };
 
+/// Wasted work of a frame: all trials, with sums over those that change nothing.
 struct Waste {
-    std::vector<Tried> tried;
-    std::optional<double> maps_ms;    ///< that the frame's maps take; nothing: times were not asked for
-    std::uint64_t triangles() const;  ///< of all maps
-    std::uint64_t wasted() const;     ///< of those that change nothing
-    double wasted_ms() const;         ///< of the maps' time
-    /// The machine-independent share of the maps' work that is waste.
+    std::vector<WasteTrial> tried;
+    std::optional<double> maps_ms;  ///< time of all maps, milliseconds; none: not timed
+    /// Returns the number of triangles that the frame draws into maps.
+    std::uint64_t triangles() const;
+    /// Returns the number of triangles drawn into maps without changing the picture.
+    std::uint64_t wasted() const;
+    /// Returns the milliseconds of map drawing that change nothing.
+    double wasted_ms() const;
+    /// Returns the wasted share of the triangles drawn into maps.
     double share() const { return triangles() ? double(wasted()) / double(triangles()) : 0; }
-    /// The share of the maps' time; nothing: it was not asked for, or there is none.
+    /// Returns the wasted share of the maps' time; none: not timed, or no time.
     std::optional<double> share_of_time() const;
 };
 
-/// Draws a frame for each of them. Virtual maps are tried light by light: their pages are those that look-ups read.
-/// @param request whose picture is looked at, without what settings show over it (view.*), which is tried by itself;
-/// where it asks for `timing`, frames with and without what is waste are timed in turns
+/// Searches for wasted work in a frame: draws one frame without each map, cube face, cascade and effect and compares
+/// the pictures. Virtual maps are tested per light.
+/// @param request size of the picture; with `timing`, frames with and without wasted work are timed alternately
+/// @param report receives the share done, 0..1
 /// @throws Error, Cancelled
 Waste find_waste(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
                  const Workers& workers = {}, const std::function<void(double)>& report = {});

@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// Why no light comes to a place, whatever stands between; empty when some does.
+/// Returns the reason why a light does not reach a position even without occluders; empty: it does.
 std::string unreached(const FittedLight& light, const glm::dvec3& position_ws) {
     if (light.type == LightType::Directional) return {};
     const glm::dvec3 away = light.position - position_ws;
@@ -38,8 +38,9 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     const DepthShift all = p.account.amount(p.account.equivalent_depth());
     const std::string bias =
         std::isfinite(all.texels)
-            ? fmt::format("bias and normal offset are worth {} ({})", metres_text(all.metres), texels_text(all.texels))
-            : "bias and normal offset move it past everything, as the map sees it edge-on";
+            ? fmt::format("bias and normal offset equal {} ({}) of depth bias", metres_text(all.metres),
+                          texels_text(all.texels))
+            : "bias and normal offset shift it past everything, as the surface is edge-on to the light";
     const std::string texel =
         gap > 0 ? fmt::format("the map stores a surface {} nearer to the light", metres_text(gap))
                 : fmt::format("nothing nearer in the map; the surface lies {} in front of the stored depth",
@@ -49,7 +50,7 @@ std::string verdict(const Settings& settings, const Probe::PerLight& p) {
     return fmt::format("partly lit ({:.0f} %): {}, {}; the kernel's taps disagree", p.visibility * 100, texel, bias);
 }
 
-/// What look-ups find in a map.
+/// Stored depths of a map as look-ups find them, under map.wrap and map.outside.
 class StoredDepths {
 public:
     StoredDepths(const FloatImage& map, const Settings& settings, int resolution, const DepthCurve& curve)
@@ -64,7 +65,7 @@ public:
         return map_.at(texel.x, n_ - 1 - texel.y);  // the image's first row is the map's top
     }
     double border() const { return border_; }
-    /// Whether the texel holds a depth of the place that its number stands for.
+    /// Returns true when a texel lies inside the map.
     bool inside(glm::ivec2 t) const { return t.x >= 0 && t.y >= 0 && t.x < n_ && t.y < n_; }
 
 private:
@@ -74,14 +75,14 @@ private:
     double border_ = 1;
 };
 
-/// A depth as it is compared: with formats that hold nothing else, within [0,1] as samplers do.
+/// Returns a depth as the GPU compares it: clamped to [0,1] for fixed-point formats.
 double as_compared(const Settings& s, double depth) {
     const bool fixed = s.map.format == MapFormat::D16 || s.map.format == MapFormat::D24;
     return fixed ? std::clamp(depth, 0.0, 1.0) : depth;
 }
 
 bool passes(const Settings& s, double own, double stored) {
-    // In single precision, as shaders compare; the map's depths are such numbers.
+    // Single precision, as in shaders.
     const float a = float(own), b = float(stored);
     const bool nearer = s.map.reversed_z ? a > b : a < b;
     return nearer || (s.map.compare == Compare::LessEqual && a == b);
@@ -92,13 +93,13 @@ KernelTap::Meets met(const BiasBreakdown& account, const DepthConvention& conven
     if (account.plane.edge_on()) return KernelTap::Meets::Own;
     const double behind = (convention.reversed ? -1 : 1) * (stored - plane);
     const double slack = account.least.quantum + account.least.snapping + account.least.rounding;
-    // In float formats a unit goes by the farthest depth of a triangle, which is more than at its nearer points.
+    // In float formats a unit of polygon offset follows the farthest depth of a triangle, so nearer points get more.
     if (behind < -slack + std::min(2 * account.raster, 0.0)) return KernelTap::Meets::Nearer;
     if (behind > slack + std::max(2 * account.raster, 0.0)) return KernelTap::Meets::Farther;
     return KernelTap::Meets::Own;
 }
 
-/// Each texel once with all its weight, row by row from the lowest.
+/// Merges repeated taps: each texel once with the sum of its weights, row by row from the lowest.
 std::vector<RecordedTap> merged(const std::vector<RecordedTap>& taps) {
     std::map<std::pair<int, int>, RecordedTap> by_place;
     for (const RecordedTap& t : taps)

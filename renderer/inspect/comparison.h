@@ -1,4 +1,4 @@
-// The shadow test of one surface point again, in double and step by step, from the stored depths.
+// Repeats the shadow test of one pixel on the CPU, in double precision, from the stored depths of the map.
 #pragma once
 
 #include "renderer/frame/frame.h"
@@ -6,24 +6,28 @@
 
 namespace si {
 
-/// A texel that the kernel read while it ran on the GPU; the same one may be read more than once.
+/// Texel that the shadow kernel fetched at one pixel on the GPU. A texel that is fetched twice is recorded twice.
 struct RecordedTap {
     glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
-    double stored = 0, weight = 0;
+    double stored = 0;    ///< depth in the map, 0..1
+    double weight = 0;    ///< share of the kernel's result
 };
 
-/// What the GPU found at a pixel.
+/// Result of the GPU's shadow test at one pixel, for one light.
 struct TestedPixel {
-    int light = 0;
+    int light = 0;  ///< index of light.*
     SurfacePoint point;
-    bool receives = true;
-    double visibility = 1;          ///< by the renderer's filter
-    std::vector<RecordedTap> taps;  ///< of its kernel
+    bool receives = true;           ///< object.PATH.receive
+    double visibility = 1;          ///< result of the filter, 0 in shadow to 1 lit
+    std::vector<RecordedTap> taps;  ///< texels that the kernel fetched
     KernelFacts kernel;
 };
 
+/// Repeats the shadow test of one pixel and one light on the CPU. Returns map coordinates, bias terms, every tap of the
+/// kernel and a verdict in words.
 /// @param settings sanitised and within the driver's limits
-/// @param map of the light's view that the point falls into, top row first; empty when it casts nothing
+/// @param resolution texels per side of the map
+/// @param map stored depths of the light's view that the point falls into, top row first; empty: the light has no map
 Probe::PerLight test_light_at_pixel(const TestedPixel& pixel, const FittedLight& light, const Settings& settings,
                                     int resolution, const FloatImage& map, const RasterTraits& driver);
 

@@ -9,11 +9,11 @@
 namespace si {
 
 Effect part_of(const PassInfo& pass, std::string name, bool needed, std::string_view reason,
-               std::optional<Optimisation> saving) {
+               std::optional<Optimisation> optimisation) {
     const bool lives = pass.state != PassState::Skipped;
-    Effect effect{.name = std::move(name), .saving = saving, .pass = pass.name, .part = true};
+    Effect effect{.name = std::move(name), .optimisation = optimisation, .pass = pass.name, .part = true};
     effect.state = needed ? state_of(pass.state) : EffectState::NotNeeded;
-    effect.reason = sentence(lives || !needed ? reason : std::string_view(pass.reason));
+    effect.reason = as_sentence(lives || !needed ? reason : std::string_view(pass.reason));
     return effect;
 }
 

@@ -17,18 +17,18 @@
 namespace si {
 namespace {
 
-/// A kind of effect: what passes it is, what calls for it, what else those passes do.
+/// Row of the table of effects: the passes of one kind of effect, and the reasons for their states.
 struct EffectRow {
-    std::string_view pass;  ///< how the names of its passes begin
-    std::string_view name;  ///< of the effect; empty: as the pass is called
-    /// What calls for it where it is simulated, a clause.
+    std::string_view pass;  ///< start of the passes' names
+    std::string_view name;  ///< name of the effect; empty: the pass's name
+    /// Returns the reason why the effect is needed, a clause.
     std::string (*why)(const EffectFacts&, const PassInfo&);
-    /// What it consists of besides the parts that the pass reports.
+    /// Appends parts of the effect besides those that the pass reports.
     void (*parts)(const EffectFacts&, const PassInfo&, Effects&) = nullptr;
-    /// Why no frame has such a pass; empty: one without it says nothing.
-    std::string (*absent)(const EffectFacts&) = nullptr;
-    /// Why a skipped pass is not called for, where the pass names one of two things that it lacks; empty: as it says.
-    std::string (*unasked)(const EffectFacts&) = nullptr;
+    /// Returns the reason why a frame has no such pass. Null: a missing pass is not listed.
+    std::string (*reason_absent)(const EffectFacts&) = nullptr;
+    /// Returns the reason why a pass was skipped, in place of the pass's own; empty: the pass's own.
+    std::string (*skip_reason)(const EffectFacts&) = nullptr;
 };
 
 // Maps ----------------------------------------------------------------------------------------------------------------
@@ -39,7 +39,7 @@ std::string why_map(const EffectFacts& f, const PassInfo& pass) {
 }
 
 std::string masks_text(const EffectFacts& f) {
-    if (f.masked_casters == 0) return "no caster is masked: what is drawn into maps is drawn without its alpha";
+    if (f.masked_casters == 0) return "no caster is masked: maps are drawn without alpha";
     return fmt::format("{} of {} casters {} masked: each of their fragments looks up the mask", f.masked_casters,
                        f.casters, f.masked_casters == 1 ? "is" : "are");
 }
@@ -49,9 +49,9 @@ void map_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     if (number >= f.frame.lights.size() || !f.frame.lights[number].casts) return;
     const FittedLight& light = f.frame.lights[number];
     for (std::size_t v = 0; pass.parts.empty() && light.views.size() > 1 && v < light.views.size(); ++v)
-        out.push_back(part_of(
-            pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number), true,
-            fmt::format("it is one of {} maps of the light, which are drawn together", light.views.size())));
+        out.push_back(
+            part_of(pass, fmt::format("{} of light {}", view_name(light.chooser.choice, v, light.views.size()), number),
+                    true, fmt::format("one of {} maps of the light, which are drawn together", light.views.size())));
     out.push_back(
         part_of(pass, fmt::format("alpha test in maps of light {}", number), f.masked_casters > 0, masks_text(f)));
 }
@@ -106,7 +106,8 @@ void moment_parts(const EffectFacts& f, const PassInfo& pass, Effects& out) {
                               : fmt::format("map.samples is {}", samples)));
 }
 
-// What is unasked for -------------------------------------------------------------------------------------------------
+// Skipped passes
+// -------------------------------------------------------------------------------------------------------
 
 bool skips(const EffectFacts& f, std::string_view name) {
     const PassInfo* pass = f.frame.pass(name);
@@ -114,7 +115,7 @@ bool skips(const EffectFacts& f, std::string_view name) {
 }
 
 std::string reference_unrequested(const EffectFacts& f) {
-    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "no requested output needs the reference" : "";
+    return f.frame.reference.key == 0 && !f.frame.lights.empty() ? "nothing in the frame needs the reference" : "";
 }
 
 std::string viewer_unasked(const EffectFacts& f) {
@@ -131,16 +132,16 @@ std::string causes_unasked(const EffectFacts& f) {
 #define SI_WHY(text) [](const EffectFacts&, const PassInfo&) { return std::string(text); }
 #define SI_ABSENT(text) [](const EffectFacts&) { return std::string(text); }
 
-/// The first row that a pass's name begins like counts.
+/// Table of effects; the first row that matches the start of a pass's name counts.
 const EffectRow kRows[] = {
     {.pass = "visible depths",
      .why = SI_WHY("light.depth_bounds is sdsm where the maps follow the camera"),
-     .absent = SI_ABSENT("no map is fitted to visible depths (light.depth_bounds)")},
-    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: look-ups need some pages")},
+     .reason_absent = SI_ABSENT("no map is fitted to the depths that the camera sees (light.depth_bounds)")},
+    {.pass = "pages requested", .why = SI_WHY("map.virtual is on: there are the pages that look-ups read")},
     {.pass = "pages of shadow maps",
      .why = why_pages,
      .parts = page_parts,
-     .absent =
+     .reason_absent =
          [](const EffectFacts& f) {
              return std::string(f.settings.map.paged ? "no light has a map that is drawn by pages"
                                                      : "map.virtual is off");
@@ -151,40 +152,42 @@ const EffectRow kRows[] = {
      .why = [](const EffectFacts& f,
                const PassInfo&) { return fmt::format("map.blur_texels is {}", f.settings.map.blur_texels); }},
     {.pass = "moments", .why = why_moments, .parts = moment_parts},
-    {.pass = "camera depth", .why = SI_WHY("a pass reads the camera's depth")},
-    {.pass = "surface ids", .why = SI_WHY("a pass reads triangle numbers")},
+    {.pass = "camera depth", .why = SI_WHY("a pass reads the depth buffer of the camera")},
+    {.pass = "surface ids", .why = SI_WHY("a request needs the triangle of each pixel")},
     {.pass = "shadow volumes",
      .why =
          [](const EffectFacts& f, const PassInfo& pass) {
              const auto light = std::size_t(pass.light);
              return fmt::format("{} is {}", light_setting_key(light, "source"), source_of(f.settings, int(light)).key);
          },
-     .absent = SI_ABSENT("no light's source is shadow volumes")},
-    {.pass = "visible surfaces", .why = SI_WHY("a pass evaluates pixels again, apart from the picture")},
+     .reason_absent = SI_ABSENT("no light's source is shadow volumes")},
+    {.pass = "visible surfaces", .why = SI_WHY("pixels are evaluated outside the picture, too")},
     {.pass = "blobs",
      .why = SI_WHY("light.source of a light is blob"),
-     .absent = SI_ABSENT("no light's source is blob")},
+     .reason_absent = SI_ABSENT("no light's source is blob")},
     {.pass = "light map",
      .why = SI_WHY("light.source of a light is light-map"),
-     .absent = SI_ABSENT("no light's source is a light map that is baked")},
+     .reason_absent = SI_ABSENT("no light's source is a light map that is baked")},
     {.pass = "visibility", .name = "visibility texture", .why = why_visibility, .parts = visibility_parts},
     {.pass = "unfiltered map",
      .why = SI_WHY("wrong pixels are requested, and polygon offset or masks with mip levels change the map"),
-     .unasked = causes_unasked},
+     .skip_reason = causes_unasked},
     {.pass = "reference uploaded",
      .name = "reference on the GPU",
-     .why = SI_WHY("a shown value needs the ray-traced reference"),
-     .unasked = reference_unrequested},
-    {.pass = "pixels compared", .why = SI_WHY("wrong pixels are requested"), .unasked = reference_unrequested},
-    {.pass = "causes found", .why = SI_WHY("causes of wrong pixels are requested"), .unasked = reference_unrequested},
+     .why = SI_WHY("the picture shows or uses the ray-traced reference"),
+     .skip_reason = reference_unrequested},
+    {.pass = "pixels compared", .why = SI_WHY("wrong pixels are requested"), .skip_reason = reference_unrequested},
+    {.pass = "causes found",
+     .why = SI_WHY("causes of wrong pixels are requested"),
+     .skip_reason = reference_unrequested},
     {.pass = "error metrics",
      .name = "metrics",
-     .why = SI_WHY("error metrics are requested"),
-     .unasked = reference_unrequested},
-    {.pass = "trials of all pixels", .why = SI_WHY("all trials are requested")},
+     .why = SI_WHY("error metrics of the picture are requested"),
+     .skip_reason = reference_unrequested},
+    {.pass = "trials of all pixels", .why = SI_WHY("the trials of all pixels are requested")},
     {.pass = "shading by the reference",
      .why = SI_WHY("the picture is compared with one lit by the reference"),
-     .unasked = reference_unrequested},
+     .skip_reason = reference_unrequested},
     {.pass = "shading", .why = SI_WHY("the picture is requested"), .parts = shading_parts},
     {.pass = "smoothing", .why = SI_WHY("the view is static, and view.smooth is on")},
     {.pass = "overlay values", .why = SI_WHY("an overlay is shown")},
@@ -192,15 +195,15 @@ const EffectRow kRows[] = {
     {.pass = "texel slabs",
      .name = "stored-depth quads",
      .why = SI_WHY("view.slabs shows stored-depth quads in the scene")},
-    {.pass = "map coordinates", .why = SI_WHY("texels read by pixels are shown")},
-    {.pass = "texels read", .why = SI_WHY("the exact set of texels read is requested")},
+    {.pass = "map coordinates", .why = SI_WHY("the texels that pixels read are requested")},
+    {.pass = "texels read", .why = SI_WHY("exact numbers of read texels are requested")},
     {.pass = "map channel",
-     .why = SI_WHY("view.map_channel shows a moment in place of depth"),
-     .unasked = viewer_unasked},
+     .why = SI_WHY("view.map_channel shows a moment instead of depth"),
+     .skip_reason = viewer_unasked},
     {.pass = "drawn depth range",
-     .why = SI_WHY("view.map_fit fits the greys of the map viewer to what is drawn"),
-     .unasked = viewer_unasked},
-    {.pass = "numeric health", .why = SI_WHY("a check of all numbers is requested")},
+     .why = SI_WHY("view.map_fit fits the greys of the map viewer to the drawn depths"),
+     .skip_reason = viewer_unasked},
+    {.pass = "numeric health", .why = SI_WHY("a search for unsound numbers is requested")},
     {.pass = "map viewer", .why = SI_WHY("the map viewer is open")},
 };
 
@@ -214,7 +217,7 @@ const EffectRow* effect_row(const PassInfo& pass) {
 }
 
 std::string part_reason(const PartInfo& part) {
-    const std::string reason = sentence(part.reason);
+    const std::string reason = as_sentence(part.reason);
     if (part.left_out == 0) return reason;
     std::string_view unit = part.unit;
     if (part.left_out == 1 && unit.ends_with('s')) unit.remove_suffix(1);
@@ -222,7 +225,7 @@ std::string part_reason(const PartInfo& part) {
                        part.left_out == 1 ? "is" : "are");
 }
 
-/// With the pane that the pass is of, where its name ends with one: "stored-depth quads (n-dot-l)".
+/// Returns the name of a pass's effect, with the pane if the pass belongs to one: "stored-depth quads (n-dot-l)".
 std::string effect_name(const EffectRow* row, const PassInfo& pass) {
     if (!row || row->name.empty()) return pass.name;
     const std::string end = pass.name.substr(row->pass.size());
@@ -233,39 +236,39 @@ void add_pass(const EffectFacts& f, const PassInfo& pass, Effects& out) {
     const EffectRow* row = effect_row(pass);
     Effect effect{.name = effect_name(row, pass), .state = state_of(pass.state), .pass = pass.name};
     const bool skipped = pass.state == PassState::Skipped;
-    if (row && !skipped) effect.reason = sentence(row->why(f, pass)) + " ";
-    const std::string unasked = row && row->unasked && skipped ? row->unasked(f) : std::string();
-    effect.reason += sentence(unasked.empty() ? pass.reason : unasked);
+    if (row && !skipped) effect.reason = as_sentence(row->why(f, pass)) + " ";
+    const std::string skip_reason = row && row->skip_reason && skipped ? row->skip_reason(f) : std::string();
+    effect.reason += as_sentence(skip_reason.empty() ? pass.reason : skip_reason);
     const auto looked_up = [](const FittedLight& light) { return light.shadowed; };
     if (row && row->parts == visibility_parts && (skipped || f.forced.contains(Optimisation::FusedVisibility)) &&
         std::ranges::any_of(f.frame.lights, looked_up))
-        effect.saving = Optimisation::FusedVisibility;
+        effect.optimisation = Optimisation::FusedVisibility;
     const bool waits_for_maps = pass.reason == kMapBoundsWaitReason;
     if (pass.name == "map bounds" && (!skipped || waits_for_maps || f.forced.contains(Optimisation::EarlyOut)))
-        effect.saving = Optimisation::EarlyOut;
+        effect.optimisation = Optimisation::EarlyOut;
     out.push_back(std::move(effect));
     for (const PartInfo& part : pass.parts)
         out.push_back({.name = part.name,
                        .state = state_of(part.state),
                        .reason = part_reason(part),
-                       .saving = part.by,
+                       .optimisation = part.by,
                        .pass = pass.name,
                        .part = true});
     if (row && row->parts) row->parts(f, pass, out);
 }
 
-/// Keeping what rests apart is told of by the maps' passes once something has moved.
+/// Adds the effect of cached static casters where no pass reports one, since nothing has moved yet.
 void add_static(const EffectFacts& f, int animation, Effects& out) {
     for (const PassInfo& pass : f.frame.passes)
         for (const PartInfo& part : pass.parts)
             if (part.by == Optimisation::StaticCasterCache) return;
     const auto has_map = [](const FittedLight& light) { return light.casts; };
-    std::string_view why = "nothing moved since the previous frame: maps are cached or drawn whole";
+    std::string_view why = "nothing has moved since the frame before: maps are cached, or drawn whole";
     if (std::ranges::none_of(f.frame.lights, has_map))
         why = "no light has its shadows from a map";
     else if (!is_animated(f.scene, animation))
-        why = "nothing moves in this scene: maps are cached or drawn whole";
-    out.push_back({.name = "static casters", .reason = sentence(why), .saving = Optimisation::StaticCasterCache});
+        why = "nothing moves in the scene: maps are cached, or drawn whole";
+    out.push_back({.name = "static casters", .reason = as_sentence(why), .optimisation = Optimisation::StaticCasterCache});
 }
 
 void count_casters(EffectFacts& f) {
@@ -284,7 +287,7 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
     if (!scene.rig || scene.rig->animations.empty()) {
         effect.reason = "Nothing moves: the scene has no animation.";
     } else if (settings.animation < 0) {
-        effect.reason = "scene.animation is -1: the scene stands as it rests.";
+        effect.reason = "scene.animation is -1: the scene is in its rest pose.";
     } else {
         const auto skins =
             std::count_if(scene.meshes.begin(), scene.meshes.end(), [](const Mesh& m) { return m.deformer; });
@@ -297,8 +300,8 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
 }
 
 std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect) {
-    if (!effect.saving) return 1;
-    return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
+    if (!effect.optimisation) return 1;
+    return std::size_t(std::ranges::count(effects, effect.optimisation, &Effect::optimisation));
 }
 
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
@@ -311,10 +314,10 @@ std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, 
     add_static(facts, settings.scene.animation, out);
     for (const EffectRow& row : kRows) {
         const auto is_it = [&](const PassInfo& pass) { return pass.name.starts_with(row.pass); };
-        if (!row.absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
+        if (!row.reason_absent || std::any_of(frame.passes.begin(), frame.passes.end(), is_it)) continue;
         out.push_back({.name = std::string(row.name.empty() ? row.pass : row.name),
                        .state = EffectState::NotNeeded,
-                       .reason = sentence(row.absent(facts))});
+                       .reason = as_sentence(row.reason_absent(facts))});
     }
     return out;
 }

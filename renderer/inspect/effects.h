@@ -1,5 +1,5 @@
-// What a frame could simulate, and what it did of it: each effect with why, in sentences. Made from a frame's facts
-// when somebody asks, so that who does not pays nothing.
+// List of a frame's effects: the work that was drawn, cached or skipped, each with a reason in words. The list is made
+// only on request, so that frames without it cost nothing.
 #pragma once
 
 #include <span>
@@ -10,18 +10,20 @@
 
 namespace si {
 
-/// All effects of a drawn frame in the order of its passes, each pass before its parts. Every pass is the `pass` of
-/// one effect at least.
-/// @param settings that it was drawn under, repaired or not
+/// Lists all effects of a drawn frame in the order of its passes, each pass before its parts. Every pass belongs to at
+/// least one effect.
+/// @param settings settings of the frame, sanitised or not
 /// @param forced FrameRequest::forced of the frame
 std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, const FrameResult& frame,
                                   OptimisationSet forced = {});
 
-/// Moving the scene's nodes, skins and morph targets, which is done before a frame, by the CPU.
-/// @param anew the scene was posed since the frame before
+/// Makes the effect "posing": the CPU moves nodes, skins and morph targets of the scene before a frame.
+/// @param again the scene was posed since the frame before
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again);
 
-/// How many of `effects`, one of which is `effect`, share its saving: what was measured of that is of all together.
+/// Counts the effects that share the optimisation of one effect. The measured time of an optimisation belongs to all of
+/// them together.
+/// @param effects all effects of a frame, including `effect`
 std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect);
 
 }  // namespace si

@@ -5,7 +5,8 @@
 namespace si {
 namespace {
 
-/// Depth from the probed point to a surface so many metres before it along the light's ray; 0 for none.
+/// Returns the difference in depth between the probed point and a surface `metres` nearer along the light's ray; 0:
+/// none.
 float depth_of_gap(const Probe::PerLight& p, double metres) {
     if (!p.casts || std::isnan(metres)) return 0;
     const LightView& view = p.fitted.views[std::size_t(p.face)];

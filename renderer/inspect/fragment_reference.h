@@ -1,4 +1,4 @@
-// The truth of one probed pixel: some thousand rays, once the hierarchy of a scene is there.
+// Ray-traced reference of one probed pixel.
 #pragma once
 
 #include <limits>
@@ -8,21 +8,25 @@
 
 namespace si {
 
+/// Ray-traced reference of one pixel and one light, with the cause of the pixel's shadow error.
 struct FragmentReference {
     PixelState state = PixelState::Background;
-    bool lit = true;   ///< by the light as a point or a direction
-    double share = 1;  ///< of the light seen when it has its size (light.size)
+    bool lit = true;   ///< result for a light without size
+    double share = 1;  ///< visible share of a light with its size (light.size)
     double noise = 0;  ///< standard error of `share`; NaN: unknown
-    /// Metres along the light's ray to the surface nearest the light, which is what the map stores, under the culling
-    /// of casters and beyond the near plane; NaN where none stands before the fragment.
+    /// Distance in metres along the light's ray to the surface nearest the light, which the map stores: with the
+    /// culling of casters, beyond the near plane. NaN without an occluder.
     double gap_m = std::numeric_limits<double>::quiet_NaN();
-    double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< the same of all casters from both sides
-    CauseEvidence evidence;                                       ///< of the probe, with what the truth knows filled in
-    Cause cause;  ///< what is wrong with the pixel, against the light without its size
+    double blocker_m = std::numeric_limits<double>::quiet_NaN();  ///< likewise over all casters, without culling
+    CauseEvidence evidence;                                       ///< evidence of the probe, completed by the reference
+    Cause cause;  ///< cause of the error, against the light without size
 };
 
-/// @param traits object_traits() of the scene and settings that were probed
-/// @param scene of the same triangles. @throws Error when the probe hit nothing, or another scene's triangle
+/// Traces the ray-traced reference at one probed pixel and classifies the pixel's shadow error. Takes some thousand
+/// rays.
+/// @param scene ray-tracing hierarchy over the triangles that were probed
+/// @param traits object_traits() of the probed scene and settings
+/// @throws Error when the probe hit no surface, or a triangle of another scene
 FragmentReference trace_fragment_reference(const ReferenceScene& scene, const Probe& probe,
                                            const Probe::PerLight& light, const Settings& settings,
                                            std::span<const ObjectTraits> traits);

@@ -1,16 +1,19 @@
-// What look-ups in maps, and what is lit by them, consist of: a kernel's search for what stands before a pixel, the
-// light's size, contact shadows, what is spared, and what touches no visibility.
+// Effects within map look-ups and shading: blocker search, light size, contact shadows, skipped look-ups, sky, tone
+// curve.
 #pragma once
 
 #include "renderer/inspect/effect_facts.h"
 
 namespace si {
 
-/// Parts of the pass that makes visibility a texture of its own.
+/// Appends the effects within the pass that draws the visibility texture: look-ups of each light, contact shadows.
+/// @param out receives the effects
 void visibility_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// Parts of the pass that shades, which looks visibility up itself where it is no texture.
+/// Appends the effects within the shading pass: ground, sky, tone curve, and the look-ups of each light unless a
+/// visibility texture has them.
+/// @param out receives the effects
 void shading_parts(const EffectFacts& f, const PassInfo& pass, Effects& out);
-/// What makes visibility a texture of its own, as far as the settings do: a clause.
+/// Returns the reason why visibility is drawn into a texture of its own, as a clause.
 std::string why_visibility(const EffectFacts& f, const PassInfo& pass);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The light in an object's own space: a place (w = 1) or a direction towards it (w = 0).
+/// Converts a light to an object's own space: a position (w = 1) or a direction towards the light (w = 0).
 bool light_in_object_space(const FittedLight& light, const glm::dmat4& world, glm::dvec4& out) {
     // Relative to the object's origin, so that a distant scene loses no digits.
     const glm::dvec3 origin(world[3]);
@@ -22,8 +22,8 @@ bool light_in_object_space(const FittedLight& light, const glm::dmat4& world, gl
     return std::isfinite(glm::dot(local, local));
 }
 
-/// Whether every triangle of the mesh is culled. The winding in the object's own space decides: under a mirroring both
-/// the winding and the rasteriser's idea of a front face turn round.
+/// Returns true when every triangle of a mesh is culled. The winding in the object's own space decides: a mirroring
+/// reverses both the winding and the rasteriser's front face.
 bool all_culled(const Mesh& mesh, const glm::dvec4& light, Cull cull) {
     const glm::dvec3 place(light);
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
@@ -64,16 +64,16 @@ std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& setting
 }
 
 std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
-                                             std::size_t most) {
+                                             std::size_t max_lines) {
     std::vector<std::string> notes;
-    for (std::size_t i = 0; i < std::min(lost.size(), most); ++i) {
+    for (std::size_t i = 0; i < std::min(lost.size(), max_lines); ++i) {
         const std::string& path = scene.nodes[std::size_t(scene.objects[std::size_t(lost[i].object)].node)].path;
         notes.push_back(fmt::format(
             "{} casts no shadow: {}-face culling removes all of its {} triangles; object.{}.cull=none keeps them", path,
             lost[i].cull == Cull::Front ? "front" : "back", lost[i].triangles, path));
     }
-    if (lost.size() > most)
-        notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - most));
+    if (lost.size() > max_lines)
+        notes.push_back(fmt::format("and {} more objects cast no shadow likewise", lost.size() - max_lines));
     return notes;
 }
 

@@ -1,5 +1,5 @@
-// Casters that a culling mode removes from a shadow map altogether (catalogue of the trouble with front-face culling:
-// floors, single planes and open meshes have no back).
+// Casters that face culling removes from a shadow map altogether. Front-face culling loses floors, single planes and
+// open meshes, which have no back.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,22 @@
 
 namespace si {
 
+/// Object that casts no shadow because face culling removes every triangle from the light's map.
 struct LostCaster {
     int object = 0;             ///< index into Scene::objects
-    Cull cull = Cull::None;     ///< in force for it
-    std::size_t triangles = 0;  ///< all of them face the way that is culled
+    Cull cull = Cull::None;     ///< culling mode in force
+    std::size_t triangles = 0;  ///< number of triangles of the object
 };
 
-/// The objects that are to cast a shadow under `light` but leave nothing in its map, because culling removes each of
-/// their triangles. Empty when the light casts nothing or nothing is culled. Faces count as the rasteriser counts them:
-/// by their winding as seen from the light, a mirroring transform undone; edge-on triangles leave nothing either way.
-/// Takes time proportional to the triangles of lost objects only.
+/// Finds the objects that should cast a shadow under a light but leave nothing in its map, because culling removes all
+/// their triangles. Faces are classified as by the rasteriser: by winding as seen from the light, mirroring transforms
+/// undone. Takes time proportional to the triangles of lost objects only. Returns an empty list when the light has no
+/// map or nothing is culled.
 std::vector<LostCaster> lost_casters(const Scene& scene, const Settings& settings, const FittedLight& light);
 
-/// A line per lost object that names it and the remedy, at most `most` of them and one for the rest.
+/// Formats lost casters as remarks with the fix: one line per object, and one line for all above the limit.
+/// @param max_lines limit of objects that are named
 std::vector<std::string> lost_caster_remarks(const Scene& scene, const std::vector<LostCaster>& lost,
-                                             std::size_t most = 5);
+                                             std::size_t max_lines = 5);
 
 }  // namespace si

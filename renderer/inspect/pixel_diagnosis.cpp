@@ -25,11 +25,11 @@ public:
                    const Settings& settings, const DriverInfo& driver)
         : probe_(probe), p_(p), reference_(reference), settings_(settings), driver_(driver) {}
 
-    PixelDiagnosis explain() {
+    PixelDiagnosis diagnose() {
         d_.light = p_.light;
         d_.reference = reference_;
         d_.right = (p_.visibility >= 0.5) == reference_.lit;
-        if (p_.casts) weigh();
+        if (p_.casts) set_bias_window();
         d_.verdict = sentence();
         if (p_.casts && p_.fitted.is_cascaded() && reference_.state == PixelState::Counted)
             d_.verdict += "; by " + p_.view;
@@ -50,18 +50,18 @@ private:
     bool dark() const { return p_.visibility < 0.5; }
     bool faint_acne() const { return reference_.cause.faint; }
 
-    /// The gap to the surface nearest the light, as a difference of depth.
+    /// Returns the gap to the surface nearest the light, as a difference of depth.
     double occluder_depth() const {
         if (!std::isfinite(reference_.gap_m)) return kInfinite;
         return p_.account.curve.depth_change_towards_light(p_.own_m,
                                                            reference_.gap_m * p_.account.receiver.axis_per_ray);
     }
 
-    void weigh() {
+    void set_bias_window() {
         const BiasBreakdown& a = p_.account;
         d_.least = a.amount(a.least.total());
         d_.has = a.amount(a.equivalent_depth());
-        d_.lifted = a.amount(a.depth_shift);
+        d_.shift = a.amount(a.depth_shift);
         d_.occluder = a.amount(occluder_depth());
         if (d_.window_open()) return;
         const double fixed = a.least.quantum + a.least.rounding, room = d_.occluder.depth - fixed;
@@ -82,9 +82,8 @@ private:
         return fmt::format("{:.0f}² would open the window", d_.opening_resolution);
     }
     std::string no_bias_is_right() const {
-        return fmt::format(
-            "no depth bias can be right here: the surface needs {}, but what shadows it lies {} away: {}",
-            texels(d_.least), texels(d_.occluder), opening());
+        return fmt::format("no depth bias can be right here: the surface needs {}, but the occluder is {} away: {}",
+                           texels(d_.least), texels(d_.occluder), opening());
     }
 
     std::string sentence() const {
@@ -105,18 +104,18 @@ private:
         }
         if (!p_.casts) {
             const char* const is = dark() ? "in shadow" : "lit";
-            return d_.right ? fmt::format("right: {}, as in truth; {}", is, p_.fitted.reason)
+            return d_.right ? fmt::format("right: {}, as in the reference; {}", is, p_.fitted.reason)
                             : fmt::format("wrong: {}, should be {}; {}", is, reference_.lit ? "lit" : "in shadow",
                                           p_.fitted.reason);
         }
         if (p_.place == MapPlace::OutsideCasterRegion)
             return d_.right
                        ? "right: lit, as light.fit has found that nothing can cast a shadow there"
-                       : "wrong: lit, should be in shadow, where light.fit has found that nothing can cast a shadow";
+                       : "wrong: lit, should be in shadow, though light.fit has found that nothing can cast a shadow";
         if (reference_.evidence.place == CauseEvidence::kOutside)
             return fmt::format("outside the map ({}): {} by map.outside and map.wrap, {}", place_name(p_.place),
                                dark() ? "in shadow" : "lit",
-                               d_.right ? "and so it is in truth"
+                               d_.right ? "as in the reference"
                                : dark() ? "should be lit"
                                         : "should be in shadow");
         if (d_.right) return right();
@@ -126,7 +125,7 @@ private:
         return text;
     }
 
-    /// What no bias or kernel can mend: the map cannot tell the scene's depths or places apart.
+    /// Returns limits of the map that no bias or kernel overcomes: too few depth steps or texels for the scene.
     std::string limits() const {
         const MapLimits& l = p_.fitted.limits;
         if (l.one_depth_step)
@@ -144,11 +143,11 @@ private:
                                      : fmt::format("needs {} of bias and has only {}, so neighbours may show acne",
                                                    texels(d_.least), texels(d_.has));
         if (faint_acne())
-            return fmt::format("faint acne: lit, as in truth, but {:.0f} % of the kernel is self-shadowed{}; {}",
-                               100 * (1 - p_.visibility),
-                               d_.has.depth < d_.least.depth ? "" : " or by a steeper one beside it", bias);
-        if (!dark()) return fmt::format("right: lit, as in truth; {}", bias);
-        return fmt::format("right: in shadow, as in truth, by a surface {} nearer to the light; {}",
+            return fmt::format(
+                "faint acne: lit, as in the reference, but {:.0f} % of the kernel is self-shadowed{}; {}",
+                100 * (1 - p_.visibility), d_.has.depth < d_.least.depth ? "" : " or by a steeper neighbour", bias);
+        if (!dark()) return fmt::format("right: lit, as in the reference; {}", bias);
+        return fmt::format("right: in shadow, as in the reference, by a surface {} nearer to the light; {}",
                            texels(d_.occluder), bias);
     }
 
@@ -161,23 +160,23 @@ private:
             case Artefact::PeterPanning:
                 return fmt::format(
                     "peter-panning: bias moves it {} towards the light, past the surface that shadows it from {} "
-                    "away; {} it is in shadow, as in truth",
-                    texels(d_.lifted), texels(d_.occluder), less_bias());
+                    "away; {} it is in shadow, as in the reference",
+                    texels(d_.shift), texels(d_.occluder), less_bias());
             case Artefact::PeterPanningRaster:
                 return fmt::format(
-                    "peter-panning by polygon offset: bias.raster_* let the map's depths recede by {}, past what "
-                    "stands before it by {}; without them it is in shadow, as in truth",
+                    "peter-panning by polygon offset: bias.raster_* shift the map's depths by {} away from the light, "
+                    "past the occluder {} before the surface; without them it is in shadow, as in the reference",
                     texels(p_.account.amount(p_.account.raster)), texels(d_.occluder));
             case Artefact::PeterPanningOffset:
                 return fmt::format(
                     "peter-panning by normal offset: the look-up is moved by {} and misses the shadow; {} "
-                    "it is in shadow, as in truth",
+                    "it is in shadow, as in the reference",
                     metres_text(p_.normal_offset_m),
                     reference_.evidence.own_bare < 0.5f ? "without the offset" : less_bias());
             case Artefact::OffsetShadow:
                 return fmt::format(
                     "shadow by normal offset: the look-up is moved by {} into a shadow; without the offset "
-                    "and with {} it is lit, as in truth",
+                    "and with {} it is lit, as in the reference",
                     metres_text(p_.normal_offset_m),
                     reference_.evidence.least_bare >= 0.5f ? texels(d_.least) + " of bias" : "the nearest texel alone");
             case Artefact::LostCaster:
@@ -189,28 +188,28 @@ private:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered < 0.5f)
                     return fmt::format(
                         "leak: {:.0f} % of the kernel is lit; the same kernel and bias upon the map before its "
-                        "blur (map.blur_texels) find shadow, as in truth",
+                        "blur (map.blur_texels) find shadow, as in the reference",
                         100 * p_.visibility);
                 return fmt::format(
                     "leak: {:.0f} % of the kernel is lit; the nearest texel alone, with the {} of bias that it "
-                    "needs, is in shadow, as in truth{}",
+                    "needs, is in shadow, as in the reference{}",
                     100 * p_.visibility, nearest_need(),
                     d_.window_open() ? "" : "; with this kernel " + no_bias_is_right());
             case Artefact::Filter:
                 if (p_.causes.unfiltered_differs() && reference_.evidence.unfiltered >= 0.5f)
                     return fmt::format(
                         "filter: {:.0f} % of the kernel is in shadow; the same kernel and bias upon the map without {} "
-                        "are lit, as in truth",
+                        "are lit, as in the reference",
                         100 * (1 - p_.visibility), filtered_by());
                 return fmt::format(
                     "filter: {:.0f} % of the kernel is in shadow; the nearest texel alone, with the {} of bias that "
-                    "it needs, is lit, as in truth",
+                    "it needs, is lit, as in the reference",
                     100 * (1 - p_.visibility), nearest_need());
             case Artefact::OutsideMap:
                 if (reference_.evidence.place == CauseEvidence::kLedOutside)
-                    return "outside the map: the normal offset leads the look-up beyond its sides";
-                return "seam: taps reach beyond the map's sides, where map.outside and map.wrap answer; with the "
-                       "truth's answer there it is right";
+                    return "outside the map: the normal offset moves the look-up out of the map";
+                return "seam: taps reach outside the map, where map.outside and map.wrap decide; with the reference "
+                       "there it is right";
             case Artefact::Undersampled:
                 return undersampled();
             case Artefact::EdgeAliasing:
@@ -220,17 +219,18 @@ private:
                         "from one place, which moves its shadows",
                         dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow");
                 return fmt::format(
-                    "edge aliasing: {}, should be {}; {} and the nearest texel alone were tried and leave it so: a "
-                    "true edge runs between this pixel and the texels that stand for it",
+                    "edge aliasing: {}, should be {}; neither {} nor the nearest texel alone changes that: the "
+                    "shadow's edge runs between this pixel and the texels that it reads",
                     dark() ? "in shadow" : "lit", dark() ? "lit" : "in shadow",
                     dark() ? "more bias" : "the least bias");
             case Artefact::Penumbra:
                 return "penumbra: right for a light without size";
             case Artefact::Contact:
-                return "contact shadow: the ray through the picture's depths meets what does not shadow it; without "
-                       "contact shadows it is lit, as in truth";
+                return "contact shadow: the ray through the depth buffer meets a surface that does not shadow the "
+                       "pixel; "
+                       "without contact shadows it is lit, as in the reference";
             case Artefact::NoMap:
-                break;  // said before
+                break;  // handled above
         }
         return d_.right ? "right" : "wrong";
     }
@@ -243,16 +243,16 @@ private:
                 return "the normal offset would lose it";
             case Artefact::Leak:
             case Artefact::Filter:
-                return "the kernel takes part in it";
+                return "the kernel contributes";
             case Artefact::LostCaster:
                 if (reference_.evidence.gap_all > reference_.evidence.gap_drawn)
-                    return fmt::format("a caster nearer to the light, which {} left out of the map, takes part in it",
+                    return fmt::format("a caster nearer to the light, which {} left out of the map, contributes",
                                        leaves_out());
-                return "the masks' mip levels take part in it";
+                return "the masks' mip levels contribute";
             case Artefact::Acne:
                 return "its bias is less than it needs,";
             default:
-                return "another cause takes part in it";
+                return "another cause contributes";
         }
     }
 
@@ -265,7 +265,7 @@ private:
             texels(d_.least), texels(d_.has), texels(p_.account.amount(reference_.evidence.curing)));
     }
 
-    /// The trial that made a lit pixel dark, of those with less bias.
+    /// Returns the trial with less bias that made a lit pixel dark, in words.
     std::string less_bias() const {
         const CauseEvidence& e = reference_.evidence;
         if (e.least_kept < 0.5f) return "with " + texels(d_.least);
@@ -279,7 +279,7 @@ private:
         return p_.causes.mask_levels ? culling + ", the near plane or a mask's mip level"
                                      : culling + " or the near plane";
     }
-    /// What the unfiltered map goes without.
+    /// Lists the filters that the unfiltered map lacks.
     std::string filtered_by() const {
         std::vector<std::string> out;
         if (p_.causes.depth_blur) out.push_back("depth blur (map.blur_texels)");
@@ -293,13 +293,13 @@ private:
         const CauseEvidence& e = reference_.evidence;
         if (e.gap_all < e.least_nearest && !dark())
             return fmt::format(
-                "undersampled: no depth bias can be right here: even one nearest texel needs {}, but what shadows "
-                "it lies {} away; a finer map opens the window",
+                "undersampled: no depth bias can be right here: even one nearest texel needs {}, but the occluder is "
+                "{} away; a finer map opens the window",
                 nearest_need(), texels(p_.account.amount(e.gap_all)));
         return fmt::format("undersampled: the true shadow or light here is {} wide, a texel {}; {}",
                            metres_text(e.run_m), metres_text(p_.texel_m), sampling_text());
     }
-    /// Least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
+    /// Returns the least power of two of map.resolution at which a texel is no wider than the strip of light or shadow.
     double sampling_resolution() const {
         const double needed = probe_.map_resolution * p_.texel_m / std::max(double(reference_.evidence.run_m), 1e-300);
         return std::exp2(std::ceil(std::log2(needed * (1 - 1e-6))));
@@ -313,7 +313,7 @@ private:
         return fmt::format("a map of {:.0f}² has texels as narrow", n);
     }
 
-    /// What the pixel gets under other settings, the map's place unchanged.
+    /// Computes the pixel's bias under other settings, with an unchanged map.
     BiasBreakdown under(const Settings& s) const {
         return bias_breakdown(p_.fitted, s, s.map.resolution, p_.point, driver_);
     }
@@ -322,7 +322,7 @@ private:
         return a.equivalent_depth() >= a.least.total() && (reference_.lit || a.depth_shift < d_.occluder.depth);
     }
 
-    /// The settings of the bias, the one that acts first.
+    /// Lists the keys of the bias settings, the ones in use first.
     std::vector<std::string_view> bias_keys() const {
         std::vector<std::string_view> keys;
         if (settings_.bias.normal > 0) keys.push_back("bias.normal");
@@ -332,7 +332,7 @@ private:
             if (std::find(keys.begin(), keys.end(), key) == keys.end() && acts(key)) keys.push_back(key);
         return keys;
     }
-    /// Whether bias.kind lets the setting act.
+    /// Returns true when bias.kind reads a setting.
     bool acts(std::string_view key) const { return reads_setting(bias_of(settings_), key); }
     static double& value_of(Settings& s, std::string_view key) {
         return key == "bias.normal" ? s.bias.normal : key == "bias.slope" ? s.bias.slope : s.bias.constant;
@@ -342,7 +342,8 @@ private:
         return settings_.bias.unit == BiasUnit::Metres ? "m" : "of depth";
     }
 
-    /// The least value of one setting under which the surface does not shadow itself, if that puts the pixel right.
+    /// Finds the least value of one setting under which the surface does not shadow itself, if that makes the pixel
+    /// right.
     std::optional<double> least_value(Settings s, std::string_view key) const {
         s.map.resolution = probe_.map_resolution;
         double& value = value_of(s, key);
@@ -364,7 +365,7 @@ private:
         const std::string text = fmt::format("{:g}", value);
         return {{{std::string(key), text}}, fmt::format("set {} to {} {}", key, text, unit_of(key))};
     }
-    /// The same, and what the pixel's bias is worth with it.
+    /// Makes a fix that sets one key, with the equivalent depth bias of the pixel.
     SuggestedFix set_to_be_worth(Settings s, std::string_view key, double value) const {
         SuggestedFix r = set(key, value);
         s.map.resolution = probe_.map_resolution;
@@ -427,7 +428,7 @@ private:
                             fmt::format("set map.resolution to {}", s.map.resolution)};
     }
 
-    /// More constant bias: by what is missing of what the trial found.
+    /// Makes a fix for acne of a bent surface: more constant bias, by the amount that the trial found missing.
     std::optional<SuggestedFix> bent_fix() const {
         const double missing = reference_.evidence.curing - d_.has.depth;
         const BiasBreakdown& a = p_.account;
@@ -463,12 +464,12 @@ std::string fix_text(const SuggestedFix& fix, const Settings& settings) {
 
 std::string equivalent_bias_text(const SuggestedFix& fix) {
     if (!(fix.equivalent_bias_texels > 0) || !std::isfinite(fix.equivalent_bias_texels)) return {};
-    return fmt::format(" (worth {} of depth bias here)", texels_text(fix.equivalent_bias_texels));
+    return fmt::format(" (equivalent depth bias {})", texels_text(fix.equivalent_bias_texels));
 }
 
-PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
-                       const Settings& settings, const DriverInfo& driver) {
-    return PixelDiagnoser(probe, light, reference, settings, driver).explain();
+PixelDiagnosis diagnose_pixel(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                              const Settings& settings, const DriverInfo& driver) {
+    return PixelDiagnoser(probe, light, reference, settings, driver).diagnose();
 }
 
 }  // namespace si

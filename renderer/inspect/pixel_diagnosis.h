@@ -1,4 +1,4 @@
-// Why a probed pixel is lit or dark, whether that is true, and what would put it right.
+// Pixel diagnosis: why a probed pixel is lit or in shadow, whether that is right, and a setting change that fixes it.
 #pragma once
 
 #include <limits>
@@ -12,46 +12,48 @@
 
 namespace si {
 
-/// Rounded up to three digits, so that what was just enough stays so; 0 for what is not above 0.
+/// Rounds a number up to three significant digits, so that a value that is just large enough stays so. Returns 0 for
+/// numbers that are not positive.
 double round_up_3_digits(double v);
 
-/// Settings that put the pixel right, by what is known of its plane.
+/// Setting change that makes one pixel right, computed from the plane of its surface.
 struct SuggestedFix {
-    std::vector<std::pair<std::string, std::string>> settings;  ///< key and value, as set_setting() takes them
+    std::vector<std::pair<std::string, std::string>> settings;  ///< keys and values for set_setting()
     std::string text;                                           ///< "set bias.slope to 1.8 texels"
-    double equivalent_bias_texels =
-        0;  ///< depth bias that the pixel has with it, where a bias is what it sets; 0: not known
+    double equivalent_bias_texels = 0;  ///< equivalent depth bias of the pixel with the fix; 0: unknown, or no bias fix
 };
 
-/// What it sets by the names that are on the screen: "Slope bias 1.8 texels".
+/// Formats a fix with the labels that the editor shows: "Slope bias 1.8 texels".
 std::string fix_text(const SuggestedFix& fix, const Settings& settings);
-/// " (worth 1.2 texels of depth bias here)"; empty where that is not known.
+/// Formats the equivalent depth bias of a fix: " (equivalent depth bias 1.2 texels)". Empty where unknown.
 std::string equivalent_bias_text(const SuggestedFix& fix);
 
-/// A light's verdict about the pixel. The window of depth biases that are right for it is [least, occluder): less, and
-/// its surface shadows itself; as much or more, and the surface that keeps the light from it is lost.
+/// Diagnosis of one light's shadow test at a pixel. Depth biases in [least, occluder) are right for the pixel. Below,
+/// the surface shadows itself (acne). Above, the occluder's shadow is lost (peter-panning).
 struct PixelDiagnosis {
-    int light = 0;
+    int light = 0;  ///< index of light.*
     FragmentReference reference;
-    DepthShift least;   ///< bias that the surface needs
-    DepthShift has;     ///< what all bias is worth against acne
-    DepthShift lifted;  ///< how far the bias moves the compared depth towards the light
-    /// To the surface nearest the light, along the light's axis; infinite where none stands before the pixel's.
+    DepthShift least;  ///< depth bias that the surface needs
+    DepthShift has;    ///< equivalent depth bias of all bias settings
+    DepthShift shift;  ///< shift of the compared depth towards the light by bias
+    /// Distance to the surface nearest the light, along the light's axis; infinite without an occluder.
     DepthShift occluder{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity(),
                         std::numeric_limits<double>::infinity()};
-    /// Whether some depth bias is right: always where nothing stands between surface and light.
+    /// Returns true when some depth bias is right; always where nothing occludes the light.
     bool window_open() const { return least.depth < occluder.depth; }
+    /// Returns the cause of the pixel's shadow error.
     Cause cause() const { return reference.cause; }
-    /// Least power of two of map.resolution at which the window opens; 0 when it is open, infinite when none does it as
-    /// the format's steps alone are too coarse.
+    /// Least power of two of map.resolution at which some depth bias is right. 0: at the present one. Infinite: at
+    /// none, since the steps of the depth format alone are too coarse.
     double opening_resolution = 0;
-    bool right = true;    ///< visibility and truth are on the same side of one half
-    std::string verdict;  ///< a sentence
-    std::optional<SuggestedFix> fix;
+    bool right = true;                ///< visibility and reference lie on the same side of one half
+    std::string verdict;              ///< a sentence
+    std::optional<SuggestedFix> fix;  ///< none where the pixel is right or no fix is known
 };
 
-/// @param settings that were probed
-PixelDiagnosis explain(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
-                       const Settings& settings, const DriverInfo& driver);
+/// Diagnoses one light's shadow test at a probed pixel: verdict in words, window of right biases, suggested fix.
+/// @param settings settings of the probed frame
+PixelDiagnosis diagnose_pixel(const Probe& probe, const Probe::PerLight& light, const FragmentReference& reference,
+                              const Settings& settings, const DriverInfo& driver);
 
 }  // namespace si

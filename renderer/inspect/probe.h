@@ -1,4 +1,4 @@
-// The lit/shadow test of one pixel written out: surface, look-up, every tap of the kernel, every term of the bias.
+// Probe of one pixel: its shadow test written out, with surface, look-up, every kernel tap and every bias term.
 #pragma once
 
 #include <array>
@@ -14,89 +14,95 @@
 
 namespace si {
 
-/// One comparison of the kernel.
+/// One depth comparison of a shadow kernel: a texel, its weight, both depths and the result.
 struct KernelTap {
+    /// Surface that a texel stores, relative to the receiver's plane.
     enum class Meets {
-        Nothing,  ///< nothing was drawn there, or it is outside of the map
-        Own,      ///< the receiver's plane, up to what storing it may err: dark here is acne
+        Nothing,  ///< the texel is empty or outside the map
+        Own,      ///< the receiver's plane, within rounding errors; a dark result is acne
         Nearer,   ///< a surface nearer to the light than the plane: an occluder
         Farther,  ///< a surface behind the plane
     };
-    glm::ivec2 texel{0};              ///< x to the right, y up, before map.wrap
-    double weight = 0;                ///< share of the kernel's result
-    double stored = 0, stored_m = 0;  ///< depth, and metres along the light's axis
-    double plane = 0;                 ///< depth of the receiver's plane at the texel's centre
-    double compared = 0;              ///< depth that the texel is compared with
-    bool lit = false;                 ///< the comparison's result
+    glm::ivec2 texel{0};  ///< x to the right, y up, before map.wrap
+    double weight = 0;    ///< share of the kernel's result
+    double stored = 0;    ///< depth in the map, 0..1
+    double stored_m = 0;  ///< the same in metres along the light's axis
+    double plane = 0;     ///< depth of the receiver's plane at the texel's centre
+    double compared = 0;  ///< depth after bias, the other side of the comparison
+    bool lit = false;     ///< the comparison's result
     Meets meets = Meets::Nothing;
 };
 
-/// What a kernel learned besides visibility; not a number where it does not say.
+/// Intermediate results of a shadow kernel at one pixel besides visibility. Numbers that the kernel does not compute
+/// are NaN.
 struct KernelFacts {
     static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-    /// How far along the light's axis the occluder that it found lies before the surface, on average.
+    /// Mean distance from the surface to its occluders, metres along the light's axis.
     double blocker_m = kUnknown;
-    double penumbra_texels = kUnknown;  ///< width of the penumbra that it made
-    double texels = 0;                  ///< that it fetched
-    double variance = kUnknown;         ///< of depths, in squares of the map's depth range
-    // Of kernels that read moments; NaN elsewhere.
-    std::array<double, 4> moments{kUnknown, kUnknown, kUnknown, kUnknown};  ///< that it read, as many as it stores
-    double mean = kUnknown;          ///< the depth that they say, as a share of the map's range
-    double own = kUnknown;           ///< the depth that it compared, as a share of the range
-    double margin = kUnknown;        ///< of the moments: below 0, no distribution of depths has them
-    double bound = kUnknown;         ///< the most that can be lit by them, before light-bleed reduction
-    std::vector<std::string> lines;  ///< the same in words, with the formula of the bound
+    double penumbra_texels = kUnknown;  ///< width of the penumbra
+    double texels = 0;                  ///< number of fetched texels
+    double variance = kUnknown;         ///< variance of depths, in squares of the map's depth range
+    // The rest is known for moment kernels only.
+    std::array<double, 4> moments{kUnknown, kUnknown, kUnknown, kUnknown};  ///< fetched moments; unused ones NaN
+    double mean = kUnknown;          ///< mean depth by the moments, as a share of the map's range
+    double own = kUnknown;           ///< compared depth, as a share of the map's range
+    double margin = kUnknown;        ///< validity of the moments; below 0: no distribution of depths has them
+    double bound = kUnknown;         ///< upper bound of visibility by the moments, before light-bleed reduction
+    std::vector<std::string> lines;  ///< the same numbers in words, with the formula of the bound
 };
 
-/// How far to either side of the look-up a probe keeps what the map stores, in texels.
+/// Number of texels to either side of the look-up whose stored depths a probe keeps.
 inline constexpr int kProbeRowReachTexels = 32;
 
+/// Probe of one pixel: the surface that the pixel shows, and its shadow test for every light.
 struct Probe {
-    bool hit = false;
-    int x = 0, y = 0;
-    glm::uvec2 id{0};  ///< of the triangle, as in SurfaceIds
+    bool hit = false;  ///< the pixel shows a surface
+    int x = 0, y = 0;  ///< pixel, from the top left
+    glm::uvec2 id{0};  ///< triangle, as in SurfaceIds
     Camera camera;
-    int width = 0, height = 0;  ///< of the picture that x and y count in
-    int map_resolution = 0;
-    SurfaceIds around;        ///< of the pixels within kRunReach of this one, as far as the picture goes
-    glm::ivec2 around_at{0};  ///< the place of its top left pixel in the picture
+    int width = 0, height = 0;  ///< size of the picture in pixels
+    int map_resolution = 0;     ///< texels per side of a map
+    SurfaceIds around;          ///< triangles of the pixels within kRunReach, clipped to the picture
+    glm::ivec2 around_at{0};    ///< top left pixel of `around` in the picture
     glm::dvec3 position_ws{0}, normal_ws{0};
-    std::string object;
+    std::string object;  ///< path of the object
+    /// Shadow test of the probed pixel for one light: look-up, compared depths, bias, taps, verdict.
     struct PerLight {
-        int light = 0, face = 0;  ///< the face or cascade that it is looked up in
-        /// "cascade 2 of 4", in a band with what is blended in; empty for a light's only view. All below is of this
-        /// one.
+        int light = 0;  ///< index of light.*
+        int face = 0;   ///< cube face or cascade of the look-up; the numbers below belong to its view
+        /// Name of the view, such as "cascade 2 of 4", with the blended one in a blend band; empty for a single view.
         std::string view;
-        bool casts = false, receives = true;
+        bool casts = false;    ///< the light has a shadow map
+        bool receives = true;  ///< object.PATH.receive
         FittedLight fitted;
         SurfacePoint point;
         BiasBreakdown account;
         glm::dvec4 clip{0};   ///< light clip space
         glm::dvec3 ndc{0};    ///< after division by w
         glm::dvec3 uvd{0};    ///< [0,1]: map coordinates and depth
-        glm::dvec3 tap{0};    ///< the same after the normal offset: where the kernel is centred
-        glm::ivec2 texel{0};  ///< that the kernel is centred in
+        glm::dvec3 tap{0};    ///< uvd after the normal offset: centre of the kernel
+        glm::ivec2 texel{0};  ///< texel at the kernel's centre
         double n_dot_l = 0;
-        double stored = 0, stored_m = 0;  ///< nearest texel, raw and metres along the light's axis
-        double own = 0, own_m = 0;        ///< the fragment's own depth before bias
-        double gap_m = 0;  ///< how much nearer to the light the texel's surface is, metres along the light's ray
-        double stored_linear = 0, own_linear = 0;  ///< 0 at the near plane, 1 at the far plane
-        double bias_depth = 0, bias_texels = 0, bias_m = 0;
+        double stored = 0, stored_m = 0;  ///< depth in the nearest texel: raw, and metres along the light's axis
+        double own = 0, own_m = 0;        ///< depth of the pixel's surface before bias, likewise
+        double gap_m = 0;                 ///< distance from the surface to the stored one, metres along the light's ray
+        double stored_linear = 0, own_linear = 0;            ///< the depths, 0 at the near plane to 1 at the far plane
+        double bias_depth = 0, bias_texels = 0, bias_m = 0;  ///< depth bias in three units
         double normal_offset_m = 0;
-        glm::dvec3 offset_position_ws{0};  ///< after the normal offset
-        double texel_m = 0;
-        double compared = 0;          ///< depth after bias, of 16 and 24-bit maps within [0,1], at the look-up
-        double compared_nearest = 0;  ///< the one that the nearest texel is compared with
+        glm::dvec3 offset_position_ws{0};  ///< surface position after the normal offset
+        double texel_m = 0;                ///< width of a texel, metres
+        double compared = 0;               ///< depth after bias at the look-up; within [0,1] for 16 and 24-bit maps
+        double compared_nearest = 0;       ///< depth after bias at the centre of the nearest texel
         KernelFacts kernel;
-        std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; none of kernels that are no sum
-        glm::ivec2 taps_first{0}, taps_size{0};  ///< the rectangle of texels that holds all of them
-        /// The texels within kProbeRowReachTexels of `texel` along the map's u and along its v, each as the kernel
-        /// would compare it; those that it does not weigh 0. Empty where the point has no place in a map.
+        std::vector<KernelTap> taps;  ///< row by row from the lowest, each texel once; empty for moment kernels
+        glm::ivec2 taps_first{0}, taps_size{0};  ///< bounding rectangle of the taps, texels
+        /// Texels within kProbeRowReachTexels of `texel` along u and along v, compared as by the kernel. Texels outside
+        /// the kernel have weight 0. Empty where the map does not cover the point.
         std::array<std::vector<KernelTap>, 2> rows;
-        double visibility = 1;   ///< what the renderer's filter computed, another cascade blended in
-        CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m are the truth's to fill in
+        double visibility = 1;   ///< result of the renderer's filter, cascades blended
+        CauseEvidence evidence;  ///< trials of the pixel; gaps, run_m and edge_m come from the reference
         CauseContext causes;
-        std::optional<MapPlace> place;  ///< nothing: the light has no map
+        std::optional<MapPlace> place;  ///< place of the point in the map; none: the light has no map
         std::string verdict;            ///< a sentence
     };
     std::vector<PerLight> lights;

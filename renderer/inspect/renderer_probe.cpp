@@ -1,4 +1,4 @@
-// The surface of one pixel from the GPU, and the depths that its kernels compare.
+// Probe of one pixel: reads its surface and kernel results from the GPU.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,10 +20,10 @@
 namespace si {
 namespace {
 
-constexpr int kMostTaps = 1024;
+constexpr int kMaxTaps = 1024;
 
 struct PixelFacts {
-    std::array<glm::vec4, 4> values{};  // the outputs of probe.frag.glsl
+    std::array<glm::vec4, 4> values{};  // outputs of probe.frag.glsl
     bool hit() const { return values[0].w > 0.5f; }
     glm::uvec2 id() const {
         return {std::uint32_t(values[0].w + 0.5f), std::uint32_t(values[2].w) << 16 | std::uint32_t(values[1].w) >> 1};
@@ -31,13 +31,13 @@ struct PixelFacts {
     bool receives() const { return (std::uint32_t(values[1].w) & 1) != 0; }
 };
 
-/// A pixel, and by how much what is drawn of it is shifted: see settle().
+/// Pixel of a probe, and the shift by which its block is drawn: see settle().
 struct BlockPlace {
     int x = 0, y_bottom = 0;
     glm::vec2 shift{0};  ///< pixels
 };
 
-/// The 2x2 block that holds a pixel, so that derivatives are those of the whole picture.
+/// Block of 2x2 pixels around the probed one, so that derivatives equal those of the whole picture.
 template <std::size_t Count>
 class Block {
 public:
@@ -73,14 +73,14 @@ private:
 PixelFacts draw_pixel(FrameState& f, const BlockPlace& at, int light) {
     const Block<4> block(f, at);
     PassInfo info;
-    f.surface_flags = true;  // the object's number is asked for
+    f.surface_flags = true;  // the object's index is read back
     f.draw_from_camera("passes/probe.frag.glsl", {{"LIGHT_INDEX", std::to_string(light)}}, info);
     PixelFacts facts;
     for (std::size_t i = 0; i < 4; ++i) facts.values[i] = block.value(i);
     return facts;
 }
 
-/// The surface of a pixel, whichever light.
+/// Surface of the probed pixel, independent of lights.
 struct SeenPixel {
     Block<kVisibleSurfaceImages> block;
     glm::ivec2 at;  ///< in the block
@@ -113,17 +113,17 @@ std::vector<glm::vec4> run_kernel(FrameState& f, const SeenPixel& seen, int ligh
     return values;
 }
 
-/// Each texel that the kernel reads with that one lit and all others dark: exact for every kernel that is linear in its
-/// comparisons.
+/// Returns the weight of each texel that the kernel reads, found with one texel lit and all others dark. Exact for
+/// every kernel that is linear in its comparisons.
 std::vector<RecordedTap> draw_taps(FrameState& f, const SeenPixel& seen, int light) {
     std::vector<RecordedTap> out;
     if (!filter_of(f.settings).linear) return out;
-    for (const glm::vec4& v : run_kernel(f, seen, light, kMostTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
+    for (const glm::vec4& v : run_kernel(f, seen, light, kMaxTaps, {{"RECORD_TAPS", "1"}, {"COMPARE_BY_HAND", "1"}}))
         if (v.w >= 0) out.push_back({glm::ivec2(glm::clamp(glm::vec2(v), -1e9f, 1e9f)), v.z, v.w});
     return out;
 }
 
-/// What a kernel that reads moments went by; empty of others.
+/// Returns intermediate results of a moment kernel; empty for other kernels.
 std::vector<std::string> moment_lines(const StoredMoments& stored, const FilterSettings& s, const KernelFacts& k) {
     if (std::isnan(k.bound)) return {};
     std::string moments;
@@ -164,23 +164,23 @@ CauseEvidence draw_trials(FrameState& f, const BlockPlace& at, int light) {
     return std::bit_cast<CauseEvidence>(values);
 }
 
-/// A pixel's surface as the picture shows it, for light 0; and where to draw its block so that it shows that. A
-/// triangle seen edge-on covers a pixel only by how its corners are rounded, to 1/256 pixel, and in a block they are
-/// rounded otherwise: then parts of that are tried. Where none helps, the block shows what lies behind.
+/// Finds the pixel's surface as the picture shows it, and the shift with which its block shows the same. An edge-on
+/// triangle may cover a pixel only by the rounding of its corners to 1/256 pixel, which differs in a block. Shifts
+/// below that are tried then. Where none helps, the block shows the surface behind.
 PixelFacts settle(FrameState& f, const glm::uvec2& shown, BlockPlace& at) {
     constexpr int kTries = 64;
     const PixelFacts unshifted = draw_pixel(f, at, 0);
     if (unshifted.id() == shown) return unshifted;
     for (int i = 1; i <= kTries; ++i) {
         BlockPlace tried = at;
-        // Spread evenly (Roberts' R2 sequence).
+        // Shifts are spread evenly (Roberts' R2 sequence).
         tried.shift = (glm::fract(glm::vec2(0.7548777f, 0.5698403f) * float(i)) - 0.5f) / 128.f;
         if (const PixelFacts facts = draw_pixel(f, tried, 0); facts.id() == shown) return at = tried, facts;
     }
     return unshifted;
 }
 
-/// @param[out] at where its top left pixel is
+/// @param[out] at top left pixel
 SurfaceIds part_of(const SurfaceIds& all, glm::ivec2 pixel, glm::ivec2& at) {
     at = glm::max(pixel - kRunReach, glm::ivec2(0));
     const glm::ivec2 end = glm::min(pixel + kRunReach + 1, glm::ivec2(all.width, all.height));

@@ -12,15 +12,15 @@ namespace si {
 namespace {
 
 constexpr int kRaysPerTexel = 8;
-constexpr int kLeastSide = 4;   ///< texels to either side of the look-up that are always shown
-constexpr int kEdgeShown = 10;  ///< texels within which an edge of shadow is shown, too
+constexpr int kMinSideTexels = 4;   ///< texels to either side of the look-up that are always shown
+constexpr int kMaxEdgeTexels = 10;  ///< distance up to which a shadow edge is shown, too
 
 const LightView& view_of(const Probe::PerLight& p) {
     return p.fitted.views[std::size_t(p.face)];
 }
 
-/// The plane of a cut in world space and in its own metres. It holds the look-up, the line of the map through it, and
-/// the rays to that line. A point beside it is seen along its normal: no length is drawn longer than it is.
+/// Plane of a cut, with conversion of world space to the plane's own metres. The plane holds the look-up, the line of
+/// the map through it, and the rays to that line. Other points are projected along the normal.
 class CutPlane {
 public:
     CutPlane(const Probe::PerLight& p, int axis, int resolution)
@@ -35,37 +35,37 @@ public:
         right_ = glm::normalize(across - up_ * glm::dot(across, up_));
         texel_m_ = glm::dot(across, right_);
         texel_long_m_ = glm::length(across);
-        light_ray_ = glm::normalize(seen(perspective ? view_.eye - origin_ : view_.axes[2]));
+        light_ray_ = glm::normalize(in_cut(perspective ? view_.eye - origin_ : view_.axes[2]));
     }
 
-    glm::dvec2 at(double along, double axis_m) const { return seen(world(along, axis_m) - origin_); }
+    glm::dvec2 at(double along, double axis_m) const { return in_cut(world(along, axis_m) - origin_); }
     glm::dvec3 world(double along, double axis_m) const {
         glm::dvec2 uv(tap_);
         uv[axis_] = along;
         return view_.position_ws(uv, axis_m);
     }
-    /// Unit, towards the light, in the cut.
+    /// Returns the unit vector towards the light at a point, in the cut.
     glm::dvec2 ray(double along, double axis_m) const {
         const glm::dvec2 d = at(along, 0.99 * axis_m - (view_.curve.perspective ? 0 : 1)) - at(along, axis_m);
         return d / glm::length(d);
     }
-    /// Of the row of the look-up; all of a warped map's rays in the cut along u.
+    /// Returns the depth curve in the row of the look-up. In a cut along u it holds for all rays of a warped map.
     DepthCurve curve() const { return view_.curve.curve_at_row(tap_.y); }
-    /// Metres along the axis at a depth so much nearer to the light than that of the look-up.
+    /// Returns the metres along the axis at a depth nearer to the light than the look-up by `depth`.
     double nearer_m(double depth) const {
         const double z = tap_m_ - curve().metres_towards_light(tap_m_, depth);
         if (!view_.curve.perspective) return z;
         return std::clamp(z, 1e-3 * view_.curve.near, 4 * std::max(view_.curve.far, tap_m_));
     }
     double metres(double depth) const { return nearer_m(towards() * (p_.tap.z - depth)); }
-    /// 1 where nearer surfaces have smaller depths, else -1.
+    /// Returns 1 when nearer surfaces have smaller depths, else -1.
     double towards() const { return view_.curve.convention.reversed ? -1 : 1; }
 
     double tap_along() const { return tap_[axis_]; }
     double tap_m() const { return tap_m_; }
     double texel_m() const { return texel_m_; }
     double texel_long_m() const { return texel_long_m_; }
-    /// Unit, from the surface towards the light.
+    /// Returns the unit vector from the surface towards the light.
     glm::dvec2 light_ray() const { return light_ray_; }
     int n() const { return n_; }
 
@@ -78,10 +78,10 @@ private:
     glm::dvec3 origin_{0}, up_{0, 1, 0}, right_{1, 0, 0};
     glm::dvec2 light_ray_{0, 1};
 
-    glm::dvec2 seen(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
+    glm::dvec2 in_cut(const glm::dvec3& way) const { return {glm::dot(way, right_), glm::dot(way, up_)}; }
 };
 
-/// Texels from the look-up to the nearest one of the row whose comparison meets another kind of surface.
+/// Returns the number of texels from the look-up to the nearest shadow edge in a row.
 int change_within(const std::vector<KernelTap>& row) {
     const auto occludes = [&](int i) { return row[std::size_t(i)].meets == KernelTap::Meets::Nearer; };
     const int middle = int(row.size()) / 2;
@@ -95,7 +95,7 @@ glm::dvec2 unit(const glm::dvec2& v) {
     return length > 0 ? v / length : glm::dvec2(1, 0);
 }
 
-/// Neighbouring points are one surface where the line through one of them and its own neighbour leads to the other.
+/// Splits points into surfaces. Neighbouring points belong to one surface when the slope continues.
 std::vector<std::vector<glm::dvec2>> surfaces(const std::vector<glm::dvec2>& points, double texel_m) {
     std::vector<std::vector<glm::dvec2>> out;
     const auto known = [&](std::size_t i) { return i < points.size() && std::isfinite(points[i].y); };
@@ -179,7 +179,7 @@ void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d
     if (d.reference.state != PixelState::Counted) return;
     s.least = d.least;
     s.has = d.has;
-    s.lifted = d.lifted;
+    s.shift = d.shift;
     s.occluder_in_map = std::isfinite(d.reference.gap_m);
     const double gap = s.occluder_in_map ? d.reference.gap_m : d.reference.blocker_m;
     if (std::isfinite(gap)) {
@@ -187,10 +187,8 @@ void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d
         s.occluder_m = gap;
     }
     if (!std::isfinite(d.least.depth) || p.account.plane.edge_on()) return;
-    // A surface at own depth z needs z moved by `least`, and no farther than to the occluder. An offset by h along the
-    // normal leads the look-up to where the plane lies h sin^2 / cos lower than the surface: counted from there the
-    // near end would sink by as much, below the surface itself, while the far end stays. So both count from the
-    // surface.
+    // Both ends count from the surface. After an offset h along the normal the plane at the look-up lies h sin^2 / cos
+    // below the surface. Counted from there, the near end would move by as much and the far end would not.
     s.window_from = d.least.metres;
     if (std::isfinite(d.occluder.depth)) s.window_to = d.occluder.metres;
     s.has_window = true;
@@ -198,7 +196,7 @@ void add_reference(Section& s, const Probe::PerLight& p, const PixelDiagnosis& d
 
 }  // namespace
 
-const Section::Step* Section::step_at(int texel) const {
+const Section::Step* Section::find_step(int texel) const {
     for (const Step& step : steps)
         if (step.texel == texel) return &step;
     return nullptr;
@@ -209,12 +207,12 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
     if (!p.casts || p.rows[0].empty() || resolution <= 0) return cut;
     const glm::dvec2 gradient = glm::abs(p.account.plane.gradient);
     cut.axis = gradient.y > gradient.x ? 1 : 0;
-    // Whatever a bias makes of the pixel, the cut stays: along the plane's slope where the light sees the surface and
-    // no edge of a shadow is near, else across the nearest edge.
+    // The cut does not depend on bias: along the plane's slope where the light sees the surface and no shadow edge is
+    // near, else across the nearest edge.
     const int change[2] = {change_within(p.rows[0]), change_within(p.rows[1])};
-    const bool at_an_edge = !d || !d->reference.lit || std::min(change[0], change[1]) <= kEdgeShown;
+    const bool at_an_edge = !d || !d->reference.lit || std::min(change[0], change[1]) <= kMaxEdgeTexels;
     if (at_an_edge && change[0] != change[1]) cut.axis = change[1] < change[0] ? 1 : 0;
-    // Moments are read of an area that their blur has gathered; other kernels say which texels they read.
+    // Moment kernels read blurred texels, so their reach comes from the settings. Other kernels record their texels.
     const int look_up = p.texel[cut.axis];
     if (p.taps.empty()) {
         cut.reach_texels = kernel_reach_in_light(settings, p.fitted, resolution).read;
@@ -222,8 +220,8 @@ SectionCut section_cut(const Probe::PerLight& p, const PixelDiagnosis* d, const 
         const int last = p.taps_first[cut.axis] + p.taps_size[cut.axis];
         cut.reach_texels = 0.5 + std::max(look_up - p.taps_first[cut.axis], last - 1 - look_up);
     }
-    const int edge = change[cut.axis] <= kEdgeShown ? change[cut.axis] + 2 : 0;
-    const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kLeastSide,
+    const int edge = change[cut.axis] <= kMaxEdgeTexels ? change[cut.axis] + 2 : 0;
+    const int side = std::clamp(std::max(int(std::ceil(std::min(cut.reach_texels, 1e3))) + 2, edge), kMinSideTexels,
                                 kProbeRowReachTexels);
     const double moved = (p.tap[cut.axis] - p.uvd[cut.axis]) * resolution;
     const int back = int(std::clamp(std::ceil(std::abs(moved)), 0.0, double(kProbeRowReachTexels)));
@@ -241,7 +239,7 @@ std::vector<ReferencePoint> reference_profile(const ReferenceScene& scene, const
     const CutPlane plane(p, cut.axis, resolution);
     const Bounds& bounds = scene.geometry().bounds;
     const double size = bounds.empty() ? 0 : glm::length(bounds.hi - bounds.lo);
-    // Parallel rays begin before all that casts; others at the light.
+    // Parallel rays begin before all casters, others at the light.
     const DepthCurve curve = plane.curve();
     const double from_m = curve.perspective ? 1e-3 * curve.near : std::min(curve.near, p.own_m - size);
     const double to_m = std::max(p.own_m + std::max(size, plane.texel_m()), 2 * from_m);

@@ -28,13 +28,13 @@ constexpr std::array<InkColour, kInks> kColours{{
 }};
 
 constexpr std::array<LegendRow, 13> kLegend{{
-    {Mark::Kind::Line, Ink::Step, false, "depths that the map stores, a texel a step"},
+    {Mark::Kind::Line, Ink::Step, false, "stored depths, one step per texel"},
     {Mark::Kind::Area, Ink::Shade, false, "in shadow, by the map"},
-    {Mark::Kind::Line, Ink::Surface, false, "what the light sees in truth"},
+    {Mark::Kind::Line, Ink::Surface, false, "first surface from the light, by rays"},
     {Mark::Kind::Line, Ink::Plane, true, "the surface's plane"},
     {Mark::Kind::Line, Ink::ComparedLit, true, "compared with the texel's depth: lit"},
     {Mark::Kind::Line, Ink::ComparedDark, true, "compared with the texel's depth: in shadow"},
-    {Mark::Kind::Area, Ink::Window, false, "biases that are right"},
+    {Mark::Kind::Area, Ink::Window, false, "right depth biases"},
     {Mark::Kind::Area, Ink::NoWindow, false, "no bias is right"},
     {Mark::Kind::Area, Ink::Lit, false, "tap lit"},
     {Mark::Kind::Area, Ink::Dark, false, "tap in shadow"},
@@ -43,7 +43,7 @@ constexpr std::array<LegendRow, 13> kLegend{{
     {Mark::Kind::Area, Ink::Moments, false, "one standard deviation to each side of the mean"},
 }};
 
-/// A rectangle in metres and the one in pixels that shows it.
+/// Viewport: a rectangle in metres and its position and scale in pixels.
 struct Viewport {
     glm::dvec2 lo{0}, hi{1};  ///< metres; y towards the light
     double x = 0, bottom = 0, across = 1, along = 1;
@@ -51,7 +51,7 @@ struct Viewport {
     bool holds(const glm::dvec2& m) const { return m.x >= lo.x && m.x <= hi.x && m.y >= lo.y && m.y <= hi.y; }
 };
 
-/// The part of a line within a rectangle (Liang, Barsky, A New Concept and Method for Line Clipping, 1984).
+/// Clips a line to a rectangle (Liang, Barsky, A New Concept and Method for Line Clipping, 1984).
 std::optional<std::pair<glm::dvec2, glm::dvec2>> clipped(glm::dvec2 a, glm::dvec2 b, const Viewport& v) {
     double from = 0, to = 1;
     const glm::dvec2 d = b - a;
@@ -66,7 +66,7 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> clipped(glm::dvec2 a, glm::dvec
     return std::pair{a + from * d, a + to * d};
 }
 
-/// The part of a convex area within a rectangle (Sutherland, Hodgman, Reentrant Polygon Clipping, 1974).
+/// Clips a convex area to a rectangle (Sutherland, Hodgman, Reentrant Polygon Clipping, 1974).
 std::vector<glm::dvec2> clipped(std::vector<glm::dvec2> area, const Viewport& v) {
     for (int i = 0; i < 2; ++i)
         for (const double side : {-1.0, 1.0}) {
@@ -101,7 +101,8 @@ bool lies_in(const glm::dvec2& at, const std::vector<glm::dvec2>& convex) {
     return !(left && right);
 }
 
-/// Within an area: `inside`. Infinite: outside of one, and to words.
+/// Returns the distance from a point to a mark in pixels: `inside` within an area, infinite outside areas and for
+/// texts.
 double pixels_to(const Mark& mark, const glm::dvec2& at, double inside) {
     double least = std::numeric_limits<double>::infinity();
     switch (mark.kind) {
@@ -119,17 +120,17 @@ double pixels_to(const Mark& mark, const glm::dvec2& at, double inside) {
     return least;
 }
 
-/// 1, 2 or 5 times a power of ten: the largest that is not above `most`.
-double round_length(double most) {
-    const double power = std::pow(10, std::floor(std::log10(most)));
+/// Rounds a length down to 1, 2 or 5 times a power of ten.
+double round_length(double max_length) {
+    const double power = std::pow(10, std::floor(std::log10(max_length)));
     for (const double digit : {5.0, 2.0})
-        if (digit * power <= most) return digit * power;
+        if (digit * power <= max_length) return digit * power;
     return power;
 }
 
-class Draughtsman {
+class SectionDrawer {
 public:
-    Draughtsman(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
+    SectionDrawer(const Section& section, const SectionPage& page) : s_(section), page_(page), em_(page.em) {
         out_.width = page.width;
         out_.height = page.height;
     }
@@ -165,7 +166,7 @@ public:
     }
 
 private:
-    /// What a low drawing has room for no longer, the last first.
+    /// Priority of a label; low drawings drop the last first.
     enum class Need { Always, Bias, Rest };
     struct Label {
         glm::dvec2 at;
@@ -189,7 +190,7 @@ private:
         return page_.text_width ? page_.text_width(text) : 0.54 * em_ * double(text.size());
     }
 
-    // Marks in pixels.
+    // Marks in pixels
     Mark& add(Mark mark) { return out_.marks.emplace_back(std::move(mark)); }
     void line(std::vector<glm::dvec2> points, Ink ink, double width, bool dashed = false, bool arrow = false) {
         add({.kind = Mark::Kind::Line,
@@ -219,7 +220,7 @@ private:
         area({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, ink, opacity);
     }
 
-    // The same in metres, wherever they show.
+    // Marks in metres, in both viewports
     template <typename Draw>
     void in_viewports(Draw&& draw) {
         draw(near_);
@@ -230,7 +231,7 @@ private:
             if (const auto part = clipped(a, b, v)) line({v.px(part->first), v.px(part->second)}, ink, width, dashed);
         });
     }
-    /// Joined where it is whole.
+    /// Draws connected lines, clipped to both viewports.
     void polyline_m(const std::vector<glm::dvec2>& points, Ink ink, double width) {
         in_viewports([&](const Viewport& v) {
             std::vector<glm::dvec2> run;
@@ -263,12 +264,12 @@ private:
         if (far_ && far_->holds(m)) return far_->px(m);
         return {};
     }
-    /// A line of words beside the drawing that points at a place in it.
+    /// Adds a label at the right margin with a leader to a point of the drawing.
     void label(const glm::dvec2& m, std::string text, Ink ink, Need need) {
         if (const auto at = seen(m)) labels_.push_back({*at, std::move(text), ink, need});
     }
 
-    /// @return where the next line's top is
+    /// Draws a paragraph with line breaks. @return top of the next line, pixels
     double paragraph(double x, double y, double width, const std::string& text, Ink ink) {
         std::string line_of_words;
         const auto flush = [&] {
@@ -290,9 +291,9 @@ private:
     double header(double margin) {
         std::string title = s_.lit ? "Lit" : "In shadow";
         if (s_.classified) {
-            title += s_.lit == s_.reference_lit ? ", as in truth"
-                     : s_.reference_lit         ? ", lit in truth"
-                                                : ", in shadow in truth";
+            title += s_.lit == s_.reference_lit ? ", as in the reference"
+                     : s_.reference_lit         ? ", lit in the reference"
+                                                : ", in shadow in the reference";
             if (!s_.artefact.empty()) title += ": " + s_.artefact;
         }
         words({margin, margin + em_}, title, Ink::Text, true);
@@ -305,21 +306,21 @@ private:
                (step.meets == KernelTap::Meets::Own || step.meets == KernelTap::Meets::Farther);
     }
 
-    /// Whether the rays meet the map so aslant that a texel across them is another length than one along the map, in
+    /// Returns true when rays are so oblique to the map that a texel across them differs from one along the map, in
     /// which bias is counted.
     bool aslant() const { return s_.texel_long_m - s_.texel_m > 0.005 * s_.texel_m; }
     std::string bias_text(const DepthShift& a) const {
         return aslant() ? fmt::format("{} = {}", texels_text(a.texels), metres_text(a.metres)) : texels_text(a.texels);
     }
-    /// A place on the light's ray of the surface.
+    /// Returns the point on the surface's light ray at a distance in metres.
     glm::dvec2 on_ray(double metres) const { return metres * s_.light_ray; }
-    /// Whether the bias is worth another distance than the disk's to the surface: of an offset, and of one of the
-    /// stored depths.
-    bool marks_worth() const {
+    /// Returns true when the equivalent depth bias differs from the drawn shift: with a normal offset or polygon
+    /// offset.
+    bool marks_equivalent_bias() const {
         return s_.has_window && (glm::length(s_.moved) > 0.02 * s_.texel_m || s_.raster.depth != 0);
     }
 
-    /// Which metres are shown where: what the comparison is about, and far above it, at a break, what is far.
+    /// Chooses scale and viewports: one for the comparison, and one above a break for distant occluders.
     void frame(double margin, double top) {
         const double gutter = std::min(18 * em_, 0.42 * page_.width);
         left_ = margin;
@@ -346,8 +347,8 @@ private:
         }
         if (s_.occluder) far.push_back(s_.occluder->y);
         if (s_.has_window && std::isfinite(s_.window_to)) far.push_back(on_ray(s_.window_to).y);
-        // Where the disk stands lower than the window's near end only that mark tells why it is enough, or not.
-        if (marks_worth() && s_.lifted.metres < s_.window_from && s_.has.metres < 3 * std::max(hi, -lo))
+        // Below the window's near end, only the mark of the equivalent bias shows if the bias is enough.
+        if (marks_equivalent_bias() && s_.shift.metres < s_.window_from && s_.has.metres < 3 * std::max(hi, -lo))
             show(on_ray(s_.has.metres).y);
         if (s_.moments) {
             const double spread = std::isnan(s_.moments->spread) ? 0 : s_.moments->spread;
@@ -359,7 +360,7 @@ private:
         lo -= 0.25 * content;
         hi += 0.25 * content;
         const double farthest = far.empty() ? hi : *std::max_element(far.begin(), far.end());
-        // Of moments, what lies between is what matters.
+        // With moments, the range between is needed, so there is no break.
         out_.broken = !s_.moments && farthest > hi + 1.5 * (hi - lo) && farthest > hi + 2 * texel;
         if (!out_.broken && !far.empty()) {
             hi = std::max(hi, farthest + 0.12 * (farthest - lo));
@@ -376,13 +377,13 @@ private:
         const double height = bottom_ - top_, high = out_.broken ? 0.70 * height : height;
         const double across = (right_ - left_) / (x1 - x0);
         const double fits = high / (hi - lo) / across;
-        // True to scale where the picture then is neither cut nor mostly empty.
+        // The drawing is true to scale unless that would cut it or leave most of it empty.
         stretch_ = fits > 4     ? round_length(fits)
                    : fits >= 1  ? 1
                    : fits > 0.1 ? 1 / std::ceil(1 / fits)
                                 : round_length(fits);
-        const double along = stretch_ * across, spare = high / along - (hi - lo);
-        lo -= 0.4 * spare;
+        const double along = stretch_ * across, free_height = high / along - (hi - lo);
+        lo -= 0.4 * free_height;
         hi = lo + high / along;
         near_ = {{x0, lo}, {x1, hi}, left_, bottom_, across, along};
         if (out_.broken) {
@@ -401,13 +402,16 @@ private:
         below_ = bottom_;
     }
 
-    double beyond() const { return 4 * (near_.hi.y - near_.lo.y) + (far_ ? far_->hi.y - near_.lo.y : 0); }
+    /// Returns a length in metres that leads from any point out of the drawing.
+    double outside_length() const { return 4 * (near_.hi.y - near_.lo.y) + (far_ ? far_->hi.y - near_.lo.y : 0); }
 
     void columns() {
         for (const Section::Step& step : s_.steps) {
-            line_m(step.from - step.from_ray * beyond(), step.from + step.from_ray * beyond(), Ink::Grid, 0.8);
+            line_m(step.from - step.from_ray * outside_length(), step.from + step.from_ray * outside_length(),
+                   Ink::Grid, 0.8);
             if (&step == &s_.steps.back())
-                line_m(step.to - step.to_ray * beyond(), step.to + step.to_ray * beyond(), Ink::Grid, 0.8);
+                line_m(step.to - step.to_ray * outside_length(), step.to + step.to_ray * outside_length(), Ink::Grid,
+                       0.8);
         }
         if (far_) {  // the break
             const double y = 0.5 * (near_.px(near_.hi).y + far_->px(far_->lo).y), h = 0.22 * em_;
@@ -422,7 +426,8 @@ private:
         const auto shows = [](const Section::Step& s) { return s.in_map && s.meets != KernelTap::Meets::Nothing; };
         for (const Section::Step& step : s_.steps)
             if (shows(step))
-                area_m({step.from, step.to, step.to - step.to_ray * beyond(), step.from - step.from_ray * beyond()},
+                area_m({step.from, step.to, step.to - step.to_ray * outside_length(),
+                        step.from - step.from_ray * outside_length()},
                        Ink::Shade, 0.2);
         for (std::size_t i = 0; i < s_.steps.size(); ++i) {
             const Section::Step& step = s_.steps[i];
@@ -431,7 +436,7 @@ private:
             if (i + 1 < s_.steps.size() && shows(s_.steps[i + 1]))
                 line_m(step.to, s_.steps[i + 1].from, Ink::Step, 1.2);
         }
-        if (const Section::Step* own = s_.looked_up(); own && shows(*own)) {
+        if (const Section::Step* own = s_.lookup_step(); own && shows(*own)) {
             const glm::dvec2 side = own->to;
             label(side,
                   fmt::format("stored in texel {}, {}", s_.cut.axis == 0 ? own->texel : s_.row,
@@ -461,7 +466,7 @@ private:
             line({a, b}, Ink::Plane, 1.2, true);
             missed = pixels_to(near_.px({0, 0}), a, b);
         }
-        // A surface beside the cut: parallel cuts of a plane are parallel lines.
+        // A surface off the cut: parallel cuts of a plane are parallel lines.
         surface_apart_ = missed > 0.15 * em_;
         if (surface_apart_) {
             const glm::dvec2 piece =
@@ -473,10 +478,10 @@ private:
 
     void window() {
         if (!s_.has_window) return;
-        const double end = std::isfinite(s_.window_to) ? s_.window_to : beyond();
+        const double end = std::isfinite(s_.window_to) ? s_.window_to : outside_length();
         const bool open = s_.window_open();
         const Ink ink = open ? Ink::Window : Ink::NoWindow;
-        // Along the surface's ray, and so far beside it that both are seen.
+        // The window lies next to the surface's ray, so that both are visible.
         const glm::dvec2 half(0.3 * em_ / near_.across, 0), aside(-0.75 * em_ / near_.across, 0);
         const auto at = [&](double metres) { return aside + on_ray(metres); };
         const glm::dvec2 lower = at(std::min(s_.window_from, end)), upper = at(std::max(s_.window_from, end));
@@ -490,18 +495,18 @@ private:
         label(at(s_.window_from), "needs " + bias_text(s_.least) + (aslant() ? "" : " of bias"), ink, Need::Bias);
         if (std::isfinite(s_.window_to))
             label(at(s_.window_to), open ? "more bias loses the shadow" : "no bias is right", ink, Need::Rest);
-        if (!marks_worth()) return;
+        if (!marks_equivalent_bias()) return;
         tick(s_.has.metres, Ink::Bias, 0.6);
         label(at(s_.has.metres), fmt::format("has {}", bias_text(s_.has)), Ink::Bias, Need::Bias);
     }
 
     void ray() {
-        const glm::dvec2 end = s_.light_ray * beyond();
+        const glm::dvec2 end = s_.light_ray * outside_length();
         line_m({0, 0}, end, Ink::Ray, 1.4, true);
         const Viewport& v = far_ ? *far_ : near_;
         if (const auto part = clipped(glm::dvec2(0), end, v)) {
             const glm::dvec2 at = v.px(part->second);
-            // The light stands beyond the picture: rays come down.
+            // The light is outside the picture: rays come from above.
             line({at, at + glm::dvec2(0, 1.3 * em_)}, Ink::Ray, 1.4, false, true);
             labels_.push_back({at + glm::dvec2(0, 0.5 * em_),
                                s_.light == LightType::Directional
@@ -519,7 +524,7 @@ private:
               Ink::Occluder, Need::Always);
     }
 
-    /// How much of the normal offset the cut holds, in words; empty: all of it.
+    /// Returns the part of the normal offset that lies in the cut, in words; empty: all of it.
     std::string offset_in_cut() const {
         const double drawn = glm::length(s_.moved), whole = std::abs(s_.normal_offset_m);
         return std::abs(drawn - whole) <= 1e-3 * whole ? "" : metres_text(drawn);
@@ -543,7 +548,7 @@ private:
         for (const Section::Term& term : s_.terms) {
             const glm::dvec2 a = near_.px(term.from), b = near_.px(term.to);
             const double length = glm::length(b - a), room = &term == &s_.terms.back() ? 0.4 * em_ : 0;
-            const bool has_head = length > 2 * room + 0.3 * em_;  // which ends before the dot that it leads to
+            const bool has_head = length > 2 * room + 0.3 * em_;  // the arrow ends before the dot
             line({a, has_head ? b - (b - a) * (room / length) : b}, Ink::Bias, 2.2, false, has_head);
             label(0.5 * (term.from + term.to), fmt::format("{} {}", term.name, texels_text(term.amount.texels)),
                   Ink::Bias, Need::Bias);
@@ -561,7 +566,7 @@ private:
               Ink::Text, Need::Always);
     }
 
-    /// Under each column what its comparison says.
+    /// Draws the result of each texel's comparison under its column.
     void taps() {
         double heaviest = 0;
         for (const Section::Step& step : s_.steps) heaviest = std::max(heaviest, step.weight);
@@ -604,7 +609,7 @@ private:
         below_ = y + 0.6 * em_;
     }
 
-    /// From top to bottom, none over another.
+    /// Places the labels from top to bottom without overlap.
     void place_labels() {
         if (labels_.empty()) return;
         std::stable_sort(labels_.begin(), labels_.end(),
@@ -648,11 +653,11 @@ private:
             fmt::format("Cut along the map's {}, texels {} to {} of {} {}", s_.cut.axis == 0 ? "u" : "v", s_.cut.first,
                         s_.cut.first + s_.cut.count - 1, s_.cut.axis == 0 ? "row" : "column", s_.row);
         if (std::abs(s_.row_offset_texels) >= 0.005)
-            note += fmt::format(", whose middle lies {:.2f} texels beside the cut", std::abs(s_.row_offset_texels));
+            note += fmt::format(", whose middle lies {:.2f} texels off the cut", std::abs(s_.row_offset_texels));
         note += ".";
         if (std::abs(s_.surface_offset_texels) >= 0.005) {
-            note += fmt::format(" The surface itself lies {} beside the cut",
-                                texels_text(std::abs(s_.surface_offset_texels)));
+            note +=
+                fmt::format(" The surface itself lies {} off the cut", texels_text(std::abs(s_.surface_offset_texels)));
             if (!offset_in_cut().empty())
                 note += fmt::format(", as of {} of normal offset the cut holds {}", metres_text(s_.normal_offset_m),
                                     offset_in_cut());
@@ -669,7 +674,7 @@ private:
         out_.height = y + margin;
     }
 
-    /// As high as what was written on it.
+    /// Fits the height of the paper to its content.
     void resize_paper() {
         if (!page_.captions || out_.marks.empty()) return;
         out_.marks.front().points = {{0, 0}, {out_.width, 0}, {out_.width, out_.height}, {0, out_.height}};
@@ -683,7 +688,7 @@ const InkColour& ink_colour(Ink ink) {
 }
 
 SectionDrawing draw_section(const Section& section, const SectionPage& page) {
-    return Draughtsman(section, page).draw();
+    return SectionDrawer(section, page).draw();
 }
 
 Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em) {
@@ -704,7 +709,7 @@ Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em) {
 const LegendRow* legend_row_at(const SectionDrawing& drawing, const glm::dvec2& at, double reach) {
     const LegendRow* row = nullptr;
     double nearest = reach;
-    for (const Mark& mark : drawing.marks) {  // of equally near ones the foremost
+    for (const Mark& mark : drawing.marks) {  // the topmost of equally near marks
         if (mark.ink == Ink::Paper || mark.ink == Ink::Grid || mark.ink == Ink::Muted) continue;
         const double pixels = pixels_to(mark, at, reach);
         if (pixels > nearest) continue;

@@ -1,4 +1,4 @@
-// A cross-section as lines, areas and words with roles, for whatever paints them: the editor, an SVG file.
+// Drawing of a cross-section as lines, areas, dots and texts with roles, to be painted by the editor or as SVG.
 #pragma once
 
 #include <array>
@@ -13,88 +13,96 @@
 
 namespace si {
 
-/// What a mark of the drawing stands for; its colour follows.
+/// Role of a mark in a drawing of a cross-section; the mark's colour follows from the role.
 enum class Ink {
     Paper,
     Text,
     Muted,    ///< less important words, leaders, frames
     Grid,     ///< sides of texels
-    Shade,    ///< what the map holds for shadow
-    Step,     ///< the stored depth
-    Surface,  ///< what the light sees in truth
-    Plane,    ///< of the probed surface
-    Ray,      ///< of the light
+    Shade,    ///< region in shadow by the map
+    Step,     ///< stored depth
+    Surface,  ///< first surface from the light, by rays
+    Plane,    ///< plane of the probed surface
+    Ray,      ///< light ray
     Lit,
     Dark,
-    Self,          ///< dark by the surface itself
-    ComparedLit,   ///< the depth that a texel is compared with
-    ComparedDark,  ///< likewise, in shadow
-    Offset,        ///< along the normal
+    Self,          ///< self-shadowed tap
+    ComparedLit,   ///< compared depth, lit
+    ComparedDark,  ///< compared depth, in shadow
+    Offset,        ///< normal offset
     Bias,
-    Window,    ///< of biases that are right
-    NoWindow,  ///< between what is needed and what stands in the way, where no bias is right
+    Window,    ///< range of right biases
+    NoWindow,  ///< gap between needed bias and occluder, where no bias is right
     Occluder,
     Moments,  ///< mean and spread of depths
 };
 inline constexpr std::size_t kInks = std::size_t(Ink::Moments) + 1;
 
-/// sRGB on a light and on a dark ground.
+/// Colour of a mark's role: sRGB on a light and on a dark background.
 struct InkColour {
     std::string_view key;  ///< lower case, for class names
     std::array<std::uint8_t, 3> on_light, on_dark;
 };
+/// Returns the colour of a mark's role.
 const InkColour& ink_colour(Ink ink);
 
+/// Line, area, dot or text in a drawing of a cross-section, in pixels.
 struct Mark {
+    /// Shape of a mark.
     enum class Kind { Line, Area, Dot, Text };
+    /// Alignment of a text to its point.
     enum class Anchor { Start, Middle, End };
     Kind kind = Kind::Line;
     Ink ink = Ink::Text;
-    std::vector<glm::dvec2> points;  ///< x to the right, y down; of a text its baseline
-    double width = 1;                ///< of a line; of a dot its radius
+    std::vector<glm::dvec2> points;  ///< x to the right, y down; for texts the start of the baseline
+    double width = 1;                ///< width of a line, or radius of a dot
     double opacity = 1;
-    bool dashed = false, arrow = false;  ///< of lines; the arrow at the last point
-    bool strong = false;                 ///< of texts
+    bool dashed = false, arrow = false;  ///< for lines; the arrow is at the last point
+    bool strong = false;                 ///< bold text
     Anchor anchor = Anchor::Start;
     std::string text;
 };
 
-/// What marks of one kind and ink mean.
+/// Legend entry of a drawing: the meaning of marks with one shape and role.
 struct LegendRow {
     Mark::Kind kind = Mark::Kind::Line;
     Ink ink = Ink::Text;
     bool dashed = false;
-    std::string_view text;  ///< static
+    std::string_view text;  ///< static string
+    /// Returns true when the legend entry stands for a mark.
     bool explains(const Mark& mark) const { return mark.kind == kind && mark.ink == ink; }
 };
-inline constexpr double kSwatchEms = 1.6;  ///< width of a row's swatch, in heights of its text
+inline constexpr double kSwatchEms = 1.6;  ///< width of a legend swatch, in text heights
 
-/// Lengths are those of the picture: pixels.
+/// Page for a drawing of a cross-section: size and text metrics in pixels.
 struct SectionPage {
     double width = 960, height = 600;
-    double em = 15;        ///< height of text
-    bool captions = true;  ///< with the verdict in words and the legend; else the drawing alone
-    std::function<double(std::string_view)> text_width;  ///< none: by a mean width of letters
+    double em = 15;                                      ///< height of text
+    bool captions = true;                                ///< draws the verdict and the legend, too
+    std::function<double(std::string_view)> text_width;  ///< width of a text in pixels; none: estimated
 };
 
+/// Drawing of a cross-section: marks in pixels, legend and scale.
 struct SectionDrawing {
     double width = 0, height = 0;
     std::vector<Mark> marks;        ///< from back to front
-    std::vector<LegendRow> legend;  ///< of the marks that there are and no label names; with captions or without
-    double across = 1;              ///< pixels a metre across the light's ray
-    double along = 1;               ///< and along it
-    double zero_x = 0, zero_y = 0;  ///< where Section's origin lies
-    bool broken = false;            ///< what is far nearer to the light stands in a strip of its own above
+    std::vector<LegendRow> legend;  ///< entries for all marks without a label, also where no legend is drawn
+    double across = 1;              ///< pixels per metre across the light's ray
+    double along = 1;               ///< pixels per metre along the light's ray
+    double zero_x = 0, zero_y = 0;  ///< pixel of the origin of Section
+    bool broken = false;            ///< distant occluders are drawn in a separate strip at the top
 };
 
-/// A caption's height is found by its words: the drawing may be higher than the page.
+/// Draws a cross-section. With captions the drawing may be higher than the page, by the length of the verdict.
 SectionDrawing draw_section(const Section& section, const SectionPage& page);
 
-/// @param left the middle of its left side, in pixels @param em height of the text beside it, in pixels
+/// Makes the colour swatch of a legend entry.
+/// @param left middle of the swatch's left side, pixels @param em height of the entry's text, pixels
 Mark legend_swatch(const LegendRow& row, const glm::dvec2& left, double em);
 
-/// Of a place in the drawing, in pixels: the row of the nearest line or dot within `reach`, else of the foremost area
-/// there. Null: nothing is there, or it has no row.
+/// Finds the legend entry for a place in a drawing, such as the mouse pointer: that of the nearest line or dot within
+/// `reach`, else of the topmost area. Null: no mark with a legend entry is there.
+/// @param at pixels @param reach pixels
 const LegendRow* legend_row_at(const SectionDrawing& drawing, const glm::dvec2& at, double reach);
 
 }  // namespace si

@@ -34,7 +34,7 @@ void window_sums(int n, int width, bool wraps, Get get, Put put) {
 }  // namespace
 
 KernelFootprint kernel_footprint(float u, float v, int resolution, double reach_texels) {
-    // In float as the shaders compute it; far outside of the map any number serves.
+    // Float, as in the shaders. The clamp matters only far outside the map.
     const auto first = [&](float at) {
         const float x = at * float(resolution) - float(reach_texels) + 0.5f;
         return int(std::floor(std::clamp(x, -1e9f, 1e9f)));

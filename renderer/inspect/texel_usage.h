@@ -1,4 +1,4 @@
-// Which texels of a shadow map the picture reads, and which pixels read a texel.
+// Usage of a shadow map's texels: which texels the picture reads, and which pixels read one texel.
 #pragma once
 
 #include <cstdint>
@@ -9,52 +9,64 @@
 
 namespace si {
 
-/// The square of texels that a kernel reads: `count` x `count` from `first` on, v up. It may reach beyond the map,
-/// where map.wrap says what is read.
+/// Square of texels that a shadow kernel reads at one pixel. The square may reach outside the map, where map.wrap
+/// applies.
 struct KernelFootprint {
-    glm::ivec2 first{0};
-    int count = 1;
+    glm::ivec2 first{0};  ///< lower left texel
+    int count = 1;        ///< texels per side
 };
 
-/// The texels whose centres lie within `reach_texels` (Reach::read) of the kernel's centre, per axis; of two
-/// that lie exactly that far on either side the upper one. These are the texels that the kernels of shaders/filters
-/// fetch, whatever weight they give them.
-/// @param u, v the kernel's centre in map coordinates
+/// Computes the square of texels that a shadow kernel reads, whatever their weights: centres within `reach_texels` of
+/// the kernel's centre, per axis. Of two texels exactly at that distance, the upper one counts, as in shaders/filters.
+/// @param u, v the kernel's centre in map coordinates, 0..1
+/// @param resolution texels per side of the map
+/// @param reach_texels Reach::read
 KernelFootprint kernel_footprint(float u, float v, int resolution, double reach_texels);
 
-/// Counts over one layer of a light's map. Texels are counted as in Probe: x to the right, y up.
+/// Number of pixels that read each texel of one layer of a light's shadow map. Texels are counted as in Probe: x to the
+/// right, y up.
 class TexelUsage {
 public:
     TexelUsage() = default;
-    /// @param map_coordinates RGBA as FrameResult::map_coordinates has them
-    /// @param layer among the light's views: the face
+    /// Counts the pixels that read each texel.
+    /// @param map_coordinates four channels, as FrameResult::map_coordinates
+    /// @param resolution texels per side of the map
+    /// @param reach_texels Reach::read of the kernel
+    /// @param layer cube face or cascade
     TexelUsage(const FloatImage& map_coordinates, int resolution, double reach_texels, MapWrap wrap, int layer = 0);
 
+    /// Returns the texels per side of the map.
     int resolution() const { return resolution_; }
-    /// Share of all texels that at least one pixel's kernel reads.
+    /// Returns the share of all texels that at least one pixel's kernel reads.
     double utilisation() const;
-    /// Number of pixels whose kernels read the texel.
+    /// Returns the number of pixels whose kernels read a texel; 0 outside the map.
     std::uint32_t pixels(glm::ivec2 texel) const;
+    /// Returns the largest number of pixels that read one texel.
     std::uint32_t max_pixels() const;
-    /// One channel: pixels() of each texel, top row first.
+    /// Returns an image of pixels() for each texel, one channel, top row first.
     FloatImage counts() const;
-    /// The pixels whose kernels read the texel, row 0 at the top, in reading order.
+    /// Returns the pixels whose kernels read a texel, in reading order from the top left.
     std::vector<glm::ivec2> readers(glm::ivec2 texel) const;
 
 private:
     int resolution_ = 0, width_ = 0, kernel_ = 1;
     bool repeats_ = false;
-    int side_ = 0;  // of the grid of footprints: their first texels, from -(kernel - 1) on, or from 0 where repeated
-    std::vector<std::uint32_t> begin_;   // per footprint: its pixels in pixels_
-    std::vector<std::uint32_t> pixels_;  // y * width + x, sorted by footprint
-    std::vector<std::uint32_t> counts_;  // per texel, bottom row first
+    int side_ = 0;  ///< grid of footprints by first texel, from -(kernel - 1), or from 0 for repeated maps
+    std::vector<std::uint32_t> begin_;   ///< per footprint: first index in pixels_
+    std::vector<std::uint32_t> pixels_;  ///< y * width + x, sorted by footprint
+    std::vector<std::uint32_t> counts_;  ///< per texel, bottom row first
+    /// Fills counts_ with the number of pixels that read each texel.
     void count_texels();
 };
 
-/// The usage under the settings' kernel and map.wrap. @param resolution FrameResult::map_resolution
+/// Computes the texel usage of a map under the kernel and map.wrap of the settings.
+/// @param map_coordinates FrameResult::map_coordinates, read back
+/// @param resolution FrameResult::map_resolution
+/// @param layer cube face or cascade
 TexelUsage texel_usage(const FloatImage& map_coordinates, const Settings& settings, int resolution, int layer = 0);
 
-/// Share of the texels that some kernel fetches. @param texels_read FrameResult::texels_read
+/// Returns the share of a map's texels that at least one kernel fetches, exactly instead of by bounding squares.
+/// @param texels_read FrameResult::texels_read, read back
 double exact_utilisation(const FloatImage& texels_read);
 
 }  // namespace si

@@ -25,7 +25,7 @@ ArtefactCluster cluster_of(const std::vector<glm::ivec2>& members) {
 }  // namespace
 
 std::vector<ArtefactCluster> artefact_clusters(const std::vector<ClassifiedPixel>& classified, int width,
-                                               Artefact cause, std::size_t most) {
+                                               Artefact cause, std::size_t max_clusters) {
     std::vector<ArtefactCluster> out;
     const int height = width > 0 ? int(classified.size() / std::size_t(width)) : 0;
     const auto index = [&](glm::ivec2 p) { return std::size_t(p.y) * std::size_t(width) + std::size_t(p.x); };
@@ -48,7 +48,7 @@ std::vector<ArtefactCluster> artefact_clusters(const std::vector<ClassifiedPixel
             out.push_back(cluster_of(members));
         }
     std::ranges::stable_sort(out, std::greater{}, &ArtefactCluster::pixels);
-    if (out.size() > most) out.resize(most);
+    if (out.size() > max_clusters) out.resize(max_clusters);
     return out;
 }
 

@@ -1,4 +1,4 @@
-// Wrong pixels that hang together.
+// Clusters of adjacent pixels that are wrong for the same cause.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,16 +8,17 @@
 
 namespace si {
 
-/// Pixels of one cause, neighbours also across corners.
+/// Cluster of adjacent pixels, across corners too, that are wrong for the same cause.
 struct ArtefactCluster {
-    glm::ivec2 pixel{0};           ///< the one next to their mean place, row 0 at the top
-    glm::ivec2 first{0}, last{0};  ///< corners of the rectangle that holds all of them
-    std::size_t pixels = 0;
+    glm::ivec2 pixel{0};           ///< pixel of the cluster nearest to its mean position, from the top left
+    glm::ivec2 first{0}, last{0};  ///< corners of the bounding rectangle, inclusive
+    std::size_t pixels = 0;        ///< number of pixels
 };
 
-/// Largest first; those of one size row by row. @param judged top row first, `width` of them a row
-/// @param most so many are returned
+/// Finds the clusters of pixels that are wrong for one cause, largest first; equal ones in reading order.
+/// @param classified one per pixel, top row first @param width pixels per row
+/// @param max_clusters limit of the returned clusters
 std::vector<ArtefactCluster> artefact_clusters(const std::vector<ClassifiedPixel>& classified, int width,
-                                               Artefact cause, std::size_t most);
+                                               Artefact cause, std::size_t max_clusters);
 
 }  // namespace si

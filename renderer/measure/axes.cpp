@@ -36,8 +36,8 @@ double number(std::string_view text, std::string_view whole) {
     return value;
 }
 
-/// The numbers of "from:to:step", ends included up to rounding.
-std::vector<double> row_of(const std::vector<std::string>& parts, std::string_view whole) {
+/// Returns the numbers of "from:to:step", ends included up to rounding.
+std::vector<double> step_values(const std::vector<std::string>& parts, std::string_view whole) {
     const bool geometric = parts[2].starts_with("*");
     const double from = number(parts[0], whole), to = number(parts[1], whole),
                  step = number(std::string_view(parts[2]).substr(geometric ? 1 : 0), whole);
@@ -56,13 +56,13 @@ std::vector<double> row_of(const std::vector<std::string>& parts, std::string_vi
     return row;
 }
 
-/// A number as short as it can be without being another one to nine digits: 0.1 + 0.2 is 0.3.
+/// Formats a number with at most nine digits, so that 0.1 + 0.2 is "0.3".
 std::string short_number(double value, const Value& like) {
     if (std::holds_alternative<int>(like)) return fmt::format("{}", std::lround(value));
     return fmt::format("{:.9g}", value);
 }
 
-/// Says that all but the `kept` values of an axis are the same as one of those.
+/// Formats the remark that all but the `kept` values of an axis are equivalent to one of those.
 std::string note_on_merged(const Settings& base, const SweepAxis& axis, const std::set<std::string>& kept) {
     const SettingRef ref = *find_setting(axis.key);
     std::string why;
@@ -72,11 +72,11 @@ std::string note_on_merged(const Settings& base, const SweepAxis& axis, const st
         if (why.empty() && !kept.contains(value)) why = idle_reason(s, ref);
     }
     if (axis.key.starts_with("view.") && axis.key != "view.light") why = "without effect on what is measured";
-    return fmt::format("{}: {} of {} values are no cases of their own{}{}", axis.key, axis.values.size() - kept.size(),
+    return fmt::format("{}: {} of {} values give no cases of their own{}{}", axis.key, axis.values.size() - kept.size(),
                        axis.values.size(), why.empty() ? "" : "; ", why);
 }
 
-/// Equal for equal settings only.
+/// Returns a text that is equal for equal settings only.
 std::string fingerprint(const Settings& settings) {
     std::string text;
     for (const SettingRef& ref : changed_settings(settings))
@@ -109,7 +109,7 @@ SweepAxis parse_axis(std::string_view text) {
     } else if (values == "*" && std::holds_alternative<bool>(default_value(*ref))) {
         axis.values = {"false", "true"};
     } else if (is_number && parts.size() == 3) {
-        for (const double v : row_of(parts, text)) axis.values.push_back(short_number(v, default_value(*ref)));
+        for (const double v : step_values(parts, text)) axis.values.push_back(short_number(v, default_value(*ref)));
     } else {
         axis.values = split(values, ',');
     }
@@ -127,7 +127,7 @@ SweepAxis parse_axis(std::string_view text) {
 }
 
 Settings without_ineffective_settings(Settings settings) {
-    // What is without effect is judged by the settings as given, so that the order of the rows does not matter.
+    // Effect is tested under the given settings, so that the order of the rows does not matter.
     const Settings given = settings;
     for (const SettingRef& ref : all_settings(given)) {
         const bool light_off = ref.param->scope == Scope::Light && ref.light >= given.light_count;

@@ -1,4 +1,4 @@
-// What a sweep varies: axes of settings, their cross product, and which of its cases are the same thing.
+// Axes of a sweep: settings with lists of values, their cross product, and the merging of equivalent cases.
 #pragma once
 
 #include <string>
@@ -10,42 +10,47 @@
 
 namespace si {
 
-/// One setting and the values it takes, as text.
+/// Axis of a sweep: one setting and its values as text.
 struct SweepAxis {
     std::string key;
     std::vector<std::string> values;
 };
 
-/// Parses "KEY=V1,V2,..." or "KEY=from:to:step" (ends included; step may be "*factor" for a geometric row); for a
-/// setting with choices "KEY=*" is every choice, or what its row takes for that (Param::swept). @throws UsageError
-/// naming key, value and what is allowed.
+/// Parses an axis of a sweep from the option --vary: "KEY=V1,V2,..." or "KEY=from:to:step", ends included. A step
+/// "*factor" makes a geometric series. "KEY=*" lists all choices of a setting (Param::swept where the setting has it).
+/// @throws UsageError naming key, value and the allowed form
 SweepAxis parse_axis(std::string_view text);
 
+/// Case of a sweep: one combination of the axes' values.
 struct SweepCase {
     std::vector<std::pair<std::string, std::string>> values;  ///< key and value per axis, in the axes' order
     Settings settings;
     std::string id;  ///< "key=value key=value": unique within a sweep
 };
 
+/// Cases of a sweep, after equivalent ones were merged.
 struct SweepPlan {
     std::vector<SweepCase> cases;
-    std::size_t product = 0;         ///< cases before those that amount to the same were merged
-    std::vector<std::string> notes;  ///< one line for each axis of which values make no difference here
+    std::size_t product = 0;         ///< number of cases before merging
+    std::vector<std::string> notes;  ///< one line for each axis with values that make no difference
 };
 
-/// Most cases that a sweep may have.
+/// Largest number of cases that a sweep may have.
 inline constexpr std::size_t kMaxSweepCases = 100'000;
 
-/// The cross product of the axes over `base`. Cases that differ only in settings without effect are one case, the first
-/// of them; but with an axis of scene.*, of which a scene's suggestions follow, only equal settings are. @throws
-/// UsageError when a key is varied twice, by a value that stands for it too among others, or there are more than
-/// kMaxSweepCases.
+/// Computes the cross product of axes over base settings. Cases that differ only in settings without effect are merged
+/// into the first of them. With an axis of scene.* only equal settings are merged, since settings that a scene suggests
+/// depend on the scene.
+/// @throws UsageError when a key is varied twice, directly or through a value that implies it, or when there are more
+/// than kMaxSweepCases
 SweepPlan plan_sweep(const Settings& base, const std::vector<SweepAxis>& axes);
 
-/// `settings` with each setting that is without effect at its default: two that draw the same by that are equal.
+/// Returns settings in which every setting without effect has its default value. Settings that draw the same picture
+/// for that reason become equal.
 Settings without_ineffective_settings(Settings settings);
 
-/// Without what a person looks with: overlays, panes, the map viewer. They cost time and are no part of the shadow.
+/// Returns settings without display aids (view.*: overlays, panes, map viewer), which cost time but are no part of the
+/// shadow. Keeps view.light. Measurements use these settings.
 Settings measured_settings(Settings settings);
 
 }  // namespace si

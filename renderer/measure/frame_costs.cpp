@@ -13,18 +13,18 @@ namespace si {
 namespace {
 
 constexpr CostRow kCosts[] = {
-    {"forced", "everything drawn anew", "with everything drawn anew",
-     "Every pass runs in every frame, as where nothing is kept: the price of a cold frame."},
+    {"forced", "everything drawn again", "with everything drawn again",
+     "Every pass runs in every frame, as without any cache: the cost of a cold frame."},
     {"camera", "the camera moves", "while the camera moves",
-     "The camera turns about its target by half a degree a frame, there and back. What does not depend on it, such as "
-     "the map of a light that stands still, is kept and costs nothing."},
+     "The camera turns about its target by half a degree a frame, there and back. Results that do not depend on it, "
+     "such as the map of a static light, are cached and cost nothing."},
     {"light", "the light moves", "while the light moves",
-     "The light of view.light sinks by half a degree a frame, there and back. What does not depend on it, such as what "
-     "the camera sees, is kept and costs nothing."},
+     "The light of view.light sinks by half a degree a frame, there and back. Results that do not depend on it, such "
+     "as the camera's depth, are cached and cost nothing."},
 };
 static_assert(std::size(kCosts) == std::size_t(CostCase::Light) + 1);
 
-/// Steps from the start: each frame is another than the one before it.
+/// Steps from the start; consecutive frames differ.
 constexpr int kSwing[] = {0, 1, 2, 1};
 
 }  // namespace
@@ -33,7 +33,7 @@ std::span<const CostRow> cost_cases() {
     return kCosts;
 }
 
-const CostRow& row_of(CostCase cost) {
+const CostRow& cost_row(CostCase cost) {
     return kCosts[std::size_t(cost)];
 }
 
@@ -53,7 +53,7 @@ std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settin
     if (cost == CostCase::Forced) return {settings};
     std::vector<Settings> frames;
     Settings start = settings;
-    // Written out, so that it can be turned, and stays where it is while a light moves.
+    // Explicit camera settings can be turned, and stay fixed while a light moves.
     if (cost == CostCase::Camera || settings.camera.source == CameraSource::Light)
         start.camera = manual_camera(scene, settings, aspect);
     const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));

@@ -1,5 +1,5 @@
-// What a frame costs has three answers: all of it drawn anew; while the camera moves; while the light moves. What is
-// kept from one frame to the next costs nothing in the latter two, as it does in a program that keeps it.
+// Cases for which the cost of a frame is timed: everything drawn again, the camera moves, the light moves. In the last
+// two, cached results cost nothing, as in a program that caches them.
 #pragma once
 
 #include <span>
@@ -11,34 +11,37 @@
 
 namespace si {
 
-/// In the order of cost_cases().
+/// Case for which frames are timed: every pass forced, the camera moves, or the light moves. Ordered as cost_cases().
 enum class CostCase { Forced, Camera, Light };
 
-/// What figures are of where nobody chooses.
+/// Case for which frames are timed by default.
 inline constexpr CostCase kDefaultCost = CostCase::Camera;
 
+/// Row of the table of cost cases: key, label and help of one case for which frames are timed.
 struct CostRow {
     std::string_view key, label;
     std::string_view when;  ///< "while the camera moves", after "ms a frame"
     std::string_view help;
 };
+/// Returns the table of cost cases.
 std::span<const CostRow> cost_cases();
-const CostRow& row_of(CostCase cost);
-/// "forced, camera, light", for messages and help.
+/// Returns the table row of a cost case.
+const CostRow& cost_row(CostCase cost);
+/// Returns the keys of all cost cases for messages and help: "forced, camera, light".
 std::string cost_keys();
-/// @throws Error naming the known keys
+/// Parses the key of a cost case. @throws Error naming the known keys
 CostCase parse_cost(std::string_view key);
 
-/// How far camera or light turn from one frame to the next, degrees.
+/// Turn of camera or light from one timed frame to the next, degrees.
 inline constexpr double kCostStepDegrees = 0.5;
 
-/// The settings of the frames of a scripted motion that comes back to its start: frame i takes the i-th, modulo their
-/// number. The camera is turned about its target; the light of view.light is lowered (raised, from below the horizon),
-/// which moves one that stands at the zenith, too, and the camera that looks through it is left where it was.
-/// @param aspect of the picture, width / height
+/// Returns the settings of timed frames under a cost case: a short motion there and back, to be repeated. The camera
+/// turns about its target, or the light of view.light sinks (rises when below the horizon). A camera that looks through
+/// the light stays in place.
+/// @param aspect width / height of the picture
 std::vector<Settings> scripted_frames(const Scene& scene, const Settings& settings, double aspect, CostCase cost);
 
-/// Turns `request` into one that is timed as the case says.
+/// Sets a frame request to time its passes under a cost case: CostCase::Forced draws every pass again.
 void set_timed_passes(FrameRequest& request, CostCase cost);
 
 }  // namespace si

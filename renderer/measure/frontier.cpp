@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// Linear interpolation between the two nearest ranks.
+/// Returns a quantile by linear interpolation between the two nearest ranks.
 double quantile(const std::vector<double>& sorted, double q) {
     const double at = q * double(sorted.size() - 1);
     const auto below = std::size_t(at);
@@ -85,8 +85,8 @@ std::vector<bool> frontier(std::span<const Dot> dots) {
     return on;
 }
 
-Advice advise(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier) {
-    Advice advice;
+FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier) {
+    FrontierAdvice advice;
     for (std::size_t i = 0; i < dots.size(); ++i) {
         const Dot& d = dots[i];
         if (!on_frontier[i] || !finite(d)) continue;

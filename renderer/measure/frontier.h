@@ -1,4 +1,4 @@
-// Which settings are worth their time: the frontier of error over cost, and the statistics that stand behind a dot.
+// Pareto frontier of shadow error over frame time, with the statistics of the measured values.
 #pragma once
 
 #include <optional>
@@ -7,57 +7,62 @@
 
 namespace si {
 
-/// Of a set of samples, such as the milliseconds of several frames.
+/// Distribution of samples, such as the milliseconds of several frames: median with confidence interval, percentile,
+/// extremes.
 struct Spread {
-    double median = 0, p95 = 0, low = 0, high = 0;  ///< low and high: the extremes
+    double median = 0, p95 = 0;
+    double low = 0, high = 0;                ///< smallest and largest sample
     double median_low = 0, median_high = 0;  ///< 95 % confidence interval of the median, within one run of the program
-    int samples = 0;
-    int bursts = 0;  ///< that the samples were taken in
-    /// Half the width of that interval as a share of the median; 1 when that says nothing.
+    int samples = 0;                         ///< number of samples
+    int bursts = 0;                          ///< number of bursts in which they were taken
+    /// Returns half the confidence interval of the median as a share of the median; 1 when unknown.
     double relative() const;
-    /// Half the width of that interval.
+    /// Returns half the confidence interval of the median.
     double noise() const { return 0.5 * (median_high - median_low); }
 };
 
-/// Half the 95 % confidence interval of the mean of values that scatter normally, by Student's t; 0 of fewer than two.
+/// Returns half the 95 % confidence interval of the mean of normally distributed values, by Student's t; 0 for fewer
+/// than two values.
 double half_interval(const std::vector<double>& values);
 
-/// The interval is the distribution-free one by ranks n/2 -+ 0.98 sqrt(n) (Conover, Practical Nonparametric Statistics,
-/// 3.2), so that times that jump between two values do not pass for settled. Frames that follow each other are alike,
-/// so that ranks alone take a machine's mood for certainty: with several bursts the interval is at least that of their
-/// medians' mean by Student's t.
-/// @param bursts index of the first sample of each; empty: one burst
+/// Computes the distribution of samples. The confidence interval is distribution-free, by ranks n/2 -+ 0.98 sqrt(n)
+/// (Conover, Practical Nonparametric Statistics, 3.2), so that times that jump between two values are not settled.
+/// Consecutive frames are correlated: with several bursts the interval is at least the Student's t interval of the
+/// bursts' medians.
+/// @param bursts index of the first sample of each burst; empty: one burst
 Spread spread_of(std::vector<double> samples, std::span<const std::size_t> bursts = {});
 
-/// A case on the plot. Smaller is better on both axes.
+/// Measured case as a point of cost and error, with the noise of both. Smaller is better.
 struct Dot {
     double cost = 0, error = 0;
-    double cost_noise = 0, error_noise = 0;  ///< differences up to this are no differences
+    double cost_noise = 0, error_noise = 0;  ///< differences up to the noise do not count
 };
 
-/// As alike as what has settled may be: noise beyond this share of a value is ignorance, which speaks for no dot.
+/// Largest noise, as a share of the value, up to which two points may tie.
 inline constexpr double kMaxTieNoise = 0.03;
 
-/// How `a` stands to `b`: better when it is no worse on either axis beyond noise (up to kMaxTieNoise) and better on one
-/// beyond noise.
+/// Returns true when point `a` dominates point `b`: worse on neither axis by more than noise (at most kMaxTieNoise),
+/// and better on one by more than noise.
 bool dominates(const Dot& a, const Dot& b);
 
-/// For each dot whether nothing dominates it. Dots closer than noise do not push each other off. Dots with a value that
-/// is not finite are never on the frontier.
+/// Computes the Pareto frontier: for each point, true when no other point dominates it. Points closer than noise do not
+/// dominate each other. Points with a value that is not finite are never on the frontier.
 std::vector<bool> frontier(std::span<const Dot> dots);
 
-/// What else the frontier offers to the owner of `present`.
-struct Advice {
-    std::optional<std::size_t> better;  ///< least costly dot on the frontier with a smaller error: costs more
-    double extra_cost = 0;
-    std::optional<std::size_t> cheaper;  ///< least costly dot whose error is no larger: costs less
-    double saved_cost = 0;
+/// Points of the frontier that improve on the present settings: one with less error, one with less cost.
+struct FrontierAdvice {
+    std::optional<std::size_t> better;   ///< cheapest point with a smaller error, at more cost
+    double extra_cost = 0;               ///< cost of `better` above the present
+    std::optional<std::size_t> cheaper;  ///< cheapest point with no larger error, at less cost
+    double saved_cost = 0;               ///< cost of `cheaper` below the present
 };
-/// @param dots with `on_frontier` as frontier() gave it
-Advice advise(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
+/// Finds the points of the frontier that improve on the present settings.
+/// @param on_frontier frontier(dots)
+FrontierAdvice frontier_advice(const Dot& present, std::span<const Dot> dots, const std::vector<bool>& on_frontier);
 
-/// The least-squares slope of log(error) over log(x) over the pairs in which both are positive and finite; nothing when
-/// fewer than two distinct x are left. Hard shadows' boundary error falls with slope -1 over the resolution.
+/// Fits log(error) over log(x) by least squares and returns the slope, over pairs in which both are positive and
+/// finite. Returns nothing for fewer than two distinct x. The boundary error of hard shadows has slope -1 over the
+/// resolution.
 std::optional<double> log_slope(std::span<const double> x, std::span<const double> error);
 
 }  // namespace si

@@ -5,7 +5,7 @@
 
 namespace si {
 
-Classification Measurer::judge(const Scene& scene, const Settings& settings) {
+Classification Measurer::classify(const Scene& scene, const Settings& settings) {
     const Settings measured = measured_settings(settings);
     FrameRequest request{.width = width_, .height = height_, .force = true};
     trace_sources(renderer_, scene, measured, request, references_, workers_);
@@ -36,15 +36,15 @@ TimedFrames::TimedFrames(Renderer& renderer, const Scene& scene, const Settings&
     }
 }
 
-FrameResult TimedFrames::next() {
+FrameResult TimedFrames::draw_next() {
     const Frame& frame = frames_[next_++ % frames_.size()];
     return renderer_.render(scene_, frame.settings, frame.request);
 }
 
 void TimedFrames::warm_up() {
-    next();
-    // The first draws all anew; what is kept from frame to frame shows in the next.
-    if (frames_.size() > 1) next();
+    draw_next();
+    // The first frame draws everything; the next one shows cached results.
+    if (frames_.size() > 1) draw_next();
 }
 
 TimedFrames Measurer::frames(const Scene& scene, const Settings& settings, CostCase cost) {
@@ -56,7 +56,7 @@ TimeSamples Measurer::time(const Scene& scene, const Settings& settings, int fra
     TimedFrames timed = this->frames(scene, settings, cost);
     TimeSamples samples;
     timed.warm_up();
-    for (int i = 0; i < frames; ++i) samples.add(timed.next());
+    for (int i = 0; i < frames; ++i) samples.add(timed.draw_next());
     return samples;
 }
 
@@ -66,7 +66,7 @@ TimeMeasurement Measurer::time(const Scene& scene, const Settings& settings, Cos
     if (cost != CostCase::Forced) timed.warm_up();
     TimeMeasurement m = sample_times(limits, [&] {
         if (workers_.stop.stop_requested()) throw Cancelled();
-        return timed.next();
+        return timed.draw_next();
     });
     m.cost = cost;
     return m;

@@ -1,5 +1,4 @@
-// What one setting gets wrong, and what it costs: the one place where a frame is judged and timed, for `measure`,
-// sweeps and the editor.
+// Measurement of shadow error and frame time under given settings, shared by `measure`, sweeps and the editor.
 #pragma once
 
 #include "renderer/measure/measured_error.h"
@@ -8,29 +7,33 @@
 
 namespace si {
 
-/// A frame held against the truth about view.light.
+/// Comparison of a frame with the ray-traced reference of view.light: error metrics, work, pictures.
 struct Classification {
     ErrorMetrics error;
-    std::shared_ptr<const Reference> reference;  ///< that it was held against
+    std::shared_ptr<const Reference> reference;
     WorkCost cost;
-    int map_resolution = 0;          ///< as drawn
-    std::optional<PageFacts> pages;  ///< of virtual maps, all drawn anew
-    ByteImage picture;               ///< as the frame shows it
-    ByteImage artefacts;             ///< the picture in grey with what is wrong in colour
-    std::vector<std::string> notes;  ///< of the renderer, such as repaired settings
+    int map_resolution = 0;          ///< texels per side, as drawn
+    std::optional<PageFacts> pages;  ///< pages of virtual maps, all drawn again
+    ByteImage picture;               ///< the frame
+    ByteImage artefacts;             ///< the frame in grey with wrong pixels in colour
+    std::vector<std::string> notes;  ///< remarks of the renderer, such as repaired settings
 };
 
-/// Frames of one setting that are drawn to be timed, each following the one before it.
+/// Sequence of frames of one setting, drawn to be timed under a cost case.
 class TimedFrames {
 public:
-    /// Traces what the sources of visibility ask for. @param scene that lives longer @throws Error, Cancelled
+    /// Prepares the frames and traces the rays that light sources need.
+    /// @param scene must outlive the object @param measured settings from measured_settings()
+    /// @throws Error, Cancelled
     TimedFrames(Renderer& renderer, const Scene& scene, const Settings& measured, FrameRequest request, CostCase cost,
                 ReferenceCache& references, const Workers& workers);
-    FrameResult next();
-    /// After another setting was drawn: what these frames keep is there again.
+    /// Draws the next timed frame and returns its pass times.
+    FrameResult draw_next();
+    /// Draws untimed frames until cached results are valid again. Call after other settings were drawn.
     void warm_up();
 
 private:
+    /// Settings and request of one timed frame.
     struct Frame {
         Settings settings;
         FrameRequest request;
@@ -41,23 +44,25 @@ private:
     std::size_t next_ = 0;
 };
 
+/// Measures shadow error and frame time of settings at one picture size. Keeps traced references for the next
+/// measurement. Use on the renderer's thread.
 class Measurer {
 public:
-    /// @param width, height of the picture in pixels
+    /// Makes a measurer for pictures of this size in pixels.
     Measurer(Renderer& renderer, int width, int height, Workers workers = {})
         : renderer_(renderer), width_(width), height_(height), workers_(std::move(workers)) {}
 
-    /// Who traces from now on, and may stop it.
+    /// Sets the threads for tracing, with their stop token and progress report.
     void set_workers(Workers workers) { workers_ = std::move(workers); }
 
-    /// Draws, traces (unless the truth is known from before) and compares. @throws Error, Cancelled
-    Classification judge(const Scene& scene, const Settings& settings);
-    /// Draws what warms up, and `frames` that count. @throws Error
+    /// Draws a frame, traces its reference unless cached, and compares both. @throws Error, Cancelled
+    Classification classify(const Scene& scene, const Settings& settings);
+    /// Times a fixed number of frames, after untimed ones to warm up. @throws Error
     TimeSamples time(const Scene& scene, const Settings& settings, int frames, CostCase cost);
-    /// Draws until the time stands still or the most frames were drawn. @throws Error, Cancelled
+    /// Times frames until the median has settled or the limit of frames is reached. @throws Error, Cancelled
     TimeMeasurement time(const Scene& scene, const Settings& settings, CostCase cost,
                          const TimeSampler::Limits& limits = {});
-    /// Frames of these settings at this size.
+    /// Prepares frames of these settings to be timed one by one.
     TimedFrames frames(const Scene& scene, const Settings& settings, CostCase cost);
 
 private:

@@ -2,7 +2,7 @@
 //
 //     ReferenceCache cache;
 //     MeasuredError measured = measure_error(renderer, scene, settings, request, light, {}, cache);
-//     measured.metrics.acne, measured.judged[y * width + x].artefact
+//     measured.metrics.acne, measured.classified[y * width + x].artefact
 #pragma once
 
 #include "renderer/reference/metrics.h"
@@ -14,8 +14,8 @@ namespace si {
 struct MeasuredError {
     TracedReference traced;
     ErrorMetrics metrics;
-    std::vector<ClassifiedPixel> classified;  ///< by pixel of the reference, top row first
-    std::vector<FittedLight> lights;          ///< all lights of the frame
+    std::vector<ClassifiedPixel> classified;  ///< one per pixel of the reference, top row first
+    std::vector<FittedLight> lights;          ///< lights of the frame
     Camera camera;
     int light = 0, map_resolution = 0;
     glm::ivec2 picture{0};  ///< size of the frame; the reference may have fewer pixels
@@ -29,7 +29,7 @@ MeasuredError measure_error(Renderer& renderer, const Scene& scene, const Settin
                             const FrameRequest& request, int light, const ReferenceOptions& options,
                             ReferenceCache& cache, const Workers& workers = {});
 
-/// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::judged, without metrics:
+/// Reads back the classified pixels of a frame that was drawn with `picture` and Outputs::classified, without metrics:
 /// sum_error_metrics() computes those, on any thread.
 MeasuredError read_classified_pixels(Renderer& renderer, const FrameResult& frame, const ReferencePicture& picture,
                                      int light);

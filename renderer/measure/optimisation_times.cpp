@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// spread_of() of numbers of either sign, which it takes for times.
+/// Computes the distribution of differences of either sign, as spread_of() expects positive times.
 Spread spread_of_differences(std::vector<double> values) {
     if (values.empty()) return {};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -29,70 +29,71 @@ double total_ms(const FrameResult& frame) {
 
 }  // namespace
 
-const Spread* SavedTimes::of(Optimisation saving) const {
-    for (const SavedTime& time : savings)
-        if (time.saving == saving) return &time.ms;
+const Spread* SavedTimes::find(Optimisation optimisation) const {
+    for (const SavedTime& time : optimisations)
+        if (time.optimisation == optimisation) return &time.ms;
     return nullptr;
 }
 
-const Spread* SavedTimes::of(const Effect& effect) const {
-    if (effect.saving) return of(*effect.saving);
+const Spread* SavedTimes::find(const Effect& effect) const {
+    if (effect.optimisation) return find(*effect.optimisation);
     if (effect.state != EffectState::Cached || effect.part) return nullptr;
     for (const PassTime& pass : frame.passes)
         if (pass.name == effect.pass) return &pass.gpu_ms;
     return nullptr;
 }
 
-std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> savings, int rounds,
+std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> optimisations, int rounds,
                                                       const std::function<double(OptimisationSet)>& draw_ms,
                                                       const std::function<void(double)>& report) {
-    std::vector<std::vector<double>> differences(savings.size());
+    std::vector<std::vector<double>> differences(optimisations.size());
     for (int round = 0; round < rounds; ++round)
-        for (std::size_t i = 0; i < savings.size(); ++i) {
-            // Whichever comes first finds caches as the one before left them: each is first every other time.
+        for (std::size_t i = 0; i < optimisations.size(); ++i) {
+            // The first frame of a pair finds the caches of the frame before, so each kind is first every other time.
             double with = 0, without = 0;
             if (round % 2 == 0) with = draw_ms({});
-            without = draw_ms({savings[i]});
+            without = draw_ms({optimisations[i]});
             if (round % 2 != 0) with = draw_ms({});
             differences[i].push_back(without - with);
-            if (report) report(double(round * int(savings.size()) + int(i) + 1) / (rounds * int(savings.size())));
+            if (report)
+                report(double(round * int(optimisations.size()) + int(i) + 1) / (rounds * int(optimisations.size())));
         }
     std::vector<SavedTime> out;
-    for (std::size_t i = 0; i < savings.size(); ++i)
-        out.push_back({savings[i], spread_of_differences(std::move(differences[i]))});
+    for (std::size_t i = 0; i < optimisations.size(); ++i)
+        out.push_back({optimisations[i], spread_of_differences(std::move(differences[i]))});
     return out;
 }
 
 CachedFrames::CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request,
-                           Optimisation saving)
+                           Optimisation optimisation)
     : scene_(scene),
       placement_(scene.placement),
       request_(request),
-      time_goes_on_(saving == Optimisation::StaticCasterCache) {
+      advances_time_(optimisation == Optimisation::StaticCasterCache) {
     request_.force = false;
     const double aspect = double(request.width) / request.height;
-    moments_ =
-        time_goes_on_ ? std::vector<Settings>{settings} : scripted_frames(scene, settings, aspect, CostCase::Camera);
+    steps_ =
+        advances_time_ ? std::vector<Settings>{settings} : scripted_frames(scene, settings, aspect, CostCase::Camera);
 }
 
 FrameResult CachedFrames::draw(OptimisationSet forced) {
-    if (drawn_ % 2 == 0) move_on();
+    if (drawn_ % 2 == 0) advance_time();
     request_.forced = forced;
-    return (forced.empty() ? keeps_ : draws_all_)
-        .render(scene_, moments_[std::size_t(drawn_++ / 2) % moments_.size()], request_);
+    return (forced.empty() ? optimised_ : unoptimised_)
+        .render(scene_, steps_[std::size_t(drawn_++ / 2) % steps_.size()], request_);
 }
 
-void CachedFrames::move_on() {
-    if (!time_goes_on_) return;
-    constexpr double kStep_s = 1.0 / 30;  // as an animation that is played
-    SceneSettings& at = moments_.front().scene;
+void CachedFrames::advance_time() {
+    if (!advances_time_) return;
+    constexpr double kStep_s = 1.0 / 30;  // frame time of a playing animation
+    SceneSettings& at = steps_.front().scene;
     at.time = std::fmod(at.time + kStep_s, scene_.rig->animations[std::size_t(at.animation)].duration_s);
     pose(scene_, at.animation, at.time);
     if (placement_ != scene_.placement) place(scene_, placement_);
 }
 
 SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                               std::span<const Optimisation> savings, int rounds, const Workers& workers,
+                               std::span<const Optimisation> optimisations, int rounds, const Workers& workers,
                                const std::function<void(double)>& report) {
     request.force = request.timing = true;
     TimeSamples samples;
@@ -107,20 +108,20 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
         return total_ms(frame);
     };
     std::vector<Optimisation> again, kept;
-    for (const Optimisation saving : savings)
-        if (saving == Optimisation::StaticCasterCache || saving == Optimisation::EarlyOut)
-            kept.push_back(saving);
+    for (const Optimisation optimisation : optimisations)
+        if (optimisation == Optimisation::StaticCasterCache || optimisation == Optimisation::EarlyOut)
+            kept.push_back(optimisation);
         else
-            again.push_back(saving);
+            again.push_back(optimisation);
     if (!is_animated(scene, settings.scene.animation)) std::erase(kept, Optimisation::StaticCasterCache);
     const double parts = double(again.size() + kept.size());
     const auto report_part = [&](double from, double count, double share) {
         if (report) report(parts > 0 ? (from + count * share) / parts : share);
     };
     draw({}, false);  // compiles programs and touches memory
-    for (const Optimisation saving : again) draw({saving}, false);
+    for (const Optimisation optimisation : again) draw({optimisation}, false);
     SavedTimes saved{.rounds = rounds};
-    saved.savings = time_optimisations_alternating(
+    saved.optimisations = time_optimisations_alternating(
         again, rounds, [&](OptimisationSet forced) { return draw(forced, true); },
         [&](double share) { report_part(0, double(again.size()), share); });
     for (int i = 0; again.empty() && i < rounds; ++i) {
@@ -134,20 +135,20 @@ SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Set
             return total_ms(frames.draw(forced));
         };
         const Optimisation one[] = {kept[i]};
-        time_optimisations_alternating(one, 4, draw_moment);  // until what is kept is there
-        saved.savings.push_back(time_optimisations_alternating(one, rounds, draw_moment, [&](double share) {
-                                    report_part(double(again.size() + i), 1, share);
-                                }).front());
+        time_optimisations_alternating(one, 4, draw_moment);  // fills the caches
+        saved.optimisations.push_back(time_optimisations_alternating(one, rounds, draw_moment, [&](double share) {
+                                          report_part(double(again.size() + i), 1, share);
+                                      }).front());
     }
-    saved.frame = summary(samples);
+    saved.frame = summarise_times(samples);
     return saved;
 }
 
 std::vector<Optimisation> optimisations_of(std::span<const Effect> effects) {
     std::vector<Optimisation> out;
     for (const Effect& effect : effects)
-        if (effect.saving && std::find(out.begin(), out.end(), *effect.saving) == out.end())
-            out.push_back(*effect.saving);
+        if (effect.optimisation && std::find(out.begin(), out.end(), *effect.optimisation) == out.end())
+            out.push_back(*effect.optimisation);
     return out;
 }
 

@@ -1,7 +1,7 @@
-// What savings are worth in milliseconds: frames that make them and frames that do the work after all, in turns.
+// Time that optimisations save, in milliseconds: frames with and without each optimisation, drawn alternately.
 //
 //     SavedTimes saved = measure_saved_times(renderer, scene, settings, request, {Optimisation::DeadPasses});
-//     saved.of(Optimisation::DeadPasses)->median                // ms; its interval: median_low ... median_high
+//     saved.find(Optimisation::DeadPasses)->median        // ms, with the interval median_low ... median_high
 #pragma once
 
 #include <functional>
@@ -17,64 +17,71 @@
 
 namespace si {
 
-/// Differences of neighbours in time: a frame that does the work less the one that spares it, in milliseconds. Noise
-/// may make them negative; an interval that holds 0 tells no saving.
+/// Time that one optimisation saves: a frame without the optimisation minus the frame with it. Noise may make the
+/// difference negative; an interval around 0 shows no saving.
 struct SavedTime {
-    Optimisation saving;
-    Spread ms;
+    Optimisation optimisation;
+    Spread ms;  ///< milliseconds
 };
 
+/// Times that several optimisations save in one frame.
 struct SavedTimes {
-    std::vector<SavedTime> savings;
-    TimeMeasurement frame;  ///< of frames that make all savings, every pass run
-    int rounds = 0;
+    std::vector<SavedTime> optimisations;
+    TimeMeasurement frame;  ///< frames with all optimisations, every pass drawn again
+    int rounds = 0;         ///< pairs of frames per optimisation
 
-    const Spread* of(Optimisation saving) const;
-    /// What an effect's being left out, kept or made cheaper saves: by its saving, which others may share, else the
-    /// time of its pass where that was reused. Null where that is not known.
-    const Spread* of(const Effect& effect) const;
+    /// Returns the time that an optimisation saves, in milliseconds; null: not measured.
+    const Spread* find(Optimisation optimisation) const;
+    /// Returns the time in milliseconds that an effect saves by being skipped or cached: the time of its optimisation,
+    /// which other effects may share, or the time of its cached pass. Null: unknown.
+    const Spread* find(const Effect& effect) const;
 };
 
-/// What each saving is worth by frames that `draw_ms` draws and times.
-/// @param draw_ms of one frame with these savings forced, milliseconds
-/// @param report hears of the share done
-std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> savings, int rounds,
+/// Times optimisations by frames with and without each one, drawn alternately by a callback.
+/// @param rounds pairs of frames per optimisation
+/// @param draw_ms draws a frame with the given optimisations switched off and returns its milliseconds
+/// @param report receives the share done, 0..1
+std::vector<SavedTime> time_optimisations_alternating(std::span<const Optimisation> optimisations, int rounds,
                                                       const std::function<double(OptimisationSet)>& draw_ms,
                                                       const std::function<void(double)>& report = {});
 
+/// Default number of frame pairs per timed optimisation.
 inline constexpr int kSavedTimeRounds = 15;
 
-/// Draws in turns, after frames that warm up: every pass anew but for Saving::Resting, for which time goes on from
-/// frame to frame and what did not change is kept. Where no animation moves anything, nothing is told of that one.
-/// @param request of the frames; forced and timed here
+/// Measures the time that optimisations save in a frame. Draws every pass again, except for optimisations that depend
+/// on earlier frames (Static, EarlyOut): these are timed by CachedFrames. Static is left out where no animation plays.
+/// @param request frames to draw; `forced`, `force` and `timing` are set here
+/// @param report receives the share done, 0..1
 /// @throws Error, Cancelled
 SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                               std::span<const Optimisation> savings, int rounds = kSavedTimeRounds,
+                               std::span<const Optimisation> optimisations, int rounds = kSavedTimeRounds,
                                const Workers& workers = {}, const std::function<void(double)>& report = {});
 
-/// Frames in each of which something has moved, for savings that live by what an earlier frame left: time goes on
-/// where it is Saving::Resting, else the camera turns.
+/// Sequence of frames in motion, to time an optimisation that depends on results of earlier frames. For
+/// Optimisation::StaticCasterCache the animation plays, else the camera turns.
 class CachedFrames {
 public:
-    /// @param saving Resting only of a scene that is_animated()
-    CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation saving);
-    /// Each moment is drawn twice, one after the other. @param forced those that force nothing are one sequence of
-    /// frames, by a renderer of its own, those that do are another
+    /// Prepares the frames. @param optimisation Static only for a scene that is_animated()
+    CachedFrames(const Scene& scene, const Settings& settings, const FrameRequest& request, Optimisation optimisation);
+    /// Draws the next frame. Each step of the motion is drawn twice, so that frames with and without the optimisation
+    /// alternate.
+    /// @param forced optimisations that are switched off; frames with and without any have separate renderers
     FrameResult draw(OptimisationSet forced);
 
 private:
     Scene scene_;
     glm::dmat4 placement_;
     FrameRequest request_;
-    std::vector<Settings> moments_;  ///< one after the other, again and again; of time the first alone
-    bool time_goes_on_;
-    Renderer keeps_, draws_all_;
+    std::vector<Settings> steps_;  ///< settings of the motion, repeated; one entry when time advances
+    bool advances_time_;
+    Renderer optimised_, unoptimised_;
     int drawn_ = 0;
 
-    void move_on();
+    /// Advances the animation by one frame of 1/30 s.
+    void advance_time();
 };
 
-/// The savings that these effects name, each once.
+/// Returns the optimisations that effects name, each once.
 std::vector<Optimisation> optimisations_of(std::span<const Effect> effects);
 
 }  // namespace si

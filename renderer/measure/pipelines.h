@@ -1,5 +1,5 @@
-// What single precision costs by each way of computing a place in the map: positions from a place nearby or from the
-// world's origin (map.origin), one matrix or the texture matrix from the eye (map.transform).
+// Precision of map look-ups in single precision for each pipeline: positions relative to a nearby origin or to the
+// world's origin (map.origin), one matrix or the texture matrix from eye space (map.transform).
 #pragma once
 
 #include <vector>
@@ -9,15 +9,18 @@
 
 namespace si {
 
+/// Rounding error of map look-ups by one pipeline (map.origin and map.transform).
 struct PipelineError {
     MapOrigin origin;
     MapTransform transform;
-    std::size_t pixels = 0;  ///< that are looked up
-    PrecisionSpread texels, ulps;
-    std::size_t flips = 0;  ///< pixels on the other side of one half than by the first of all
+    std::size_t pixels = 0;        ///< pixels with a look-up
+    PrecisionSpread texels, ulps;  ///< members of Precision
+    std::size_t flips = 0;         ///< pixels lit here and in shadow by the first pipeline, or the reverse
 };
 
-/// All four, from a place nearby by one matrix first. @throws Error where view.light has no map
+/// Measures the rounding errors of the four look-up pipelines (map.origin times map.transform) in one picture. The
+/// first is the most precise: nearby origin, one matrix.
+/// @param width, height of the picture in pixels @throws Error when view.light has no map
 std::vector<PipelineError> compare_pipelines(Renderer& renderer, const Scene& scene, const Settings& settings,
                                              int width, int height);
 

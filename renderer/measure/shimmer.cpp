@@ -16,12 +16,13 @@ constexpr ShimmerMotionRow kMotions[] = {
     {ShimmerMotion::CameraMoves, "camera", "The camera moves",
      "Sideways and up, along a line that lies on no grid; maps that do not follow the camera stay as they are."},
     {ShimmerMotion::CameraTurns, "turn", "The camera turns",
-     "About its upright, where it stands; a map's size and place may follow what it sees."},
+     "About its vertical axis, at a fixed position; a map's size and position may follow the view frustum."},
     {ShimmerMotion::LightTurns, "light", "The light turns",
-     "About the vertical: true shadows move too, so that some flips are right. Compare settings with each other."},
+     "About the vertical: shadows of the reference move too, so that some flips are right. Compare settings with each "
+     "other."},
 };
 
-/// What a step moves or turns by.
+/// Length of one step: shift or turn of camera and light.
 struct Stride {
     double metres = 0, camera_rad = 0, light_deg = 0;
 };
@@ -101,7 +102,7 @@ Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& 
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings) {
     std::vector<ShimmerVariant> out{{"as-set", "As set", settings}};
     const auto light = std::size_t(std::clamp(settings.view.light, 0, kMaxLights - 1));
-    if (settings.lights[light].type != LightType::Directional) return out;  // only suns have maps that follow
+    if (settings.lights[light].type != LightType::Directional) return out;  // only maps of suns follow the camera
     for (const bool snap : {true, false}) {
         Settings s = settings;
         s.lights[light].fit = LightFit::Stabilised;

@@ -1,5 +1,5 @@
-// How much the edges of shadows crawl while camera or light move by parts of a texel: the picture stands still, so that
-// each pixel is a place on a surface, and what moves is the camera that the maps are made for, or the light.
+// Shimmering of shadow edges while camera or light move by parts of a texel. The picture's camera stands still, so that
+// each pixel shows one surface point. The camera for which maps are fitted moves, or the light.
 #pragma once
 
 #include <functional>
@@ -12,41 +12,50 @@
 
 namespace si {
 
+/// Motion under which shimmering shadow edges are measured.
 enum class ShimmerMotion { CameraMoves, CameraTurns, LightTurns };
 
+/// Row of the table of motions for the shimmer measurement.
 struct ShimmerMotionRow {
     ShimmerMotion motion;
     std::string_view key, label, help;
 };
+/// Returns the table of motions for the shimmer measurement.
 std::span<const ShimmerMotionRow> shimmer_motions();
 
+/// Options of the shimmer measurement: motion, number and length of steps.
 struct ShimmerOptions {
     ShimmerMotion motion = ShimmerMotion::CameraMoves;
-    int steps = 32;
-    double step_texels = 0.3;  ///< of the first map of view.light: what each step moves what is looked at by
+    int steps = 32;            ///< number of steps
+    double step_texels = 0.3;  ///< length of a step at the scene's centre, texels of the first map of view.light
 };
 
-/// Of one setting. A place flips when its visibility crosses one half between two steps.
+/// Shimmering of shadow edges under one setting. A pixel flips when its visibility crosses one half between two steps.
 struct Shimmer {
-    std::size_t places = 0;           ///< pixels that show a surface
-    std::vector<std::size_t> flips;   ///< by step
-    double flips_a_step = 0;          ///< mean
-    std::size_t max_flips = 0;        ///< of a step
-    std::size_t flipping_pixels = 0;  ///< places that ever flip
-    double change = 0;                ///< mean of |visibility changed by| over places and steps
-    FloatImage flips_of;              ///< a channel: how often each pixel flips
+    std::size_t places = 0;           ///< number of pixels that show a surface
+    std::vector<std::size_t> flips;   ///< flipped pixels per step
+    double flips_a_step = 0;          ///< mean of `flips`
+    std::size_t max_flips = 0;        ///< largest of `flips`
+    std::size_t flipping_pixels = 0;  ///< number of pixels that flip at least once
+    double change = 0;                ///< mean absolute change of visibility per pixel and step
+    FloatImage flips_of;              ///< flips per pixel, one channel
 };
 
-/// @param report hears of the share done. @throws Error where view.light has no map; Cancelled
+/// Measures the shimmering of shadow edges: draws the same picture in small steps of camera or light and counts pixels
+/// that flip between lit and shadow.
+/// @param width, height of the picture in pixels @param report receives the share done, 0..1
+/// @throws Error when view.light has no map; Cancelled
 Shimmer measure_shimmer(Renderer& renderer, const Scene& scene, const Settings& settings, int width, int height,
                         const ShimmerOptions& options, const Workers& workers = {},
                         const std::function<void(double)>& report = {});
 
-/// The settings as they are, and the light's map snapped to whole texels and not.
+/// Settings for a comparison of shimmering, with their name.
 struct ShimmerVariant {
     std::string_view key, label;
     Settings settings;
 };
+/// Returns the settings to compare for shimmering: as given, and for suns a stabilised map that snaps to whole texels
+/// and one that does not.
 std::vector<ShimmerVariant> shimmer_variants(const Settings& settings);
 
 }  // namespace si

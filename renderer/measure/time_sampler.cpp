@@ -57,10 +57,10 @@ void TimeSamples::add(const TimeSamples& more) {
     }
 }
 
-TimeMeasurement summary(const TimeSamples& samples, double settled_below) {
+TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below) {
     TimeMeasurement m;
     const auto spread = [&](std::vector<double> times) {
-        // Of a pass that did not run in every frame it is not known which burst a time is of.
+        // The burst of a time is unknown for passes that did not run in every frame.
         const bool every = times.size() == samples.total_ms.size();
         return spread_of(std::move(times),
                          every ? std::span<const std::size_t>(samples.bursts) : std::span<const std::size_t>());
@@ -96,11 +96,11 @@ void TimeSampler::add(const FrameResult& frame, double now_s) {
 }
 
 bool TimeSampler::settled() const {
-    return frames() >= limits_.least && ended_ >= limits_.bursts && summary(samples_, limits_.spread).settled;
+    return frames() >= limits_.least && ended_ >= limits_.bursts && summarise_times(samples_, limits_.spread).settled;
 }
 
 TimeMeasurement TimeSampler::result() const {
-    TimeMeasurement m = summary(samples_, limits_.spread);
+    TimeMeasurement m = summarise_times(samples_, limits_.spread);
     m.settled = settled();
     m.seconds = last_s_ - start_s_;
     return m;
@@ -133,10 +133,10 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
         ++casting;
         cost.map_texels += texels * light.views.size();
     }
-    // Of virtual maps what is read, whether drawn for this frame or before.
+    // Virtual maps count the pages that are read, drawn in this frame or before.
     if (frame.pages) cost.map_texels = frame.pages->read_texels();
     if (casting == 0) cost.taps_per_pixel = 0;
-    // Drivers store 24-bit depth in 32 bits; a colour map has a depth buffer beside it.
+    // Drivers store 24-bit depth in 32 bits. A colour map needs a depth buffer, too.
     const auto bytes = std::uint64_t(drawn_texel_bytes(settings.map.format));
     const auto fetched = std::uint64_t(texel_bytes(settings.map.format));
     cost.map_bytes = cost.map_texels * bytes;
@@ -144,7 +144,7 @@ WorkCost work_cost(const Settings& settings, const FrameResult& frame) {
         const PrefilterBytes prefilter = prefilter_bytes(settings);
         cost.map_bytes += std::uint64_t(prefilter.kept * double(cost.map_texels) + prefilter.scratch * double(texels));
     }
-    // The blurred copy, which has no depth buffer beside it, and one map blurred along x alone as 32-bit floats.
+    // The blurred copy has no depth buffer. One map blurred along x only is stored as 32-bit floats.
     if (settings.map.blur_texels > 0 && casting > 0) cost.map_bytes += cost.map_texels * fetched + 4 * texels;
     const std::uint64_t pixels = std::uint64_t(frame.colour.width) * std::uint64_t(frame.colour.height);
     std::uint64_t light_maps = 0;

@@ -1,4 +1,4 @@
-// How long a frame takes, told apart by pass: frames are added, burst by burst, until the figure stands still.
+// Timing of frames by pass: frames are drawn in bursts until the median has settled.
 //
 //     const TimeMeasurement time = sample_times({}, [&] { return renderer.render(scene, settings, request); });
 //     time.total_ms.median, time.total_ms.median_low ... median_high     // within this run of the program
@@ -14,71 +14,80 @@
 
 namespace si {
 
-/// Pass times of several frames, one number a frame.
+/// Pass times of several frames: one number per frame, in milliseconds.
 struct TimeSamples {
+    /// Times of one pass, one number per frame in which the pass ran.
     struct Pass {
         std::string name;
         std::vector<double> gpu_ms, cpu_ms;
     };
-    std::vector<double> total_ms;
-    std::vector<double> maps_ms;  ///< of the passes that draw or change shadow maps
-    std::vector<Pass> passes;     ///< those that ran, in the frame's order
-    std::string clock;
-    std::vector<std::size_t> bursts;  ///< first frame of each; the frames of one follow each other at once
-    bool burst_ended = true;          ///< the next frame begins another
+    std::vector<double> total_ms;     ///< sum over all passes
+    std::vector<double> maps_ms;      ///< sum over passes that draw or change shadow maps
+    std::vector<Pass> passes;         ///< passes that ran, in the frame's order
+    std::string clock;                ///< name of the clock
+    std::vector<std::size_t> bursts;  ///< index of the first frame of each burst
+    bool burst_ended = true;          ///< the next frame begins a new burst
 
+    /// Appends the pass times of a frame.
     void add(const FrameResult& frame);
-    /// Bursts of their own.
+    /// Appends other samples, as bursts of their own.
     void add(const TimeSamples& more);
 };
 
+/// Distribution of one pass's times over several frames.
 struct PassTime {
     std::string name;
     Spread gpu_ms, cpu_ms;
 };
 
+/// Measured time of a frame: distributions over several frames, in milliseconds.
 struct TimeMeasurement {
-    Spread total_ms;               ///< of the passes' times, frame by frame
-    Spread maps_ms;                ///< of the passes that draw or change shadow maps
-    Spread picture_ms;             ///< of all others: visibility and shading
-    std::vector<PassTime> passes;  ///< those that ran, in the frame's order
-    bool settled = false;          ///< the spread fell below the limit within the frames allowed, over several bursts
-    double seconds = 0;            ///< from the first frame to the last; 0: not known
-    std::string clock;             ///< what the times were taken with
-    CostCase cost = CostCase::Forced;  ///< of which frames
+    Spread total_ms;                   ///< sum over all passes
+    Spread maps_ms;                    ///< sum over passes that draw or change shadow maps
+    Spread picture_ms;                 ///< sum over all other passes: visibility and shading
+    std::vector<PassTime> passes;      ///< passes that ran, in the frame's order
+    bool settled = false;              ///< the confidence interval is below the limit, over several bursts
+    double seconds = 0;                ///< time from the first frame to the last; 0: unknown
+    std::string clock;                 ///< name of the clock
+    CostCase cost = CostCase::Forced;  ///< case under which the frames were drawn
 };
 
-/// Spread::relative() of the total below which a time has settled.
+/// Limit of Spread::relative() of the total below which a time has settled.
 inline constexpr double kSettledSpread = 0.03;
-/// Bursts below which nothing is known of how they differ, so that no time has settled.
+/// Smallest number of bursts for a settled time. Fewer bursts do not show how bursts differ.
 inline constexpr int kMinBursts = 3;
 
-/// @param settled_below bound of Spread::relative() of the total
-TimeMeasurement summary(const TimeSamples& samples, double settled_below = kSettledSpread);
+/// Computes the distributions of sampled pass times. @param settled_below limit of Spread::relative() of the total
+TimeMeasurement summarise_times(const TimeSamples& samples, double settled_below = kSettledSpread);
 
-/// Collects the pass times of frames of one setting. A pass whose result is reused takes no time: frames are to be
-/// drawn so that this is the answer (set_timed_passes()). They come in bursts spread over a while, since a machine's
-/// mood lasts longer than a few frames.
+/// Collects pass times of frames of one setting until their median has settled. Frames come in bursts spread over a
+/// second or more, since the speed of a machine drifts more slowly than a few frames. Cached passes count as 0 ms, so
+/// frames must be requested by set_timed_passes().
 class TimeSampler {
 public:
+    /// Limits of a timing: numbers of frames and bursts, duration, settled spread.
     struct Limits {
-        int least = 5, most = 60;  ///< frames
-        double spread = kSettledSpread;
-        int bursts = 5;     ///< at least
-        double over_s = 1;  ///< that these are spread over, at least
+        int least = 5, most = 60;        ///< smallest and largest number of frames
+        double spread = kSettledSpread;  ///< limit of Spread::relative()
+        int bursts = 5;                  ///< smallest number of bursts
+        double over_s = 1;               ///< shortest duration of all bursts, seconds
     };
     TimeSampler() : TimeSampler(Limits{}) {}
+    /// Begins a timing with these limits.
     explicit TimeSampler(const Limits& limits) : limits_(limits) {}
 
-    /// The first frame, and the first after a pause, warms up (programs are compiled, memory is touched, clocks rise)
-    /// and is not counted. @param now_s when it was done, by any clock
+    /// Adds the pass times of a frame. The first frame, and the first after a pause, only warms up and is not counted.
+    /// @param now_s time at the frame's end in seconds, by any clock
     void add(const FrameResult& frame, double now_s);
-    /// How long to wait before the next frame; 0: at once.
+    /// Returns the seconds to wait before the next frame; 0: none.
     double pause_s() const { return pause_s_; }
+    /// Returns the number of counted frames.
     int frames() const { return int(samples_.total_ms.size()); }
+    /// Returns true when the median of the frame time has settled.
     bool settled() const;
-    /// No further frame is wanted: settled, or the most frames were drawn.
+    /// Returns true when no further frame is needed: settled, or at the limit of frames.
     bool done() const { return settled() || frames() >= limits_.most; }
+    /// Returns the distributions of the pass times collected so far.
     TimeMeasurement result() const;
 
 private:
@@ -87,33 +96,37 @@ private:
     Limits limits_;
     TimeSamples samples_;
     bool begun_ = false, warm_ = false;
-    double start_s_ = 0, burst_s_ = 0, last_s_ = 0;  ///< when the first frame, the burst, the last frame was
+    double start_s_ = 0, burst_s_ = 0, last_s_ = 0;  ///< time of the first frame, the burst's start, the last frame
     double pause_s_ = 0;
-    int ended_ = 0, in_burst_ = 0;  ///< bursts; frames of the present one
+    int ended_ = 0, in_burst_ = 0;  ///< ended bursts; frames of the present burst
 };
 
-/// Seconds by some clock, and how to let some pass.
+/// Clock for timing frames in bursts: the time, and a function that waits. Tests replace it.
 struct BurstClock {
-    std::function<double()> now_s;
-    std::function<void(double)> wait_s;
+    std::function<double()> now_s;       ///< present time, seconds
+    std::function<void(double)> wait_s;  ///< waits so many seconds
+    /// Returns the machine's steady clock.
     static BurstClock steady();
 };
 
-/// Draws until the time stands still or the most frames were drawn. What `draw` throws ends it.
+/// Times frames in bursts until the median has settled or the limit of frames is reached. Exceptions from `draw` end
+/// the timing and pass through.
+/// @param draw draws one frame with timed passes
 TimeMeasurement sample_times(const TimeSampler::Limits& limits, const std::function<FrameResult()>& draw,
                              const BurstClock& clock = BurstClock::steady());
 
-/// What a frame costs whatever machine draws it.
+/// Work of a frame independent of the machine: texels, bytes, draw calls, triangles.
 struct WorkCost {
-    double taps_per_pixel = 0;     ///< texels fetched per light and lit pixel by the kernel, by gathers or a sampler
-    std::uint64_t map_texels = 0;  ///< of all shadow maps
-    std::uint64_t map_bytes = 0;   ///< that they take, copies of map.blur_texels included, and light maps
-    /// map_bytes, and what the kernel or the light map fetches were each pixel lit by each casting light.
+    double taps_per_pixel = 0;     ///< texels that the kernel fetches per light and lit pixel
+    std::uint64_t map_texels = 0;  ///< texels of all shadow maps
+    std::uint64_t map_bytes = 0;   ///< bytes of shadow maps, copies for map.blur_texels, and light maps
+    /// Bytes of maps plus bytes of look-ups, as if each pixel were lit by each casting light.
     std::uint64_t bytes_touched = 0;
-    std::uint64_t draws = 0, triangles = 0;  ///< of all passes that ran
+    std::uint64_t draws = 0, triangles = 0;  ///< sums over all passes that ran
 };
 
-/// @param frame drawn with FrameRequest::force, so that every pass counts
+/// Computes the machine-independent work of a frame. @param frame drawn with FrameRequest::force, so that every pass
+/// counts
 WorkCost work_cost(const Settings& settings, const FrameResult& frame);
 
 }  // namespace si

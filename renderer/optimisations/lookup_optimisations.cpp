@@ -86,7 +86,7 @@ std::string map_bounds_skip_reason(const FrameState& f) {
         std::ranges::any_of(f.gl.fitted, [](const FittedLight& l) { return l.casts && l.is_warped(); }))
         return "the kernel's reach differs across a warped map";
     // Finding bounds takes a fifth to a third of a frame with PCSS or 64 taps and 2048 texels a side.
-    if (f.request.force || !f.plan.holds(Result::ShadowMaps)) return std::string(kMapBoundsWaitReason);
+    if (f.request.force || !f.plan.is_current(Result::ShadowMaps)) return std::string(kMapBoundsWaitReason);
     return {};
 }
 

@@ -5,9 +5,9 @@
 namespace si {
 
 void place_compared_maps(FrameState& f, const gl::Target& maps) {
-    f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
+    f.plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP, &f.gl.map_nearest});
     if (!is_colour(f.settings.map.format))
-        f.plan.place(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
+        f.plan.place_result(Result::ShadowMaps, {&maps, shared::UNIT_SHADOW_MAP_COMPARE, &f.gl.map_compare});
 }
 
 }  // namespace si

@@ -23,7 +23,7 @@ AlphaTexture::AlphaTexture(const Texture& t)
     for (std::size_t i = 0; i < alpha.size(); ++i) alpha[i] = t.rgba[4 * i + 3];
 }
 
-double AlphaTexture::at(const glm::dvec2& uv) const {
+double AlphaTexture::sample(const glm::dvec2& uv) const {
     const auto texel = [&](double x, double y) {
         return alpha[std::size_t(wrapped(y, height, wrap_t)) * std::size_t(width) +
                      std::size_t(wrapped(x, width, wrap_s))] /
@@ -47,14 +47,14 @@ AlphaMask::AlphaMask(const Mesh& mesh, const Material& material, double cutoff,
         vertex_alpha_.push_back(std::uint8_t(std::lround(std::clamp(c.a, 0.f, 1.f) * 255.f)));
 }
 
-bool AlphaMask::solid(std::uint32_t triangle, double u, double v) const {
+bool AlphaMask::is_solid(std::uint32_t triangle, double u, double v) const {
     const std::uint32_t* i = &indices_[3 * std::size_t(triangle)];
     const double w = 1 - u - v;
     double alpha = base_;
     if (!vertex_alpha_.empty())
         alpha *= (w * vertex_alpha_[i[0]] + u * vertex_alpha_[i[1]] + v * vertex_alpha_[i[2]]) / 255.0;
     if (texture_)
-        alpha *= texture_->at(w * glm::dvec2(uv_[i[0]]) + u * glm::dvec2(uv_[i[1]]) + v * glm::dvec2(uv_[i[2]]));
+        alpha *= texture_->sample(w * glm::dvec2(uv_[i[0]]) + u * glm::dvec2(uv_[i[1]]) + v * glm::dvec2(uv_[i[2]]));
     return !(alpha < cutoff_);
 }
 

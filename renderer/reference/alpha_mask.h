@@ -11,17 +11,17 @@
 
 namespace si {
 
-/// Alpha channel of a texture, shared by the alpha masks that sample it.
+/// Alpha channel of a texture for the alpha test of shadow rays; several alpha masks share one.
 struct AlphaTexture {
     int width = 0, height = 0;
     TextureWrap wrap_s = TextureWrap::Repeat, wrap_t = TextureWrap::Repeat;
-    bool nearest = false;  ///< the magnification filter, which is what GL uses at level 0
+    bool nearest = false;  ///< nearest instead of bilinear: the magnification filter, used by GL at level 0
     std::vector<std::uint8_t> alpha;
 
     /// Copies the alpha channel of a texture.
     explicit AlphaTexture(const Texture& texture);
     /// Samples alpha in [0,1] at texture coordinates, nearest or bilinear (OpenGL 4.5, section 8.14).
-    double at(const glm::dvec2& uv) const;
+    double sample(const glm::dvec2& uv) const;
 };
 
 /// Alpha test for one mesh with a masked material. Shares the mesh's arrays, so that a trace outlives its scene.
@@ -30,8 +30,9 @@ public:
     /// Prepares the alpha test of a mesh. @param cutoff alpha below it is a hole @param texture null: alpha 1
     AlphaMask(const Mesh& mesh, const Material& material, double cutoff, std::shared_ptr<const AlphaTexture> texture);
     /// Returns true when the point (1-u-v) a + u b + v c of triangle abc passes the alpha test.
-    bool solid(std::uint32_t triangle, double u, double v) const;
-    /// Adds everything that solid() depends on, except the triangles, to a cache key.
+    /// A ray hits such points and passes through others.
+    bool is_solid(std::uint32_t triangle, double u, double v) const;
+    /// Adds everything that the alpha test depends on, except the triangles, to a cache key.
     void add_content(Key& key) const;
 
 private:

@@ -5,7 +5,7 @@
 namespace si {
 namespace {
 
-// Okabe and Ito, Color Universal Design, 2008; those of the normal offset are lighter tints of their kin.
+// Colours: Okabe and Ito, Color Universal Design, 2008. Those of the normal offset are lighter tints.
 constexpr auto kStyles = std::to_array<ArtefactStyle>({
     {Artefact::Acne, "acne", "acne", {213, 94, 0}},
     {Artefact::PeterPanning, "peter_panning", "peter-panning", {86, 180, 233}},
@@ -36,7 +36,7 @@ ByteImage artefact_picture(const ByteImage& picture, const std::vector<Classifie
     const std::size_t columns = (width + every - 1) / every;
     for (std::size_t i = 0; i < out.data.size() / 4; ++i) {
         std::uint8_t* p = &out.data[4 * i];
-        // Rec. 709 weights on encoded values: a backdrop, not a measurement. Lifted, so that colours stand out on it.
+        // Rec. 709 weights on encoded values, brightened so that colours stand out.
         const double grey = 40 + 0.7 * (0.2126 * p[0] + 0.7152 * p[1] + 0.0722 * p[2]);
         std::fill_n(p, 3, std::uint8_t(grey));
         const std::size_t at = i / width / every * columns + i % width / every;

@@ -1,4 +1,4 @@
-// What is wrong with a frame's shadows, as a picture.
+// Picture of a frame's shadow errors: the frame in grey with wrong pixels in colour.
 #pragma once
 
 #include <array>
@@ -11,17 +11,19 @@
 
 namespace si {
 
+/// Name and colour of one cause of shadow errors.
 struct ArtefactStyle {
     Artefact artefact;
     std::string_view key, label;
-    std::array<std::uint8_t, 3> rgb;  ///< sRGB; told apart by people who are colour-blind, too
+    std::array<std::uint8_t, 3> rgb;  ///< sRGB, distinguishable with colour blindness
 };
 
-/// All but Artefact::None, in its order.
+/// Returns the names and colours of all causes of shadow errors except Artefact::None, in the order of the enumeration.
 std::span<const ArtefactStyle> artefact_styles();
 
-/// The picture in grey, what is wrong in colour. @param judged one per pixel of the truth, top row first
-/// @param step pixels of the picture per pixel of the truth (ReferenceOptions::step)
+/// Draws the shadow errors of a frame: the picture in grey, with wrong pixels in the colour of their cause.
+/// @param classified one per pixel of the reference, top row first
+/// @param step pixels of the picture per pixel of the reference (ReferenceOptions::step)
 ByteImage artefact_picture(const ByteImage& picture, const std::vector<ClassifiedPixel>& classified, int step = 1);
 
 }  // namespace si

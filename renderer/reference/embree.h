@@ -11,6 +11,7 @@ namespace si::embree {
 /// Deleter that calls an Embree release function.
 template <auto Release>
 struct Releaser {
+    /// Releases an Embree object.
     template <typename T>
     void operator()(T* p) const {
         Release(p);

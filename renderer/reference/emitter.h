@@ -19,7 +19,7 @@ struct Emitter {
     double cos_cone = -1;          ///< cosine of a spot's outer half angle
     double range_m = 0;            ///< spot and point: no light beyond this distance; 0: unlimited
     double size = 0;               ///< light.size: angular radius in degrees (directional) or radius in metres
-    bool casts = true;
+    bool casts = true;             ///< false: the light casts no shadows
 
     /// Returns the unit vector from a point to the light's centre.
     /// @param distance_m receives the distance, infinite for directional lights
@@ -40,7 +40,7 @@ struct Emitter {
 /// Returns the ray-traced area light for a light of a frame.
 Emitter emitter_of(const FittedLight& light, const LightSettings& settings);
 
-/// Ray segment to a point on a light: `length` times the vector `towards`.
+/// Ray segment from a surface point to a point on a light: `length` times the vector `towards`.
 struct LightRay {
     glm::dvec3 towards{0};  ///< metres, or unit length and endless for directional lights
     double length = 1;
@@ -52,8 +52,10 @@ struct LightRay {
 /// concentric map of Shirley and Chiu, A Low Distortion Map Between Disk and Square, 1997; spheres their solid angle.
 class LightSamples {
 public:
+    /// Prepares the sample points of one surface point.
+    /// @param parts_per_axis n @param pixel seed of the jitter
     LightSamples(const Emitter& emitter, const glm::dvec3& point_ws, int parts_per_axis, std::uint64_t pixel);
-    /// Returns the ray to the sample in part (x, y), each below parts_per_axis.
+    /// Returns the ray from the surface point to the light sample in part (x, y), each below parts_per_axis.
     LightRay ray(int x, int y) const;
 
 private:

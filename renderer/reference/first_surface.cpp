@@ -6,10 +6,10 @@
 
 namespace si {
 
-std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> ways) {
+std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> segments) {
     std::vector<double> out;
     std::vector<Hit> hits;
-    for (const LightRaySegment& way : ways) {
+    for (const LightRaySegment& way : segments) {
         const glm::dvec3 from = scene.impl().to_unit(way.from_ws), to = scene.impl().to_unit(way.to_ws);
         const double metres = glm::length(way.to_ws - way.from_ws);
         double first = std::numeric_limits<double>::quiet_NaN();

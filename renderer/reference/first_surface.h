@@ -8,13 +8,13 @@
 
 namespace si {
 
-/// Ray segment that starts at a light, in world space.
+/// Ray segment that starts at a light, in world space, metres.
 struct LightRaySegment {
     glm::dvec3 from_ws{0}, to_ws{0};
 };
 
 /// Traces ray segments from a light to the first caster, whichever side it shows. Returns metres along each segment;
-/// NaN without a hit. Accurate to single precision of the segment's length and the scene's size.
-std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> ways);
+/// NaN without a hit. Relative precision is that of 32-bit floats, of the segment's length and the scene's size.
+std::vector<double> first_caster_distances(const ReferenceScene& scene, std::span<const LightRaySegment> segments);
 
 }  // namespace si

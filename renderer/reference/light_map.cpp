@@ -63,7 +63,7 @@ public:
     PlacedTriangle(const LightMapLayout& layout, const LightMapChart& chart, const TriangleWs& corners,
                    std::uint8_t borders)
         : corners_{corners.a, corners.b, corners.c} {
-        for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.place(chart, corners_[k]);
+        for (std::size_t k = 0; k < 3; ++k) at_[k] = layout.atlas_position(chart, corners_[k]);
         const glm::dvec3 cross = glm::cross(corners.b - corners.a, corners.c - corners.a);
         normal_ = cross / glm::length(cross);
         std::array<double, 3> lengths;  // sides opposite to the corners, in the atlas

@@ -39,7 +39,7 @@ struct LightMap {
     std::uint64_t rays = 0;
     double bake_ms = 0;  ///< wall time of baking, or of reading it from disk
     bool from_disk = false;
-    TrackedMemory held;  ///< what its texels take
+    TrackedMemory held;  ///< bytes of the texels
     std::string remark;  ///< reason why the file on disk could not be read or written; empty: none
 };
 

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kMagic = "shadow-inspector light map\n";
-constexpr std::uint32_t kVersion = 1;  ///< of the file format
+constexpr std::uint32_t kVersion = 1;  ///< version of the file format
 constexpr std::string_view kExtension = ".lightmap";
 
 /// Header of a light map file, after kMagic. All numbers have the machine's byte order, which the version reveals.
@@ -116,7 +116,7 @@ void make_room(const fs::path& folder, std::uint64_t most) {
 }
 
 /// Writes a light map file. Returns the error; empty: success.
-std::string write_map(const fs::path& folder, std::uint64_t most_bytes, std::uint64_t content, const LightMap& map) {
+std::string write_map(const fs::path& folder, std::uint64_t max_bytes, std::uint64_t content, const LightMap& map) {
     try {
         fs::create_directories(folder);
         const Header header{.side = map.layout->side,
@@ -125,8 +125,8 @@ std::string write_map(const fs::path& folder, std::uint64_t most_bytes, std::uin
                             .rays = map.rays,
                             .texels_key = key_of(map.texels)};
         const std::uint64_t bytes = kMagic.size() + sizeof header + map.texels.size();
-        if (bytes > most_bytes) return {};
-        make_room(folder, most_bytes - bytes);
+        if (bytes > max_bytes) return {};
+        make_room(folder, max_bytes - bytes);
         write_atomically(
             file_of(folder, content),
             {kMagic, bytes_of(header), {reinterpret_cast<const char*>(map.texels.data()), map.texels.size()}});
@@ -181,11 +181,11 @@ std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, con
     const std::uint64_t content = light_map_content_key(task);
     if (auto known = find(content, task.key)) return known;
     fs::path folder;
-    std::uint64_t most_bytes = 0;
+    std::uint64_t max_bytes = 0;
     {
         const std::lock_guard lock(mutex_);
         folder = folder_;
-        most_bytes = most_bytes_;
+        max_bytes = max_bytes_;
     }
     const auto start = std::chrono::steady_clock::now();
     const auto since_ms = [&] {
@@ -208,7 +208,7 @@ std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, con
     LightMap baked = bake_light_map(task, layout, *scene, workers.with_progress_range(0.1, 1));
     baked.bake_ms = since_ms();
     if (!folder.empty())
-        if (const std::string hindered = write_map(folder, most_bytes, content, baked); !hindered.empty())
+        if (const std::string hindered = write_map(folder, max_bytes, content, baked); !hindered.empty())
             remark += (remark.empty() ? "" : "; ") + hindered;
     baked.remark = std::move(remark);
     auto kept = keep(content, std::move(baked));
@@ -217,10 +217,10 @@ std::shared_ptr<const LightMap> LightMapCache::get(const LightMapTask& task, con
     return kept;
 }
 
-void LightMapCache::set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes) {
+void LightMapCache::set_disk_folder(std::filesystem::path folder, std::uint64_t max_bytes) {
     const std::lock_guard lock(mutex_);
     folder_ = std::move(folder);
-    most_bytes_ = most_bytes;
+    max_bytes_ = max_bytes;
 }
 
 void LightMapCache::clear() {

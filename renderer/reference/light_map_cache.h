@@ -23,14 +23,14 @@ public:
     /// @throws Cancelled, without storing anything; Error as light_map_layout() and ReferenceScene do
     std::shared_ptr<const LightMap> get(const LightMapTask& task, const Workers& workers = {});
     /// Sets the folder of light maps on disk, created by the first write. Empty: none are stored on disk.
-    /// @param most_bytes limit of all its files
-    void set_disk_folder(std::filesystem::path folder, std::uint64_t most_bytes = kMaxDiskBytes);
+    /// @param max_bytes limit of all its files
+    void set_disk_folder(std::filesystem::path folder, std::uint64_t max_bytes = kMaxDiskBytes);
     /// Removes all light maps from memory; files stay.
     void clear();
 
     /// Numbers of light maps that get() baked, read from disk, and found in memory.
     struct Counts {
-        std::size_t baked = 0, read = 0, known = 0;
+        std::size_t baked = 0, read = 0, known = 0;  ///< number of maps baked, read from disk, found in memory
     };
     /// Returns how often get() baked, read and found a light map so far.
     Counts counts() const;
@@ -44,18 +44,18 @@ private:
     mutable std::mutex mutex_;
     std::list<Known> known_;  ///< the newest first
     std::filesystem::path folder_;
-    std::uint64_t most_bytes_ = kMaxDiskBytes;
+    std::uint64_t max_bytes_ = kMaxDiskBytes;
     Counts counts_;
 
-    /// Finds a light map in memory by its content, and gives it the `key` of this process. Null: not there.
+    /// Finds a light map in memory by its content, and gives the map the `key` of this process. Null: not in memory.
     std::shared_ptr<const LightMap> find(std::uint64_t content, std::uint64_t key);
     /// Returns the layout for a task; computes it unless the last one fits.
     std::shared_ptr<const LightMapLayout> layout_of(const LightMapTask& task, const Workers& workers);
     /// Stores a light map in memory and removes the least recently used ones above the limit.
     std::shared_ptr<const LightMap> keep(std::uint64_t content, LightMap map);
 
-    std::shared_ptr<const LightMapLayout> layout_;  ///< of the last task: all lights of a scene share it
-    std::uint64_t layout_geometry_ = 0;             ///< its ReferenceGeometry::key
+    std::shared_ptr<const LightMapLayout> layout_;  ///< layout of the last task; all lights of a scene share one
+    std::uint64_t layout_geometry_ = 0;             ///< ReferenceGeometry::key of the layout
 };
 
 /// Returns the light map cache of the process.

@@ -16,7 +16,7 @@
 namespace si {
 namespace {
 
-constexpr int kMostSide = 16384;
+constexpr int kMaxSideTexels = 16384;
 constexpr std::uint32_t kNone = LightMapLayout::kNoChart;
 constexpr std::size_t kTriedDirections = 24;  ///< rotations of a chart that are tried
 constexpr int kDensitySteps = 24;             ///< bisection steps of the density
@@ -101,7 +101,7 @@ private:
     const ReferenceGeometry& geometry_;
     const Workers& workers_;
     LightMapLayout out_;
-    std::vector<bool> flat_only_;  ///< by triangle: its chart overlapped itself
+    std::vector<bool> flat_only_;  ///< one per triangle: true when its chart overlapped itself
     std::map<const ReferenceMesh*, Neighbours> neighbours_;
 
     void stop_if_asked() const {
@@ -212,7 +212,7 @@ private:
 
     static glm::ivec2 size_of(const LightMapChart& chart, double texels_per_metre) {
         const glm::dvec2 texels = glm::max(glm::ceil(chart.extent_m * texels_per_metre - 1e-9), glm::dvec2(1));
-        return glm::ivec2(glm::min(texels, glm::dvec2(2.0 * kMostSide))) + 2 * LightMapLayout::kGutter;
+        return glm::ivec2(glm::min(texels, glm::dvec2(2.0 * kMaxSideTexels))) + 2 * LightMapLayout::kGutter;
     }
 
     /// Packs all charts; returns false when they do not fit. @param order charts by decreasing height
@@ -266,11 +266,12 @@ private:
 
     [[noreturn]] void refuse(const std::vector<std::uint32_t>& order) {
         int least = int(std::bit_ceil(unsigned(std::max(out_.side, 1))));
-        while (least <= kMostSide && !place_all(order, least, 0)) least *= 2;
+        while (least <= kMaxSideTexels && !place_all(order, least, 0)) least *= 2;
         const std::string fix =
-            least <= kMostSide
+            least <= kMaxSideTexels
                 ? fmt::format("set light_map.resolution to {} or more", least)
-                : fmt::format("that is more than any atlas up to {}² holds; choose another light.source", kMostSide);
+                : fmt::format("that is more than any atlas up to {}² holds; choose another light.source",
+                              kMaxSideTexels);
         throw Error(
             fmt::format("light_map.resolution {}: the scene's {} triangles make {} charts, which do not fit "
                         "even at one texel each; {}",
@@ -303,7 +304,7 @@ private:
             std::array<glm::dvec2, 3> at;
             std::array<double, 3> height;
             for (std::size_t k = 0; k < 3; ++k) {
-                at[k] = out_.place(chart, p[k]) - glm::dvec2(chart.rect.x, chart.rect.y);
+                at[k] = out_.atlas_position(chart, p[k]) - glm::dvec2(chart.rect.x, chart.rect.y);
                 height[k] = glm::dot(normal, p[k] - out_.centre);
             }
             const glm::dvec2 e1 = at[1] - at[0], e2 = at[2] - at[0];
@@ -327,7 +328,7 @@ private:
 
 }  // namespace
 
-double LightMapLayout::used() const {
+double LightMapLayout::used_share() const {
     double texels = 0;
     for (const LightMapChart& c : charts) texels += double(c.rect.z) * c.rect.w;
     return side > 0 ? texels / (double(side) * side) : 0;

@@ -22,7 +22,7 @@ struct LightMapChart {
     glm::ivec4 rect{0};                 ///< first texel, width and height, gutters included
     std::uint32_t object = 0;
     std::uint32_t first = 0, count = 0;  ///< range in LightMapLayout::triangles
-    bool flat = true;                    ///< all triangles lie in one plane
+    bool flat = true;                    ///< true when the triangles lie in one plane
 };
 
 /// Assignment of every triangle of a scene to a chart, and of every chart to a rectangle of a square light map.
@@ -38,20 +38,20 @@ struct LightMapLayout {
     int side = 0;  ///< texels
     double texels_per_metre = 0;
     glm::dvec3 centre{0};                 ///< centre of the scene, metres
-    std::vector<ObjectPart> objects;      ///< by their number
-    std::vector<std::uint32_t> chart_of;  ///< by triangle; kNoChart: it has no area
+    std::vector<ObjectPart> objects;      ///< range of triangles by index in Scene::objects
+    std::vector<std::uint32_t> chart_of;  ///< index of each triangle's chart; kNoChart: degenerate triangle
     /// Border edges by triangle: bit k is set when no triangle of the same chart adjoins edge k to k + 1.
     std::vector<std::uint8_t> borders;
     std::vector<LightMapChart> charts;
     std::vector<std::uint32_t> triangles;  ///< chart by chart, index within their object
 
-    /// Returns the position of a point of a chart in the light map, in texels.
-    glm::dvec2 place(const LightMapChart& chart, const glm::dvec3& position_ws) const {
+    /// Returns the position in the light map of a world-space point on a chart, in texels.
+    glm::dvec2 atlas_position(const LightMapChart& chart, const glm::dvec3& position_ws) const {
         const glm::dvec3 p = position_ws - centre;
         return glm::dvec2(glm::dot(chart.u, p), glm::dot(chart.v, p)) * texels_per_metre + chart.at;
     }
     /// Returns the share of the light map's texels that charts use, gutters included.
-    double used() const;
+    double used_share() const;
 };
 
 /// Computes a light map's layout for a scene. Grows charts from triangle to neighbour, within

@@ -265,8 +265,8 @@ constexpr auto kMetrics = std::to_array<Metric>({
     {.key = "within_noise",
      .label = "Within the noise",
      .unit = kShareOfPixels,
-     .help =
-         "On the other side of one half than the reference, but within its noise. A smaller truth.noise decides them.",
+     .help = "On the other side of one half than the reference, but within its noise. A smaller truth.noise classifies "
+             "them.",
      .formula = "#{V and R on different sides of one half, but not wrong} / n",
      .member = &M::within_noise,
      .better = Better::Neither,
@@ -296,7 +296,7 @@ constexpr auto kMetrics = std::to_array<Metric>({
      .member = &M::boundary_px_p95,
      .contours = true},
     {.key = "boundary_px_max",
-     .label = "Edge displacement, most",
+     .label = "Edge displacement, maximum",
      .unit = "px",
      .help = "The largest distance (Hausdorff).",
      .formula = "the largest of them",

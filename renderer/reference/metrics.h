@@ -31,20 +31,21 @@ struct ClassifiedPixel {
     Artefact artefact = Artefact::None;
     std::uint32_t bits = 0;
     float visibility = 1;
-    std::uint32_t also() const { return bits >> kAlsoShift; }  ///< Cause::also
-    /// Returns true when flag `b` is set.
+    /// Returns further causes of the pixel's error: bits as in Cause::also.
+    std::uint32_t also() const { return bits >> kAlsoShift; }
+    /// Returns true when the classified pixel has flag `b`.
     bool has(Bits b) const { return (bits & b) != 0; }
 };
 
-/// Computes the flags of a counted pixel, except kAnyAcne and kSeam.
-/// @param visibility in the picture, not NaN @param outside the map does not cover the surface
+/// Compares a counted pixel's visibility with the reference. Returns ClassifiedPixel::Bits without kAnyAcne and kSeam.
+/// @param visibility visibility in the picture, not NaN @param outside the map does not cover the surface
 std::uint32_t compared_bits(float visibility, const ReferencePixel& reference, bool outside);
 
-/// Returns pixel `i` of a reference, for classification. @param i index, top row first
+/// Returns one pixel of a ray-traced reference, for classification. @param i index, top row first
 ReferencePixel true_pixel(const Reference& reference, std::size_t i);
 
-/// Decodes classified pixels from the image FrameResult::judged.
-/// @param judged two channels, sampled at the reference's pixels
+/// Decodes classified pixels from the image FrameResult::classified.
+/// @param classified two channels, sampled at the reference's pixels
 std::vector<ClassifiedPixel> classified_pixels(const FloatImage& classified);
 
 /// Returns for each pixel whether its right (bit 0) and lower (bit 1) neighbour show the same surface: a contour
@@ -70,7 +71,7 @@ enum class Better {
     Less,
     NearZero,  ///< for signed metrics
     More,      ///< at most 1
-    Neither,   ///< a fact, no quality
+    Neither,   ///< neutral fact
 };
 
 /// Returns the distance of a metric's value from the best one, so that less is better; NaN for Better::Neither.
@@ -118,7 +119,7 @@ struct PixelSums {
 ErrorMetrics metrics_of(const PixelSums& sums, const Reference& reference);
 
 /// Computes error metrics from classified pixels and their reference.
-/// @param judged one per pixel of the reference
+/// @param classified one per pixel of the reference
 /// @param joins same_surface_bits(), or empty: all neighbours show the same surface
 /// @throws Error when sizes differ
 ErrorMetrics error_metrics(const std::vector<ClassifiedPixel>& classified, const Reference& reference,

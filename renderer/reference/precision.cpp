@@ -13,12 +13,12 @@ namespace {
 
 constexpr float kNothing = std::numeric_limits<float>::quiet_NaN();
 
-/// The corners of a triangle in the world and in a view's map, all in double.
+/// Corners of a triangle in world space and in a view's map, in double precision.
 struct Corners {
     std::array<glm::dvec3, 3> ws, uvd;
 };
 
-/// Positions count from the scene's centre, as doubles have their limits too.
+/// Converts a triangle to map coordinates. Positions are relative to the scene's centre, for precision.
 std::optional<Corners> corners_of(const Scene& scene, const glm::uvec2& id, const LightView& view,
                                   const glm::dmat4& uvd_from_centred, const glm::dvec3& centre) {
     if (id.x == 0 || id.x > scene.objects.size()) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<Corners> corners_of(const Scene& scene, const glm::uvec2& id, cons
     return out;
 }
 
-/// Where a ray meets the triangle's plane; nothing where it runs along it.
+/// Returns the point where a ray meets the triangle's plane; none for a parallel ray.
 std::optional<glm::dvec3> meet(const Corners& t, const glm::dvec3& origin, const glm::dvec3& dir) {
     const glm::dvec3 normal = glm::cross(t.ws[1] - t.ws[0], t.ws[2] - t.ws[0]);
     const double slope = glm::dot(normal, dir);
@@ -45,8 +45,8 @@ std::optional<glm::dvec3> meet(const Corners& t, const glm::dvec3& origin, const
     return origin + dir * (glm::dot(normal, t.ws[0] - origin) / slope);
 }
 
-/// The plane's depth at map coordinates, where depths are affine over a triangle whatever the projection; nothing
-/// where the light sees it edge-on.
+/// Returns the plane's depth at map coordinates; none for an edge-on plane. Depths are affine over a triangle under
+/// every projection.
 std::optional<double> plane_depth(const Corners& t, const glm::dvec2& uv) {
     const glm::dvec2 a(t.uvd[1] - t.uvd[0]), b(t.uvd[2] - t.uvd[0]), c = uv - glm::dvec2(t.uvd[0]);
     const double det = a.x * b.y - a.y * b.x;
@@ -55,7 +55,7 @@ std::optional<double> plane_depth(const Corners& t, const glm::dvec2& uv) {
     return t.uvd[0].z + s * (t.uvd[1].z - t.uvd[0].z) + q * (t.uvd[2].z - t.uvd[0].z);
 }
 
-/// One step of a 32-bit float at a depth.
+/// Returns the step of a 32-bit float at a depth.
 double float_step(double depth) {
     const double d = std::max(std::abs(depth), 0x1p-126);
     return std::exp2(std::floor(std::log2(d)) - 23);

@@ -1,5 +1,4 @@
-// What single precision does to a picture's look-ups: where each pixel's surface was looked up, against where it is by
-// double precision.
+// Rounding errors of a picture's map look-ups in single precision, compared with double precision.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,31 +8,31 @@
 
 namespace si {
 
-/// What shaders computed of a picture's pixels, top row first.
+/// Map look-ups that the GPU made for a picture's pixels, top row first.
 struct DrawnLookUps {
     SurfaceIds ids;
-    FloatImage uvd;  ///< four channels: map coordinates and depth before any bias, 1 + the layer among the light's
-                     ///< views (0: no look-up)
+    FloatImage uvd;  ///< four channels: map coordinates, depth before bias, 1 + layer (0: no look-up)
 };
 
-/// Of one measure over all pixels that have it; NaN where there is none.
+/// Distribution of a rounding error over pixels: median, 99th percentile, largest. NaN without pixels.
 struct PrecisionSpread {
     double median = std::numeric_limits<double>::quiet_NaN(), p99 = median, worst = median;
-    glm::ivec2 worst_at{-1};  ///< pixel from the top left
+    glm::ivec2 worst_at{-1};  ///< pixel with the largest error, from the top left
 };
 
+/// Rounding errors of a picture's map look-ups: per pixel and as distributions.
 struct Precision {
-    FloatImage error;        ///< two channels: texels, steps of a 32-bit depth; NaN where nothing is looked up
-    std::size_t pixels = 0;  ///< that are looked up
-    /// Distance in the map from where the pixel's ray meets its triangle. The rasteriser's own share, its snapping of
-    /// corners to parts of a pixel, is within it.
+    FloatImage error;        ///< two channels: texels, steps of a 32-bit depth; NaN: no look-up
+    std::size_t pixels = 0;  ///< number of pixels with a look-up
+    /// Distance in the map from the look-up to the point where the pixel's ray meets its triangle, in texels. Includes
+    /// the rasteriser's snapping of corners to parts of a pixel.
     PrecisionSpread texels;
-    /// How far the depth lies from the triangle's plane at the place that was looked up, in steps of a 32-bit float at
-    /// that depth (ULP).
+    /// Distance of the depth from the triangle's plane at the look-up, in steps of a 32-bit float (ULP).
     PrecisionSpread ulps;
 };
 
-/// @param camera, light of the frame that drew them @param resolution of the map, texels a side
+/// Measures the rounding errors of a picture's map look-ups against double precision.
+/// @param camera, light of the frame that made the look-ups @param resolution texels per side of the map
 Precision measure_precision(const Scene& scene, const Camera& camera, const FittedLight& light, int resolution,
                             const DrawnLookUps& drawn);
 

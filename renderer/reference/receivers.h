@@ -16,12 +16,12 @@ namespace si {
 struct Receiver {
     static constexpr std::uint32_t kNothing = 0xffffffff;
     glm::dvec3 position_ws{0};
-    glm::dvec3 normal_ws{0};  ///< of the triangle, unit, on the side that the camera sees
+    glm::dvec3 normal_ws{0};  ///< unit normal of the triangle, on the camera's side
     float edge_m = 0;         ///< the triangle's longest edge
     std::uint32_t object = kNothing, primitive = 0;
     /// The right and the lower neighbour pixel show the same surface: neither point lies off the other's plane.
     bool same_surface_right = false, same_surface_below = false;
-    /// Returns true when the pixel shows a surface.
+    /// Returns true when the receiver's pixel shows a surface.
     bool hit() const { return object != kNothing; }
 };
 
@@ -41,14 +41,14 @@ struct Receivers {
     int width = 0, height = 0;
     BigArray<Receiver> pixels;
     BigArray<RayStart> starts = {};  ///< one per pixel, or empty: traces then take longer
-    TrackedMemory held = {};         ///< what they take
+    TrackedMemory held = {};         ///< bytes of both arrays
     /// Returns the surface point of pixel (x, y), counted from the top left.
     const Receiver& at(int x, int y) const { return pixels[std::size_t(y) * std::size_t(width) + std::size_t(x)]; }
 };
 
 /// Pixels of the camera's picture that are sampled: every `step`-th across and down, starting at `first`.
 struct PixelRaster {
-    int width = 0, height = 0;  ///< of the camera's picture
+    int width = 0, height = 0;  ///< size of the camera's picture, pixels
     int step = 1;
     glm::ivec2 first{0};  ///< top left sampled pixel
     /// Returns the number of sampled pixels across.

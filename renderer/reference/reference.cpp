@@ -49,9 +49,9 @@ struct Batch {
 
     template <typename Occluded>
     void trace(const RayHierarchy& scene, std::span<const ObjectTraits> culls, Occluded&& occluded) {
-        occlude(scene, plain, {culls, {}});
+        mark_occluded(scene, plain, {culls, {}});
         for (const RTCRay& ray : plain) occluded(ray.id, ray.tfar < 0);
-        occlude(scene, grazing, {culls, exact});
+        mark_occluded(scene, grazing, {culls, exact});
         for (std::size_t i = 0; i < grazing.size(); ++i) occluded(grazing_of[i], grazing[i].tfar < 0);
     }
     std::size_t size() const { return plain.size() + grazing.size(); }
@@ -64,7 +64,7 @@ struct Estimate {
 
 /// Variance of light samples, estimated from groups of neighbouring samples.
 struct Variance {
-    double sum = 0;         ///< of the number of lit samples
+    double sum = 0;         ///< group sizes times the sample variance, summed over groups
     std::size_t known = 0;  ///< number of samples in the estimate
 
     /// Adds a group of samples. @param above samples above the horizon @param lit samples of those that are lit
@@ -228,7 +228,7 @@ private:
         return state = within_range(distance, query_.emitter.range_m) ? PixelState::Counted : PixelState::BeyondRange;
     }
 
-    /// Finds Truth::nearest_m and blocker_m of a pixel on its shadow ray.
+    /// Finds Reference::nearest_m and blocker_m of a pixel on its shadow ray.
     void find_nearest(std::size_t i, std::vector<Hit>& hits) const {
         const Receiver& r = receivers_.pixels[i];
         const glm::vec3 origin = ray_origin(scene_, r);
@@ -238,11 +238,11 @@ private:
         const ExactRay exact{glm::dvec3(origin), direction, distance * scene_.scale, r.object, r.primitive};
         if (glm::dot(r.normal_ws, direction) < kGrazingCosine) rules.exact = {&exact, 1};
         collect_hits(scene_, make_ray(origin, glm::vec3(direction), float(distance * scene_.scale), 0), rules, hits);
-        const double lift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
+        const double origin_shift = glm::dot(glm::dvec3(origin) - scene_.to_unit(r.position_ws), direction);
         const double most = metres_to_near_plane(r.position_ws, direction) * scene_.scale;
         double drawn = kNaN, any = kNaN;
         for (const Hit& hit : hits) {
-            const double t = hit.t + lift;
+            const double t = hit.t + origin_shift;
             if (!(t <= any)) any = t;
             if (!hit.culled && t <= most && !(t <= drawn)) drawn = t;
         }
@@ -355,8 +355,7 @@ std::string noise_text(const Reference& reference) {
         used.least == used.most
             ? fmt::format("{} sample{} a pixel", used.most, used.most == 1 ? "" : "s")
             : fmt::format("{} to {} samples a pixel ({:.0f} on average)", used.least, used.most, used.mean);
-    if (std::isnan(reference.noise))
-        return fmt::format("noise unknown, {}: truth.samples=4 is the least that tells", samples);
+    if (std::isnan(reference.noise)) return fmt::format("noise unknown, {}: it needs truth.samples=4 or more", samples);
     std::string text = fmt::format("noise {:.4f}, {}", reference.noise, samples);
     if (reference.noise_unknown > 0) text += fmt::format(", noise of {} pixels unknown", reference.noise_unknown);
     return text;

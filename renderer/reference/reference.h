@@ -5,8 +5,8 @@
 //     SurfaceIds ids = renderer.read_surface_ids(frame.surface_ids);
 //     Receivers receivers = reconstruct_receivers(*geometry, frame.camera, ids, {});
 //     ReferenceQuery query = reference_query(scene, settings, frame.lights, 0);
-//     Truth truth = trace_visibility(casters, receivers, query, {});
-//     truth.visibility.at(x, y);  // 1 lit ... 0 in shadow
+//     Reference reference = trace_visibility(casters, receivers, query, {});
+//     reference.visibility.at(x, y);  // 1 lit ... 0 in shadow
 #pragma once
 
 #include <array>
@@ -31,7 +31,7 @@ enum class PixelState : std::uint8_t {
     BeyondRange,   ///< beyond the range of a spot or point light, in its cone
 };
 inline constexpr std::size_t kPixelStates = 6;
-/// Returns true when rays are traced for pixels of this state, counted or not.
+/// Returns true when the reference traces rays for pixels of a state, counted or not.
 constexpr bool is_traced(PixelState s) {
     return s == PixelState::Counted || s == PixelState::OutsideCone || s == PixelState::BeyondRange;
 }
@@ -42,7 +42,7 @@ struct ReferenceOptions {
     bool as_rasterised = false;  ///< faces that culling removes from the shadow map cast no shadow here either
     int samples = 1024;          ///< area: most rays per pixel; starts with 64, then four times as many while noisy
     double noise = 0.005;        ///< area: wanted standard error of a pixel's visibility
-    bool nearest = true;         ///< compute Truth::nearest_m and blocker_m
+    bool nearest = true;         ///< compute Reference::nearest_m and blocker_m
     int step = 1;                ///< pixels of the picture per pixel of the reference, across and down
     bool operator==(const ReferenceOptions&) const = default;
 };
@@ -53,7 +53,7 @@ ReferenceOptions reference_options(const Settings& settings);
 /// Light, objects and options that a reference is traced for.
 struct ReferenceQuery {
     Emitter emitter;
-    std::vector<ObjectTraits> traits;  ///< by object
+    std::vector<ObjectTraits> traits;  ///< one per object of the scene
     std::vector<LightView> views;      ///< views of the light's map, whose near planes limit nearest_m; may be empty
     ViewChooser chooser;               ///< selects the view of a point
     ReferenceOptions options;

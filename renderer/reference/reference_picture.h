@@ -1,8 +1,8 @@
 // Traced reference as a per-pixel input of frames.
 //
 //     ReferenceTask task = reference_task(renderer, scene, settings, request, light, reference_options(settings));
-//     request.truth = reference_picture(task, cache.trace(task));                // any thread
-//     FrameResult frame = renderer.render(scene, settings, request);         // frame.truth.met, frame.error
+//     request.reference = reference_picture(task, cache.trace(task));            // any thread
+//     FrameResult frame = renderer.render(scene, settings, request);             // frame.reference.met, frame.error
 #pragma once
 
 #include <memory>

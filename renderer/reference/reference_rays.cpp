@@ -35,7 +35,7 @@ bool culled(const Candidate& c, const HitRules& rules) {
     return cull == Cull::Back ? facing < 0 : facing > 0;
 }
 
-/// The candidate again in double, without the receiver's own triangle.
+/// Tests a candidate hit again in double precision, without the receiver's own triangle.
 bool hits_exactly(const Candidate& c, const ExactRay& ray, const RayHierarchy& scene) {
     if (c.caster->object == ray.object && c.primitive == ray.primitive) return false;
     const TriangleWs t = scene.geometry->triangle(c.caster->object, c.primitive);
@@ -76,7 +76,7 @@ void filter(const RTCFilterFunctionNArguments* args) {
 
 }  // namespace
 
-void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
+void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules) {
     if (rays.empty()) return;
     Query query(scene, rules);
     // Rays are coherent (neighbouring pixels, or samples of one light): packets are faster than streams.

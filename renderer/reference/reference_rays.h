@@ -16,15 +16,15 @@ struct Caster {
     bool mirrored = false;  ///< flattened with a mirroring transform: its winding is reversed
 };
 
-/// Casters of a scene in Embree's hierarchy, within a frame of unit size.
+/// Ray-tracing hierarchy of a scene's casters in Embree, in the scene's unit frame.
 struct RayHierarchy : UnitFrame {
-    TrackedMemory held{"hierarchies of rays", 0};  ///< what Embree takes; first: the device tells of it to its end
+    TrackedMemory held{"hierarchies of rays", 0};  ///< bytes of Embree; first member, as `device` reports until deleted
     embree::Device device;
-    std::vector<embree::Scene> meshes;  ///< of instanced meshes
+    std::vector<embree::Scene> meshes;  ///< instanced meshes
     embree::Scene scene;
     std::vector<Caster> casters;
     const ReferenceGeometry* geometry = nullptr;
-    double radius = 1;  ///< of the scene, unit lengths
+    double radius = 1;  ///< radius of the scene, unit lengths
     std::size_t triangles = 0, instances = 0;
 };
 
@@ -40,8 +40,8 @@ inline constexpr double kGrazingCosine = 1e-3;
 
 /// Rules by which hits of a shadow ray count: face culling by object, and double-precision tests of grazing rays.
 struct HitRules {
-    std::span<const ObjectTraits> culls;  ///< by object; empty: every face counts
-    std::span<const ExactRay> exact;      ///< by the ray's id; empty: none
+    std::span<const ObjectTraits> culls;  ///< one per object; empty: every face counts
+    std::span<const ExactRay> exact;      ///< index: the ray's id; empty: none
 };
 
 /// Makes an Embree ray segment from `origin` to origin + length * direction. @param id index into HitRules::exact
@@ -62,15 +62,16 @@ inline RTCRay make_ray(const glm::vec3& origin, const glm::vec3& direction, floa
     return ray;
 }
 
-/// Marks occluded rays by a negative tfar.
-void occlude(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
+/// Tests shadow rays for occlusion and marks occluded ones by a negative tfar.
+void mark_occluded(const RayHierarchy& scene, std::span<RTCRay> rays, const HitRules& rules);
 
 /// One intersection of a ray with a caster.
 struct Hit {
-    float t = 0;          ///< in lengths of the ray's direction
-    bool culled = false;  ///< by HitRules::culls
+    float t = 0;          ///< distance in lengths of the ray's direction
+    bool culled = false;  ///< removed by HitRules::culls
 };
-/// All hits up to the ray's end, culled ones too, in no order.
+/// Collects all hits of a ray with casters up to the ray's end, culled ones included, in no order.
+/// @param out receives the hits
 void collect_hits(const RayHierarchy& scene, const RTCRay& ray, const HitRules& rules, std::vector<Hit>& out);
 
 }  // namespace si

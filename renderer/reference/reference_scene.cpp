@@ -25,8 +25,8 @@ void solid_points(const RTCFilterFunctionNArguments* args) {
     const auto& mask = *static_cast<const AlphaMask*>(args->geometryUserPtr);
     for (unsigned i = 0; i < args->N; ++i) {
         if (args->valid[i] == 0) continue;
-        const bool solid = mask.solid(RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
-                                      RTCHitN_v(args->hit, args->N, i));
+        const bool solid = mask.is_solid(RTCHitN_primID(args->hit, args->N, i), RTCHitN_u(args->hit, args->N, i),
+                                         RTCHitN_v(args->hit, args->N, i));
         if (!solid) args->valid[i] = 0;
     }
 }

@@ -11,12 +11,12 @@ namespace si {
 
 struct RayHierarchy;  // renderer/reference/reference_rays.h
 
-/// Whether objects of one mesh share its triangles in the hierarchy. Flattened they are traced faster and placed in
-/// double before they are rounded; shared they take memory once.
+/// Sharing of triangles between objects of one mesh in the ray-tracing hierarchy. Shared triangles (instances) take
+/// memory once. Flattened ones are traced faster and transformed in double precision.
 enum class Instancing {
-    Automatic,  ///< shared when flattening would take more than kMaxFlattenedTriangles triangles
-    Never,
-    Always,  ///< wherever a mesh is used twice
+    Automatic,  ///< shares when flattening would exceed kMaxFlattenedTriangles
+    Never,      ///< flattens all objects
+    Always,     ///< shares every mesh with several objects
 };
 
 /// Ray-tracing hierarchy over the casters of a scene. It uses the scene's UnitFrame, so that single-precision rays keep
@@ -41,6 +41,7 @@ public:
     /// Returns the number of objects that are instances in the ray-tracing hierarchy.
     std::size_t instance_count() const;
 
+    /// Returns the Embree hierarchy, for sources of this folder.
     const RayHierarchy& impl() const { return *impl_; }
 
 private:

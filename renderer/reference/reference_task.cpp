@@ -130,7 +130,7 @@ TracedReference ReferenceCache::trace(const ReferenceTask& task, const Workers& 
                                                             task.query, workers.with_progress_range(0.9, 1)));
         });
         references_.push_front(std::move(known));
-        if (references_.size() > kKept) references_.pop_back();
+        if (references_.size() > kMaxReferences) references_.pop_back();
     } else {
         references_.splice(references_.begin(), references_, found);
     }

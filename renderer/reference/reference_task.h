@@ -1,10 +1,10 @@
 // Tasks that trace a frame's reference: inputs are collected on the renderer's thread, then traced and cached on any
 // thread.
 //
-//     ReferenceCache cache;                                                              // lives as long as the
-//     session ReferenceTask task = reference_task(renderer, scene, settings, request, light, {.area = true});
-//     TracedReference traced = cache.trace(task, {.stop = token, .progress = report});   // on any one thread
-//     traced.truth->visibility.at(x, y);
+//     ReferenceCache cache;                                                             // lives as long as the session
+//     ReferenceTask task = reference_task(renderer, scene, settings, request, light, {.area = true});
+//     TracedReference traced = cache.trace(task, {.stop = token, .progress = report});  // on any one thread
+//     traced.reference->visibility.at(x, y);
 #pragma once
 
 #include <list>
@@ -22,7 +22,7 @@ struct ReferenceTask {
     PixelRaster raster;
     SurfaceIds ids;  ///< triangle of each sampled pixel
     ReferenceQuery query;
-    std::vector<FittedLight> lights;  ///< all lights of the frame
+    std::vector<FittedLight> lights;  ///< lights of the frame
     int map_resolution = 0;
     std::uint64_t receivers_key = 0;
     std::uint64_t key = 0;  ///< reference_key(): scene, objects, camera, size, light, options; not the map's resolution
@@ -36,9 +36,10 @@ std::uint64_t reference_key(const Scene& scene, const Settings& settings, const 
 /// Subsamples an image: every `step`-th pixel across and down, from the top left.
 FloatImage subsample(const FloatImage& image, int step);
 
-/// Returns what a trace needs of a drawn frame. Shares the scene's triangles unless ray_scenes() have them already.
+/// Collects the input for tracing the reference of a drawn frame. Shares the triangles of the scene, or of
+/// ray_scenes().
 /// @param frame drawn in a picture of `width` x `height` pixels
-/// @param ids of all its pixels: FrameResult::surface_ids read back
+/// @param ids triangles of all pixels: FrameResult::surface_ids read back
 /// @param light index of light.*. @throws Error when there is no such light
 ReferenceTask reference_task(const Scene& scene, const Settings& settings, const FrameResult& frame,
                              const SurfaceIds& ids, int width, int height, int light, const ReferenceOptions& options);
@@ -64,7 +65,7 @@ public:
     const std::shared_ptr<const Receivers>& receivers() const { return receivers_; }
 
 private:
-    static constexpr std::size_t kKept = 4;  ///< references: hard and area of two lights
+    static constexpr std::size_t kMaxReferences = 4;  ///< references: hard and area of two lights
     std::shared_ptr<const ReferenceScene> scene_;
     std::shared_ptr<const Receivers> receivers_;
     std::uint64_t receivers_key_ = 0;

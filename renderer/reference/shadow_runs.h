@@ -1,5 +1,5 @@
-// Widths of shadows and lit gaps around each pixel, measured across the light direction: they tell which map resolution
-// a pixel would need.
+// Widths of shadows and lit gaps around each pixel, measured across the light direction. From them follows the map
+// resolution that a pixel needs.
 //
 //     ShadowRuns runs = shadow_runs(truth, receivers, camera, raster, query, {});
 //     runs.run_m.at(x, y) < texel_m;   // the lit or dark strip that the pixel lies in is narrower than a texel
@@ -25,8 +25,8 @@ struct ShadowRuns {
 inline constexpr int kRunReach = 64;
 
 /// Measures shadow runs from pixel to pixel on the surface that the camera sees, also where something occludes part of
-/// it. Traces no rays. A part of a picture gives the same numbers as the whole where it extends kRunReach beyond a
-/// pixel.
+/// it. Traces no rays. A part of a picture gives the same numbers as the whole where the part extends kRunReach around
+/// a pixel.
 /// @param raster pixels of the picture that the reference samples
 /// @param query query that the reference answers; without views everything is infinite
 /// @throws Cancelled

@@ -70,7 +70,7 @@ TEST(Advise, SaysWhatCannotBeHeldAndWritesNothing) {
     const auto r = run_program({"advise", "boxes", "--max-error", "1e-9", "--vary", "map.resolution=256", "--size",
                                 "64x36", "-o", preset.string()});
     EXPECT_EQ(r.code, 1);
-    EXPECT_NE(r.err.find("cannot be held by what was tried; nearest came"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("cannot be met by any tried combination; the nearest is"), std::string::npos) << r.err;
     EXPECT_FALSE(fs::exists(preset));
 }
 

@@ -128,7 +128,7 @@ TEST(SweepCommand, ASweepOverTheLightsSizeMeasuresEachSize) {
     hard.back() = "hard";
     const ProcessResult r = run_program(hard, folder);
     EXPECT_EQ(results_of(folder / "hard")["rows"].size(), 1u) << "a point has no size";
-    EXPECT_NE(r.err.find("light.size: 2 of 3 values are no cases of their own"), std::string::npos) << r.err;
+    EXPECT_NE(r.err.find("light.size: 2 of 3 values give no cases of their own"), std::string::npos) << r.err;
 }
 
 TEST(SweepCommand, EachSceneOfAFileIsMeasured) {

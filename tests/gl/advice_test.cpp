@@ -19,7 +19,7 @@ protected:
     /// Times by a clock that counts work, so that ranks depend on no machine.
     AdviceMeter meter_by_work(const Scene& scene) {
         AdviceMeter meter = renderer_advice_meter(renderer, scene, width, height, {}, cache, workers);
-        meter.time = [judge = meter.judge](const Settings& a, const Settings& b) {
+        meter.time = [judge = meter.classify](const Settings& a, const Settings& b) {
             const auto work = [&](const Settings& s) { return 1e-6 * double(judge(s, 0).work.bytes_touched); };
             return CostChange{work(b) - work(a), 1e-9};
         };
@@ -43,7 +43,8 @@ protected:
             Settings with = s;
             for (const auto& [key, value] : t.settings) set_setting(with, key, value);
             classified_as.view.light = with.view.light = t.idea.light;
-            const Classification before = measurer.judge(scene, classified_as), after = measurer.judge(scene, with);
+            const Classification before = measurer.classify(scene, classified_as),
+                                 after = measurer.classify(scene, with);
             EXPECT_EQ(before.error.mae, t.before.error);
             EXPECT_EQ(after.error.mae, t.after.error) << "exactly as it says";
             if (t.idea.claim == Claim::Same) {
@@ -131,7 +132,7 @@ TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
         frames.warm_up();
         std::pair<int, int> maps_and_pictures{0, 0};
         for (int i = 0; i < 8; ++i)
-            for (const PassInfo& pass : frames.next().passes)
+            for (const PassInfo& pass : frames.draw_next().passes)
                 if (pass.state == PassState::Drawn)
                     ++(pass.category == PassCategory::Maps ? maps_and_pictures.first : maps_and_pictures.second);
         return maps_and_pictures;
@@ -156,7 +157,7 @@ TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene);
         AutopilotMeter meter{meter_by_work(scene), {}, {}};
-        meter.ms = [&](const Settings& t) { return 1e-6 * double(meter.judge(t, 0).work.bytes_touched); };
+        meter.ms = [&](const Settings& t) { return 1e-6 * double(meter.classify(t, 0).work.bytes_touched); };
         meter.now_s = [] { return 0.0; };
         const AutopilotGoals all{.max_error = 1};
         const AutopilotResult known = run_autopilot(s, axes, all, meter);
@@ -170,7 +171,7 @@ TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
             for (const AutopilotCase& c : known.cases)
                 if (c.classified.error <= *goals.max_error) least = std::min(least, meter.ms(c.settings));
             const AutopilotResult r = run_autopilot(s, axes, goals, meter);
-            ASSERT_TRUE(r.held) << r.summary;
+            ASSERT_TRUE(r.goals_met) << r.summary;
             EXPECT_LE(*r.best.ms, 1.1 * least) << r.summary;
             EXPECT_LE(r.best.classified.error, *goals.max_error);
         }

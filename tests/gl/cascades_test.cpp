@@ -126,9 +126,9 @@ TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     for (const char* choice : {"interval", "map"}) {
         Settings s = settings_for(scene, {{"map.resolution", "512"}, {"light.cascade_choice", choice}});
         Measurer measurer(renderer, 320, 180);
-        const ErrorMetrics one = measurer.judge(scene, s).error;
+        const ErrorMetrics one = measurer.classify(scene, s).error;
         s.lights[0].cascades = 4;
-        const Classification four = measurer.judge(scene, s);
+        const Classification four = measurer.classify(scene, s);
         EXPECT_GT(one.mae, 0.005);
         EXPECT_LT(four.error.mae, 0.6 * one.mae) << choice;
         EXPECT_EQ(four.error.outside_map, 0) << choice;

@@ -24,9 +24,9 @@ protected:
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         EXPECT_TRUE(probed.hit);
         const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
-        return explain(probed, probed.lights.at(0),
-                       trace_fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)), s,
-                       renderer.driver());
+        return diagnose_pixel(probed, probed.lights.at(0),
+                              trace_fragment_reference(casters, probed, probed.lights[0], s, object_traits(scene, s)),
+                              s, renderer.driver());
     }
     MeasuredError measure(const Scene& scene, const Settings& s) {
         ReferenceCache cache;
@@ -220,7 +220,7 @@ TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
     const PixelDiagnosis d = diagnosis(scene, s, *pixel);
     EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
     EXPECT_TRUE(d.window_open());
-    EXPECT_GE(d.lifted.texels, d.occluder.texels);
+    EXPECT_GE(d.shift.texels, d.occluder.texels);
     // Along a ray at 40 degrees above the horizon.
     EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
     EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
@@ -265,7 +265,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     const BiasBreakdown& a = probed.lights[0].account;
     const double cosine = std::sin(glm::radians(40.0));
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
-    EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
+    EXPECT_NEAR(d.shift.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
     EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
     // The least offset by the theory is where the account comes out even.
     s.bias.normal =

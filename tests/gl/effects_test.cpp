@@ -153,7 +153,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
         ASSERT_TRUE(effect_named(list, name)) << name;
         EXPECT_NE(effect_named(list, name)->reason.find(what), std::string::npos) << effect_named(list, name)->reason;
     };
-    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "requested output");
+    for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "needs the reference");
     says(all, "drawn depth range", "closed");
     says(all, "unfiltered map", "Not needed: causes are not shown");
     FrameRequest request = small();
@@ -201,7 +201,7 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     const std::vector<Effect> before = effects(scene, sets);
     ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
     EXPECT_EQ(spared->state, EffectState::NotNeeded);
-    EXPECT_EQ(spared->saving, Optimisation::DeadPasses);
+    EXPECT_EQ(spared->optimisation, Optimisation::DeadPasses);
     const std::uint64_t draws = last.pass("visibility")->draws;
     FrameRequest request = small();
     request.forced = {Optimisation::DeadPasses};
@@ -222,12 +222,12 @@ TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereT
     for (const auto& [name, saving] : all) {
         EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
         ASSERT_TRUE(effect_named(before, name));
-        EXPECT_EQ(effect_named(before, name)->saving, saving) << name;
+        EXPECT_EQ(effect_named(before, name)->optimisation, saving) << name;
         FrameRequest request = small();
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
         EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
-        EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be let go again";
+        EXPECT_EQ(effect_named(forced, name)->optimisation, saving) << name << ": it could not be let go again";
         for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
     const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
@@ -245,13 +245,13 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
     EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Drawn);
-    EXPECT_NE(reason_of(rays, "blocker search").find("follows rays"), std::string::npos);
+    EXPECT_NE(reason_of(rays, "blocker search").find("marches rays"), std::string::npos);
     EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
     const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
     const std::vector<Effect> spared = effects(scene, no_size);
-    EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
+    EXPECT_NE(reason_of(spared, "blocker search").find("none is marched where no occluder"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::BlockerSearch);
+    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->optimisation, Optimisation::BlockerSearch);
     FrameRequest request = small();
     request.forced = {Optimisation::BlockerSearch};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
@@ -302,10 +302,10 @@ TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
 }
 
 TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
-    const std::vector<Effect> all = {{.name = "a", .saving = Optimisation::UnreadViews},
+    const std::vector<Effect> all = {{.name = "a", .optimisation = Optimisation::UnreadViews},
                                      {.name = "b"},
-                                     {.name = "c", .saving = Optimisation::CasterCulling},
-                                     {.name = "d", .saving = Optimisation::UnreadViews},
+                                     {.name = "c", .optimisation = Optimisation::CasterCulling},
+                                     {.name = "d", .optimisation = Optimisation::UnreadViews},
                                      {.name = "e"}};
     EXPECT_EQ(sharing_optimisation_count(all, all[0]), 2u);
     EXPECT_EQ(sharing_optimisation_count(all, all[1]), 1u) << "what no saving spares is alone";
@@ -344,17 +344,17 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
     EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
-    EXPECT_EQ(part->saving, Optimisation::DeadPasses);
+    EXPECT_EQ(part->optimisation, Optimisation::DeadPasses);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);
     EXPECT_EQ(part->state, EffectState::Drawn);
 }
 
 TEST(Sentences, KeepKeysAndStops) {
-    EXPECT_EQ(sentence("no pass reads it"), "No pass reads it.");
-    EXPECT_EQ(sentence("map.virtual is off"), "map.virtual is off.");
-    EXPECT_EQ(sentence("Done."), "Done.");
-    EXPECT_EQ(sentence(""), "");
+    EXPECT_EQ(as_sentence("nothing reads it"), "Nothing reads it.");
+    EXPECT_EQ(as_sentence("map.virtual is off"), "map.virtual is off.");
+    EXPECT_EQ(as_sentence("Done."), "Done.");
+    EXPECT_EQ(as_sentence(""), "");
 }
 
 }  // namespace

@@ -251,10 +251,10 @@ TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const std::vector<Effect> effects = frame_effects(scene, s, renderer.render(scene, s, tiny));
     const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
     ASSERT_NE(bounds, effects.end());
-    EXPECT_EQ(bounds->saving, Optimisation::EarlyOut) << bounds->reason;
+    EXPECT_EQ(bounds->optimisation, Optimisation::EarlyOut) << bounds->reason;
     const SavedTimes times = measure_saved_times(renderer, scene, s, tiny, optimisations_of(effects), 4);
-    ASSERT_TRUE(times.of(*bounds));
-    EXPECT_EQ(times.of(*bounds)->samples, 4);
+    ASSERT_TRUE(times.find(*bounds));
+    EXPECT_EQ(times.find(*bounds)->samples, 4);
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ protected:
     const FrameResult& note_made(const Scene& scene, const Settings& s, const FrameResult& frame,
                                  OptimisationSet forced = {}) {
         for (const Effect& effect : frame_effects(scene, s, frame, forced))
-            if (effect.saving && !forced.contains(*effect.saving)) made.add(*effect.saving);
+            if (effect.optimisation && !forced.contains(*effect.optimisation)) made.add(*effect.optimisation);
         return frame;
     }
     /// Every picture of a frame that is saved on, and of one that forces a row, must be the same.

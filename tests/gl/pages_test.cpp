@@ -220,10 +220,10 @@ TEST_F(PagesTest, AreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
     Settings s = settings_for(scene, {{"map.resolution", "4096"}});
-    const Classification fixed = measurer.judge(scene, s);
+    const Classification fixed = measurer.classify(scene, s);
     set_setting(s, "map.virtual", "true");
     set_setting(s, "map.virtual_bias", "-1");
-    const Classification paged = measurer.judge(scene, s);
+    const Classification paged = measurer.classify(scene, s);
     ASSERT_TRUE(paged.pages);
     const auto wrong = [](const Classification& j) { return j.error.false_shadow + j.error.false_light; };
     const double drawn = double(paged.pages->drawn_texels());

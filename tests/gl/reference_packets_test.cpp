@@ -27,9 +27,9 @@ TEST_F(ReferencePackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
                                         float(distance * casters.impl().scale), unsigned(together.size())));
         }
         std::vector<RTCRay> alone = together;
-        occlude(casters.impl(), together, {});
+        mark_occluded(casters.impl(), together, {});
         for (std::size_t i = 0; i < alone.size(); ++i) {
-            occlude(casters.impl(), {&alone[i], 1}, {});
+            mark_occluded(casters.impl(), {&alone[i], 1}, {});
             ASSERT_EQ(together[i].tfar < 0, alone[i].tfar < 0) << row.key << ", ray " << i;
             occluded += alone[i].tfar < 0;
         }

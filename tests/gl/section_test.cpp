@@ -30,9 +30,9 @@ protected:
         probed = renderer.probe(scene, s, kPicture, pixel.x, pixel.y);
         if (!probed.hit) return {};
         const ReferenceScene casters(std::make_shared<ReferenceGeometry>(scene, s));
-        diagnosis =
-            explain(probed, light(), trace_fragment_reference(casters, probed, light(), s, object_traits(scene, s)), s,
-                    renderer.driver());
+        diagnosis = diagnose_pixel(probed, light(),
+                                   trace_fragment_reference(casters, probed, light(), s, object_traits(scene, s)), s,
+                                   renderer.driver());
         const int n = probed.map_resolution;
         const SectionCut cut = section_cut(light(), &diagnosis, s, n);
         return cross_section(light(), &diagnosis, cut, n, reference_profile(casters, light(), cut, n));
@@ -95,8 +95,8 @@ protected:
         ASSERT_NE(scale, d.marks.end());
         const std::vector<glm::dvec2>& bar = (scale - 1)->points;
         const double texel = (bar.back().x - bar.front().x) / std::stod(scale->text);
-        ASSERT_TRUE(s.looked_up());
-        const Section::Step& step = *s.looked_up();
+        ASSERT_TRUE(s.lookup_step());
+        const Section::Step& step = *s.lookup_step();
         EXPECT_NEAR(texel, (step.compared_to.x - step.compared_from.x) * d.across, 1e-3 * texel) << scale->text;
         EXPECT_NE(scale->text.find(metres_text(std::stod(scale->text) * texel / d.across)), std::string::npos)
             << scale->text;
@@ -194,8 +194,8 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
         EXPECT_EQ(s.cut.axis, 1) << "the sun stands over v";
         EXPECT_NEAR(std::abs(s.surface_along.y / s.surface_along.x), std::tan(theta), 1e-6);
         EXPECT_NEAR(glm::length(s.moved), 0, 1e-9) << "no offset";
-        ASSERT_TRUE(s.looked_up());
-        EXPECT_LT(s.compared.y, s.looked_up()->from.y) << "acne: the point lies behind its own texel's step";
+        ASSERT_TRUE(s.lookup_step());
+        EXPECT_LT(s.compared.y, s.lookup_step()->from.y) << "acne: the point lies behind its own texel's step";
         EXPECT_FALSE(s.lit);
         EXPECT_TRUE(s.reference_lit);
         for (const Section::Step& step : s.steps) {
@@ -209,7 +209,7 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
         EXPECT_GE(s.window_from, 0.5 * texel * std::tan(theta));
         EXPECT_LT(s.window_from, (0.505 + 1.0 / 16) * texel * std::tan(theta) + 0.01 * texel);
         EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-9);
-        EXPECT_GT(s.window_from, s.looked_up()->from.y) << "and clears this step";
+        EXPECT_GT(s.window_from, s.lookup_step()->from.y) << "and clears this step";
         ASSERT_EQ(s.profile.size(), 1u) << "one surface in truth";
         EXPECT_GT(s.profile[0].size(), 8u * s.steps.size());
         for (const glm::dvec2& p : s.profile[0]) EXPECT_NEAR(p.y, surface_y(s, p.x), 1e-4 * texel);
@@ -261,7 +261,7 @@ TEST_F(SectionTest, WindowAndScaleHoldUnderEveryLightWithAnOffsetAndWithout) {
             for (int y = 18; y <= 114 && (classified < 12 || bounded < 2); y += 6)
                 for (int x = 16; x <= 144 && (classified < 12 || bounded < 2); x += 8) {
                     const Section s = section(scene, offset_alone(type, texels), {x, y});
-                    if (!s.has_window || !s.looked_up()) continue;
+                    if (!s.has_window || !s.lookup_step()) continue;
                     SCOPED_TRACE(testing::Message() << int(type) << ", " << texels << " texels, " << x << "," << y);
                     const SectionDrawing d = draw_section(s, {.captions = false});
                     expect_window_before_surface(s, d);
@@ -304,8 +304,8 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     ASSERT_EQ(s.terms.size(), 1u);
     EXPECT_EQ(s.terms[0].name, "constant bias");
     EXPECT_NEAR(s.terms[0].to.y, s.compared.y, 1e-9);
-    ASSERT_TRUE(s.looked_up());
-    EXPECT_GE(s.compared.y, s.looked_up()->from.y);
+    ASSERT_TRUE(s.lookup_step());
+    EXPECT_GE(s.compared.y, s.lookup_step()->from.y);
 }
 
 TEST_F(SectionTest, KeepsItsFormWhereThereIsNothingToCut) {

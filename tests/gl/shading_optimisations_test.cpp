@@ -208,7 +208,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
         for (const Effect& e : frame_effects(scene, s, saved))
             if (e.name == "look-ups of light 0") {
                 EXPECT_EQ(e.state, EffectState::NotNeeded);
-                EXPECT_EQ(e.saving, Optimisation::DeadPasses);
+                EXPECT_EQ(e.optimisation, Optimisation::DeadPasses);
                 EXPECT_NE(e.reason.find(sets.size() == 3 && sets[0].first == "light.type" ? "range" : "light"),
                           std::string::npos)
                     << e.reason;

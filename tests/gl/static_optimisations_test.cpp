@@ -326,7 +326,7 @@ TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
     const Effect drawn = told(), kept = told();
     EXPECT_EQ(drawn.state, EffectState::Drawn) << drawn.reason;
     EXPECT_EQ(kept.state, EffectState::Cached) << kept.reason;
-    EXPECT_EQ(kept.saving, Optimisation::StaticCasterCache);
+    EXPECT_EQ(kept.optimisation, Optimisation::StaticCasterCache);
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
@@ -378,13 +378,13 @@ TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
         const auto told = std::ranges::find_if(
-            effects, [](const Effect& e) { return e.saving == Optimisation::StaticCasterCache && !e.part; });
+            effects, [](const Effect& e) { return e.optimisation == Optimisation::StaticCasterCache && !e.part; });
         EXPECT_NE(told, effects.end());
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = optimisations_of(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::StaticCasterCache) == 1);
         const SavedTimes times = measure_saved_times(again, scene, s, asked(), named, 5);
-        const Spread* ms = times.of(*told);
+        const Spread* ms = times.find(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
     };
     Settings s = small_maps(moving, kinds()[0]);

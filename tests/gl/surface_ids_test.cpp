@@ -124,7 +124,7 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
                     const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2), s = origin - t.a;
                     const double det = glm::dot(e1, p);
                     const bool is_solid =
-                        mask.solid(behind.data[i].y, glm::dot(s, p) / det, glm::dot(dir, glm::cross(s, e1)) / det);
+                        mask.is_solid(behind.data[i].y, glm::dot(s, p) / det, glm::dot(dir, glm::cross(s, e1)) / det);
                     ++(is_solid ? solid : holes);
                     wrong += is_solid != (drawn.data[i].x != 0);
                 }

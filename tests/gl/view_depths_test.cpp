@@ -83,9 +83,9 @@ TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
     Settings s =
         settings_for(scene, {{"map.resolution", "512"}, {"light.cascades", "4"}, {"light.split", "logarithmic"}});
     Measurer measurer(renderer, 240, 135);
-    const double boxes = measurer.judge(scene, s).error.mae;
+    const double boxes = measurer.classify(scene, s).error.mae;
     set_setting(s, "light.depth_bounds", "sdsm");
-    const Classification measured = measurer.judge(scene, s);
+    const Classification measured = measurer.classify(scene, s);
     EXPECT_LT(measured.error.mae, 0.85 * boxes);
     EXPECT_EQ(measured.error.outside_map, 0);
     RecordProperty("mae", std::to_string(boxes) + " " + std::to_string(measured.error.mae));

@@ -27,9 +27,9 @@ protected:
     }
 };
 
-const Tried& tried_named(const Waste& waste, std::string_view name) {
-    static const Tried none;
-    for (const Tried& t : waste.tried)
+const WasteTrial& tried_named(const Waste& waste, std::string_view name) {
+    static const WasteTrial none;
+    for (const WasteTrial& t : waste.tried)
         if (t.name == name) return t;
     ADD_FAILURE() << name << " was not tried";
     return none;
@@ -57,7 +57,7 @@ TEST_F(WasteTest, WhatIsNotReadChangesNothing) {
     for (const Sets& sets : {Sets{{"light.type", "point"}}, Sets{{"light.cascades", "4"}}}) {
         const Waste waste = waste_of(load_scene("stage"), sets);
         EXPECT_GE(waste.tried.size(), 4u);
-        for (const Tried& t : waste.tried)
+        for (const WasteTrial& t : waste.tried)
             if (t.changes && t.read >= 0) {
                 EXPECT_GT(t.read, 0) << t.name << " changes pixels, and no texel of it is read";
             }
@@ -85,7 +85,7 @@ TEST_F(WasteTest, EffectsThatSettingsPutOnAreTriedToo) {
 }
 
 bool was_tried(const Waste& waste, std::string_view name) {
-    return std::ranges::any_of(waste.tried, [&](const Tried& t) { return t.name == name; });
+    return std::ranges::any_of(waste.tried, [&](const WasteTrial& t) { return t.name == name; });
 }
 
 TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
@@ -200,7 +200,7 @@ TEST_F(WasteTest, TimesAreTakenOfWasteWhereTheyAreAskedFor) {
     EXPECT_EQ(tried_named(twice, "alpha test in maps").maps_ms, 0);
     // A light so dim that no byte shows whether it is shadowed: its map is drawn all the same.
     const Waste dim = waste_of(scene, {{"light.intensity", "1e-10"}}, true);
-    const Tried& unseen = tried_named(dim, "map of light 0");
+    const WasteTrial& unseen = tried_named(dim, "map of light 0");
     EXPECT_FALSE(unseen.changes);
     EXPECT_GT(unseen.triangles, 0u);
     EXPECT_GT(unseen.maps_ms, 0);
@@ -227,7 +227,7 @@ struct Sum {
         drawn += waste.triangles();
         maps_ms += waste.maps_ms.value_or(0);
         wasted_ms += waste.wasted_ms();
-        for (const Tried& t : waste.tried) {
+        for (const WasteTrial& t : waste.tried) {
             if (!t.changes && t.read < 0 && t.triangles == 0)
                 list += fmt::format("  {}: {} changes nothing, {:.2f} ms\n", what, t.name, t.maps_ms);
             if (t.changes || t.triangles == 0) continue;

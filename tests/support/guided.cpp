@@ -61,7 +61,8 @@ const ErrorMetrics& Guided::error() const {
 }
 
 const Classification& Guided::classification() const {
-    if (!classification_) classification_ = Measurer(hard_renderer(), shot.width, shot.height).judge(scene, settings);
+    if (!classification_)
+        classification_ = Measurer(hard_renderer(), shot.width, shot.height).classify(scene, settings);
     return *classification_;
 }
 

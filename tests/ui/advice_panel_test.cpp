@@ -117,7 +117,7 @@ TEST_F(AdvicePanelTest, SaysWhenItIsOfOtherSettings) {
 
 TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     AutopilotResult flight;
-    flight.held = true;
+    flight.goals_met = true;
     flight.summary = "hard at 512 holds it";
     flight.dropped = {{"light.contact", "0.1", "0", 0.004, {1.5, 0.2}}};
     flight.untried = {"7 of 9 combinations were not tried"};
@@ -128,7 +128,7 @@ TEST_F(AdvicePanelTest, ShowsWhatTheAutopilotFoundAndDropped) {
     for (const char* part : {"hard at 512 holds it", "would have cost +1.5 ms", "7 of 9 combinations"})
         EXPECT_NE(text.find(without_spaces(part)), std::string::npos) << part << "\n" << text;
     EXPECT_TRUE(ui.find("found", "", "Apply"));
-    flight.held = false;
+    flight.goals_met = false;
     flight.summary = "it cannot be held";
     ui.frames(3);
     EXPECT_FALSE(ui.find("found", "", "Apply"));

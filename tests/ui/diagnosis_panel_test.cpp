@@ -42,12 +42,12 @@ TEST(DiagnosisPanel, TheRemedyIsOneStepOfUndo) {
     EXPECT_FALSE(ui.state.history.can_undo());
 }
 
-TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
+TEST(DiagnosisPanel, TheFixShowsItsEquivalentBiasWhereThereIsRoom) {
     const PixelDiagnosis d = acne_diagnosis();
     SuggestedFix worth = *d.fix;
     worth.equivalent_bias_texels = 1.804;
     EXPECT_EQ(fix_text(worth, Settings{}) + equivalent_bias_text(worth),
-              "Slope bias 4.5 texels (worth 1.8 texels of depth bias here)");
+              "Slope bias 4.5 texels (equivalent depth bias 1.8 texels)");
     EXPECT_EQ(equivalent_bias_text(*d.fix), "");
     const SuggestedFix two{{{"bias.normal", "0"}, {"map.resolution", "4096"}}, "", 0};
     EXPECT_EQ(fix_text(two, Settings{}), "Normal offset 0 texels, Resolution 4096 texels");
@@ -57,7 +57,7 @@ TEST(DiagnosisPanel, TheRemedySaysWhatItIsWorthWhereThereIsRoom) {
     ui.diagnoses = {d};
     ui.diagnoses[0].fix = worth;
     ui.frames(5);
-    EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (worth 1.8 texels of")) << "with letters that no edge cuts";
+    EXPECT_TRUE(ui.drawn().shows("bias 4.5 texels (equivalent depth bias")) << "with letters that no edge cuts";
     EXPECT_FALSE(ui.drawn().shows("the map says")) << "a colon less before what it says";
 }
 
@@ -191,7 +191,7 @@ TEST(EditorTuning, FindsTheLeastBiasInTheBackgroundAsOneStepOfUndo) {
     const auto& lines = model.state.log.lines();
     EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [](const auto& line) {
         return line.text.find("least bias without acne") != std::string::npos &&
-               line.text.find("gap beside casters") != std::string::npos;
+               line.text.find("gap at casters") != std::string::npos;
     }));
     EXPECT_GT(model.facts().tuned.size(), 1u);
     EXPECT_FALSE(model.facts().tuned_current) << "of a picture of another size";

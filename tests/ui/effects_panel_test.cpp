@@ -22,7 +22,7 @@ const std::vector<Effect>& made_up_effects() {
         {.name = "look-ups of light 7",
          .state = EffectState::NotNeeded,
          .reason = "light.7.cast is off.",
-         .saving = Optimisation::DeadPasses,
+         .optimisation = Optimisation::DeadPasses,
          .pass = "visibility",
          .part = true},
         {.name = "shading", .state = EffectState::Cached, .reason = "Kept.", .pass = "shading"},
@@ -36,11 +36,11 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     ui.effects.effects = made_up_effects();
     EXPECT_TRUE(ui.frames(4).want_effects);
     std::string text = letters(ui);
-    for (const char* part : {"simulated", "notcalledfor", "reused", "shadowmap0", "Itcasts.", "light.7.castisoff."})
+    for (const char* part : {"drawn", "notneeded", "cached", "shadowmap0", "Itcasts.", "light.7.castisoff."})
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     EXPECT_EQ(text.find("3.25"), std::string::npos) << "a time that nobody measured";
     SavedTimes saved;
-    saved.savings.push_back(
+    saved.optimisations.push_back(
         {Optimisation::DeadPasses, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved;
     ui.effects.saved_times_current = true;
@@ -50,7 +50,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     EXPECT_EQ(letters(ui).find("ofothersettings"), std::string::npos);
     std::vector<Effect> more(ui.effects.effects.begin(), ui.effects.effects.end());
     more.push_back(
-        {.name = "look-ups of light 8", .reason = "light.8.cast is off.", .saving = Optimisation::DeadPasses});
+        {.name = "look-ups of light 8", .reason = "light.8.cast is off.", .optimisation = Optimisation::DeadPasses});
     ui.effects.effects = more;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
@@ -112,7 +112,7 @@ TEST(EffectsPanel, ReasonsAreReadInWholeInASmallWindow) {
         ui.frames(4);
         EXPECT_TRUE(ui.drawn().shows(longest)) << width;
         EXPECT_TRUE(ui.drawn().shows("look-ups of light 7")) << width;
-        EXPECT_TRUE(ui.drawn().shows("not called for")) << width;
+        EXPECT_TRUE(ui.drawn().shows("not needed")) << width;
         EXPECT_TRUE(ui.drawn().shows("Saved ms") && ui.drawn().shows("Force") && ui.drawn().shows("Time ms")) << width;
     }
 }
@@ -313,7 +313,7 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.settle();
     ASSERT_TRUE(editor.model().facts().saved);
     EXPECT_TRUE(editor.model().facts().saved_times_current);
-    const Spread* ms = editor.model().facts().saved->of(Optimisation::DeadPasses);
+    const Spread* ms = editor.model().facts().saved->find(Optimisation::DeadPasses);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedTimeRounds);
     EXPECT_LE(ms->median_low, ms->median_high);

@@ -93,7 +93,7 @@ TEST(FrontierPanel, AClickOnADotTakesItsSettingsAndIsUndone) {
 
 TEST(FrontierPanel, AdviceNamesWhatBetterCosts) {
     Panel p;
-    const Advice& advice = p.ui.sweep->view.advice;
+    const FrontierAdvice& advice = p.ui.sweep->view.advice;
     ASSERT_TRUE(advice.better);
     EXPECT_EQ(p.ui.sweep->cases[p.ui.sweep->view.marks[*advice.better].of].settings[0].second, "pcf5");
     EXPECT_DOUBLE_EQ(advice.extra_cost, 4);

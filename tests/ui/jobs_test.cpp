@@ -374,7 +374,7 @@ TEST_F(WindowJobs, OfModelsPresetsAndKeys) {
         EXPECT_TRUE(fixed("far.json", [](const json& s) { return s.value("bias.constant", 0.1) < 60; }));
         twin_key('C');
         EXPECT_EQ(saved("far.json").value("bias.constant", 0.1), twin().settings.bias.constant);
-        EXPECT_TRUE(verdict().starts_with("right: in shadow, as in truth")) << verdict();
+        EXPECT_TRUE(verdict().starts_with("right: in shadow, as in the reference")) << verdict();
         EXPECT_TRUE(wait_until([&] { return reads_as_twin(U"right:inshadow,asintruth"); })) << "the window says less";
     });
     job("own_model", 6, [&] {

@@ -77,7 +77,7 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
         ui.state.window.open_tab = BottomTab::Probe;
         ui.sections = std::make_shared<const std::vector<Section>>(1, step_of_shadow());
         ui.frames(5);
-        EXPECT_FALSE(printed(ui, U"a texel a step"));
+        EXPECT_FALSE(printed(ui, U"one step per texel"));
         ASSERT_EQ(ui.state.probe_panel.section_views.views.size(), 1u);
         const std::vector<LegendRow> legend = ui.state.probe_panel.section_views.views[0].drawing.legend;
         ASSERT_GE(legend.size(), 5u);
@@ -87,9 +87,9 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
             ui.frames(3);
             for (const LegendRow& row : legend)
                 EXPECT_TRUE(ui.drawn().shows(std::string(row.text))) << row.text << " is not told, or is cut";
-            EXPECT_FALSE(printed(ui, U"what the light sees in truth")) << "nothing was traced";
+            EXPECT_FALSE(printed(ui, U"first surface from the light")) << "nothing was traced";
             EXPECT_FALSE(printed(ui, U"tap lit"));
-            const auto words = ui.drawn().find(U"atexelastep");
+            const auto words = ui.drawn().find(U"onesteppertexel");
             ASSERT_TRUE(words);
             EXPECT_GT(words->x, drawing.lo.x + drawing.size.x) << "hidden by its words";
             for (const LegendRow& row : legend) {
@@ -106,11 +106,11 @@ TEST(SectionView, TellsUnderTheMouseWhatItsMarksMean) {
         EXPECT_EQ(ui.state.probe_panel.section_views.drawn, drawn) << "laid out once";
         ui.move({5, 5});
         ui.frames(3);
-        EXPECT_FALSE(printed(ui, U"a texel a step"));
+        EXPECT_FALSE(printed(ui, U"one step per texel"));
         ui.click(drawing.lo + 0.5f * drawing.size, 1);
         ui.frames(2);
         EXPECT_TRUE(printed(ui, U"Save the drawing (PNG and SVG)"));
-        EXPECT_FALSE(printed(ui, U"a texel a step")) << "the menu stands alone";
+        EXPECT_FALSE(printed(ui, U"one step per texel")) << "the menu stands alone";
     }
 }
 
@@ -163,7 +163,7 @@ TEST(EditorSection, IsMadeOnceAndOnlyWhileThePanelIsShown) {
     editor.settle();
     const Sections shown = editor.model().facts().sections;
     ASSERT_TRUE(shown && shown->size() == 1);
-    EXPECT_TRUE(shown->at(0).classified) << "with the truth";
+    EXPECT_TRUE(shown->at(0).classified) << "with the reference";
     EXPECT_FALSE(shown->at(0).profile.empty());
     for (int i = 0; i < 5; ++i) editor.frame();
     EXPECT_EQ(editor.model().facts().sections, shown) << "kept";

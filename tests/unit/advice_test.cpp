@@ -49,7 +49,8 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
              set_setting(s, "filter.kernel", "pcss");
              f.penumbra_texels = 0.4;
          },
-         "filter.kernel=hw2x2", "the penumbra is at most 0.4 texels wide here: PCSS buys nothing over 2×2 bilinear"},
+         "filter.kernel=hw2x2",
+         "the penumbra is at most 0.4 texels wide here: PCSS has no advantage over 2×2 bilinear"},
         {"cascades",
          [](Settings& s, AdviceFacts& f) {
              s.lights[0].cascades = 4;
@@ -67,9 +68,10 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"unread-texels", [](Settings&, AdviceFacts& f) { f.read_share = 0.08; }, "map.resolution=1024",
          "8 % of the map's texels are read: a tighter fit gives the same sharpness at 1024"},
         {"fine-map", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "map.resolution=1024", "0.2 pixels"},
-        {"unseen-blur", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "filter.kernel=hard", "no one sees"},
+        {"unseen-blur", [](Settings&, AdviceFacts& f) { f.texel_px = 0.2; }, "filter.kernel=hard",
+         "which is invisible"},
         {"moments", [](Settings& s, AdviceFacts&) { set_setting(s, "filter.kernel", "vsm"); }, "filter.kernel=pcf",
-         "directly"},
+         "direct comparison"},
         {"bias",
          [](Settings&, AdviceFacts& f) {
              f.needs.pixels = 100;
@@ -92,7 +94,7 @@ TEST(AdviceRules, SpeakWhereFactsCallForThem) {
         {"gathers", [](Settings& s, AdviceFacts&) { s.filter.method = FilterMethod::Sampler; }, "filter.method=auto",
          "gathers give the same picture"},
         {"separate-visibility", [](Settings& s, AdviceFacts&) { s.shading.separate_visibility = true; },
-         "shading.separate_visibility=false", "apart"},
+         "shading.separate_visibility=false", "a pass of its own"},
     };
     for (const Case& c : cases) {
         SCOPED_TRACE(c.rule);
@@ -154,7 +156,7 @@ std::vector<TriedAdvice> tried(const std::vector<MadeUp>& world, const std::vect
     Settings base;
     base.map.resolution = 0;
     AdviceMeter meter;
-    meter.judge = [&](const Settings& s, int) {
+    meter.classify = [&](const Settings& s, int) {
         const MadeUp& w = world[std::size_t(s.map.resolution)];
         return MeasuredSettings{.error = w.error, .noise = 0, .work = {.bytes_touched = w.bytes}};
     };
@@ -198,7 +200,7 @@ TEST(Advice, IsRankedByWhatItSavesForTheErrorItAdds) {
 TEST(Advice, WhatIsNoneForNothingIsOfferedForWhatItCosts) {
     int classified = 0;
     AdviceMeter meter;
-    meter.judge = [&](const Settings& s, int) {
+    meter.classify = [&](const Settings& s, int) {
         return ++classified,
                MeasuredSettings{.error = s.map.resolution == 1 ? 0.03 : 0.01, .noise = 0, .work = {}, .camera = {}};
     };
@@ -226,7 +228,7 @@ TEST(Advice, WhatMovesTheCameraCannotBeJudged) {
     AdviceIdea idea{.rule = "made up", .sentence = "turn", .settings = {}};
     idea.settings.map.resolution = 1;
     AdviceMeter meter;
-    meter.judge = [](const Settings& s, int) {
+    meter.classify = [](const Settings& s, int) {
         MeasuredSettings j;
         j.camera.eye.x = s.map.resolution;
         return j;
@@ -265,7 +267,7 @@ TEST(Findings, ComeWorstFirstAndWithWhatCuresMost) {
         return x.text.find("200 pixels, 20 %") != std::string::npos;
     });
     ASSERT_NE(acne, found.end());
-    EXPECT_EQ(acne->fix, "most puts 190 of them right, and breaks 1 others");
+    EXPECT_EQ(acne->fix, "most cures 190 of them and breaks 1 others");
     EXPECT_EQ(acne->settings.front().second, "3");
 }
 

@@ -50,13 +50,13 @@ TEST(Frontier, FailedCasesAreNeverOnIt) {
 TEST(Frontier, AdviceNamesTheNextBetterAndTheCheaper) {
     const std::vector<Dot> dots = {{1, 10}, {2, 5}, {4, 1}, {9, 0.5}};
     const auto on = frontier(dots);
-    const Advice advice = advise({3, 5}, dots, on);
+    const FrontierAdvice advice = frontier_advice({3, 5}, dots, on);
     ASSERT_TRUE(advice.better && advice.cheaper);
     EXPECT_EQ(*advice.better, 2u);
     EXPECT_DOUBLE_EQ(advice.extra_cost, 1);
     EXPECT_EQ(*advice.cheaper, 1u);
     EXPECT_DOUBLE_EQ(advice.saved_cost, 1);
-    const Advice best = advise({9, 0.5}, dots, on);
+    const FrontierAdvice best = frontier_advice({9, 0.5}, dots, on);
     EXPECT_FALSE(best.better || best.cheaper);
 }
 

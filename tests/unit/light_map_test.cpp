@@ -73,7 +73,7 @@ void expect_sound(const ReferenceGeometry& geometry, const LightMapLayout& layou
             EXPECT_EQ(chart.object, object);
             const TriangleWs corners = geometry.triangle(object, t);
             for (const glm::dvec3& p : {corners.a, corners.b, corners.c}) {
-                const glm::dvec2 at = layout.place(chart, p);
+                const glm::dvec2 at = layout.atlas_position(chart, p);
                 EXPECT_GE(at.x, chart.rect.x + 1 - 1e-6);
                 EXPECT_GE(at.y, chart.rect.y + 1 - 1e-6);
                 EXPECT_LE(at.x, chart.rect.x + chart.rect.z - 1 + 1e-6);
@@ -92,10 +92,11 @@ TEST(LightMapLayout, PacksChartsApartWithTheirGutters) {
             const LightMapLayout layout = light_map_layout(*geometry, side);
             expect_sound(*geometry, layout);
             EXPECT_GT(layout.texels_per_metre, 2 * before);
-            EXPECT_GT(layout.used(), side == 1024 ? 0.5 : 0.3);
+            EXPECT_GT(layout.used_share(), side == 1024 ? 0.5 : 0.3);
             before = layout.texels_per_metre;
             std::printf("%-8s %4d: %5zu charts of %zu triangles, %.1f texels/m, %.0f %% used\n", name, side,
-                        layout.charts.size(), layout.chart_of.size(), layout.texels_per_metre, 100 * layout.used());
+                        layout.charts.size(), layout.chart_of.size(), layout.texels_per_metre,
+                        100 * layout.used_share());
         }
     }
 }

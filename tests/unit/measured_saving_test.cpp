@@ -55,23 +55,23 @@ TEST(Saved, DrawsAsManyFramesAsItSaysAndReportsToTheEnd) {
 
 TEST(Saved, AnEffectIsWorthItsSavingOrThePassThatWasReused) {
     SavedTimes times;
-    times.savings.push_back({kOptimisation, {.median = 2}});
+    times.optimisations.push_back({kOptimisation, {.median = 2}});
     PassTime pass;
     pass.name = "shadow map 0 (spot)";
     pass.gpu_ms.median = 7;
     times.frame.passes.push_back(pass);
     Effect effect{.name = "map", .state = EffectState::Cached, .pass = pass.name};
-    ASSERT_TRUE(times.of(effect));
-    EXPECT_EQ(times.of(effect)->median, 7);
+    ASSERT_TRUE(times.find(effect));
+    EXPECT_EQ(times.find(effect)->median, 7);
     effect.part = true;
-    EXPECT_FALSE(times.of(effect)) << "the pass's time is not this one's alone";
-    effect.saving = kOptimisation;
-    ASSERT_TRUE(times.of(effect));
-    EXPECT_EQ(times.of(effect)->median, 2);
+    EXPECT_FALSE(times.find(effect)) << "the pass's time is not this one's alone";
+    effect.optimisation = kOptimisation;
+    ASSERT_TRUE(times.find(effect));
+    EXPECT_EQ(times.find(effect)->median, 2);
     effect = {.name = "blur", .state = EffectState::NotNeeded, .pass = pass.name};
-    EXPECT_FALSE(times.of(effect)) << "nothing spares it";
+    EXPECT_FALSE(times.find(effect)) << "nothing spares it";
     EXPECT_EQ(optimisations_of(std::vector<Effect>{effect}).size(), 0u);
-    effect.saving = kOptimisation;
+    effect.optimisation = kOptimisation;
     EXPECT_EQ(optimisations_of(std::vector<Effect>{effect, effect}).size(), 1u);
 }
 

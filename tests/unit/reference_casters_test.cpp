@@ -66,7 +66,7 @@ TEST(AlphaTexture, WrapsAndFiltersAsGlDoes) {
     t.height = 1;
     t.rgba = {0, 0, 0, 0, 0, 0, 0, 255};
     t.nearest_mag = true;
-    const auto at = [&](double u) { return AlphaTexture(t).at({u, 0.5}); };
+    const auto at = [&](double u) { return AlphaTexture(t).sample({u, 0.5}); };
     EXPECT_EQ(at(0.25), 0);
     EXPECT_EQ(at(0.75), 1);
     EXPECT_EQ(at(1.25), 0);

@@ -220,11 +220,11 @@ TEST(SectionDrawing, TheLegendHoldsWhatIsDrawnAndNoMore) {
 
 TEST(SectionDrawing, TheLegendSaysWhatThisPixelHas) {
     const SectionDrawing dark = draw_section(acne(), {});
-    EXPECT_EQ(told(dark), (std::vector<std::string>{
-                              "depths that the map stores, a texel a step", "in shadow, by the map",
-                              "what the light sees in truth", "the surface's plane",
-                              "compared with the texel's depth: lit", "compared with the texel's depth: in shadow",
-                              "biases that are right", "tap lit", "tap in shadow by the surface itself"}));
+    EXPECT_EQ(told(dark), (std::vector<std::string>{"stored depths, one step per texel", "in shadow, by the map",
+                                                    "first surface from the light, by rays", "the surface's plane",
+                                                    "compared with the texel's depth: lit",
+                                                    "compared with the texel's depth: in shadow", "right depth biases",
+                                                    "tap lit", "tap in shadow by the surface itself"}));
     EXPECT_EQ(told(draw_section(acne(), {.height = 300, .captions = false})), told(dark)) << "the same words";
     const SectionDrawing lifted = draw_section(peter_panning(), {});
     EXPECT_TRUE(tells(lifted, "tap lit"));
@@ -415,7 +415,7 @@ TEST(SectionDrawing, ASurfaceBesideTheCutHasItsOwnPlaneAndTheNoteSaysSo) {
     EXPECT_NEAR(middle.y, beside.zero_y, 1e-6);
     EXPECT_NEAR(way.y / way.x, -beside.along / beside.across, 1e-6) << "parallel";
     const std::string told = muted_words(draw_section(s, {}));
-    for (const char* part : {"0.49 texels beside the cut", "7.32 texels beside the cut", "150 mm", "117 mm", "dashes"})
+    for (const char* part : {"0.49 texels off the cut", "7.32 texels off the cut", "150 mm", "117 mm", "dashes"})
         EXPECT_NE(told.find(part), std::string::npos) << part << " in: " << told;
 }
 

@@ -560,7 +560,7 @@ TEST(Results, NumbersSurviveTheJournalToTheLastDigit) {
         samples.total_ms.push_back(ms);
         samples.maps_ms.push_back(ms / 4);
     }
-    const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summary(samples)};
+    const CaseNumbers numbers{.error = c.error, .cost = c.cost, .time = summarise_times(samples)};
     const OrderedJson row = {{"error", error_json(c.error.metrics, c.error.noise)},
                              {"cost", cost_json(c.cost)},
                              {"time", time_json(*numbers.time)}};

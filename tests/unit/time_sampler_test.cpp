@@ -57,7 +57,7 @@ TEST(TimeSampler, SamplesOfSeveralTurnsAreOne) {
     turn = {};
     turn.add(frame_of(5, 3));
     all.add(turn);
-    const TimeMeasurement m = summary(all);
+    const TimeMeasurement m = summarise_times(all);
     EXPECT_EQ(m.total_ms.samples, 3);
     EXPECT_DOUBLE_EQ(m.total_ms.median, 5);
     EXPECT_DOUBLE_EQ(m.maps_ms.high, 5);
@@ -125,7 +125,7 @@ TEST(TimeSampler, ItsNoiseIsThatBetweenBursts) {
     two.add(frame_of(1, 0));
     two.burst_ended = true;
     two.add(frame_of(1, 0));
-    EXPECT_FALSE(summary(two).settled) << "two bursts tell nothing";
+    EXPECT_FALSE(summarise_times(two).settled) << "two bursts tell nothing";
 }
 
 TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
@@ -133,7 +133,7 @@ TEST(TimeSampler, DepthBlurIsAPartOfTheMaps) {
     f.passes.push_back({"another change of the maps", PassState::Drawn, "", 7, 0, 0, 0, PassCategory::Maps});
     TimeSamples samples;
     samples.add(f);
-    const TimeMeasurement m = summary(samples);
+    const TimeMeasurement m = summarise_times(samples);
     EXPECT_DOUBLE_EQ(m.maps_ms.median, 9);
     EXPECT_DOUBLE_EQ(m.picture_ms.median, 3);
 }

@@ -62,7 +62,7 @@ BiasSearch searched(const MadeUpFrame& frame, const BiasSearch::Options& options
     BiasSearch search(Settings{}, options);
     double progress = 0;
     for (int i = 0; i < 200 && !search.done(); ++i) {
-        search.report(frame.shown(search.next().bias));
+        search.add_trial(frame.shown(search.next_settings().bias));
         EXPECT_GE(search.progress(), progress);
         progress = search.progress();
     }
@@ -79,7 +79,7 @@ TEST(BiasSearch, FindsTheLeastFactorOfEachFamily) {
         EXPECT_LT(search.trials(), 60);
         for (const BiasFound& f : search.found()) {
             EXPECT_EQ(frame.shown(f.bias).acne(), 0u) << family_label(f.family);
-            EXPECT_GT(frame.shown(scaled(f.bias, 0.97)).acne(), 0u) << family_label(f.family) << ": not the least";
+            EXPECT_GT(frame.shown(scale_bias(f.bias, 0.97)).acne(), 0u) << family_label(f.family) << ": not the least";
             EXPECT_EQ(f.trial.acne(), 0u);
         }
         if (harder > 1) continue;
@@ -110,7 +110,7 @@ TEST(BiasSearch, SaysWhenNothingHelps) {
     ASSERT_NE(search.nearest(), nullptr);
     EXPECT_GT(search.nearest()->trial.acne(), 0u);
     BiasSearch dark(Settings{});
-    dark.report({});
+    dark.add_trial({});
     EXPECT_TRUE(dark.done()) << "nothing is lit";
 }
 
@@ -127,20 +127,20 @@ struct MadeUpWorld {
 
     Tuner run(const TuneGoals& goals) {
         Tuner tuner(Settings{}, goals);
-        for (int i = 0; i < 1000 && tuner.ask() != Tuner::Ask::Nothing; ++i) {
+        for (int i = 0; i < 1000 && tuner.action() != Tuner::Action::None; ++i) {
             const Settings s = tuner.settings();
-            if (tuner.ask() == Tuner::Ask::Time) {
+            if (tuner.action() == Tuner::Action::Time) {
                 timed.push_back(s);
-                tuner.timed(ms(s));
+                tuner.add_time(ms(s));
                 continue;
             }
             ++classified;
             const MadeUpFrame frame{.kappa = reach_of(s).bias};
             BiasTrial t = frame.shown(s.bias);
             t.error.mae = error(s);
-            tuner.classified(t);
+            tuner.add_trial(t);
         }
-        EXPECT_EQ(tuner.ask(), Tuner::Ask::Nothing);
+        EXPECT_EQ(tuner.action(), Tuner::Action::None);
         EXPECT_EQ(tuner.progress(), 1);
         return tuner;
     }
@@ -148,7 +148,7 @@ struct MadeUpWorld {
     static std::optional<Settings> best(const TuneGoals& goals) {
         std::optional<Settings> best;
         for (const std::string_view kernel : sweep_kernels())
-            for (int n = 256; n <= goals.most_resolution; n *= 2) {
+            for (int n = 256; n <= goals.max_resolution; n *= 2) {
                 Settings s;
                 set_setting(s, "filter.kernel", kernel);
                 s.map.resolution = n;

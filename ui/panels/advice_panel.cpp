@@ -144,7 +144,8 @@ void advice_list(Settings& settings, const std::vector<TriedAdvice>& list, bool 
 
 void show_report(Settings& settings, const AdviceReport& r, bool current) {
     ImGui::TextDisabled("Now %s %.4g, %s ms a frame %s", std::string(r.options.error->label).c_str(), r.before.error,
-                        digits_text(r.time.total_ms.median).c_str(), std::string(row_of(r.options.cost).when).c_str());
+                        digits_text(r.time.total_ms.median).c_str(),
+                        std::string(cost_row(r.options.cost).when).c_str());
     if (!current) ImGui::TextDisabled("of other settings: run again");
     if (r.holds.empty()) ImGui::TextDisabled("Nothing that was tried is better.");
     advice_list(settings, r.holds, current, "advice");
@@ -155,9 +156,9 @@ void show_report(Settings& settings, const AdviceReport& r, bool current) {
 }
 
 void show_flight(Settings& settings, const AutopilotResult& r, bool current, Changes changes) {
-    coloured_text(r.summary, r.held ? theme::text() : theme::warning());
+    coloured_text(r.summary, r.goals_met ? theme::text() : theme::warning());
     if (!current) ImGui::TextDisabled("of other settings: run again");
-    if (r.held) apply_button(settings, changes, current);
+    if (r.goals_met) apply_button(settings, changes, current);
     for (const DroppedEffect& d : r.dropped)
         ImGui::BulletText("%s", fmt::format("{}: {} instead of {}, which would have cost {} (error {:.3g} with it)",
                                             d.key, d.now, d.before, time_text(d.ms), d.error)

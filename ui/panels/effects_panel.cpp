@@ -54,7 +54,7 @@ Room room_of(float ems) {
 /// By shape and word, so that nobody has to tell colours apart.
 void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
-    const std::string shape = kShapes[std::size_t(state)], word(effect_state_key(state));
+    const std::string shape = kShapes[std::size_t(state)], word(effect_state_label(state));
     const std::string text = room <= Room::Narrow ? shape : fmt::format("{} {}", shape, word);
     ImGui::PushStyleColor(ImGuiCol_Text, state == EffectState::NotNeeded ? theme::muted() : theme::text());
     ImGui::TextUnformatted(text.c_str());
@@ -235,15 +235,15 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
-        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, sharing_optimisation_count(facts.effects, effect),
+        saved_cell(facts.saved ? facts.saved->find(effect) : nullptr, sharing_optimisation_count(facts.effects, effect),
                    facts.saved_times_current);
-    if (effect.saving && ImGui::TableSetColumnIndex(index_of(Column::Force)))
-        force_box(panel.forced, *effect.saving, "##force");
+    if (effect.optimisation && ImGui::TableSetColumnIndex(index_of(Column::Force)))
+        force_box(panel.forced, *effect.optimisation, "##force");
 }
 
 /// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
-    const bool forced = effect.saving && panel.forced.contains(*effect.saving);
+    const bool forced = effect.optimisation && panel.forced.contains(*effect.optimisation);
     return panel.only_needed && effect.state == EffectState::NotNeeded && !forced;
 }
 

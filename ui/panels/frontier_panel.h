@@ -42,7 +42,7 @@ struct FrontierView {
     std::vector<Mark> marks;
     std::optional<Dot> present;  ///< SweepFacts::present
     std::optional<Dot> before;   ///< SweepFacts::before
-    Advice advice;               ///< better cases than the present settings, as indices of marks
+    FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
 /// Facts of the panel.

@@ -188,9 +188,9 @@ void window_bar(const PixelDiagnosis& d) {
 void reference_column(const PixelDiagnosis& d) {
     window_bar(d);
     if (begin_amounts("window")) {
-        amount_row("needed", d.least, "The window of biases that are right begins here");
+        amount_row("needed", d.least, "The window of right depth biases begins here");
         amount_row("have", d.has, "Equivalent depth bias of all bias, against acne");
-        amount_row("shift towards the light", d.lifted, "Shift of the compared depth towards the light by bias");
+        amount_row("shift towards the light", d.shift, "Shift of the compared depth towards the light by bias");
         amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
         ImGui::EndTable();
     }
@@ -200,7 +200,8 @@ void reference_column(const PixelDiagnosis& d) {
     ImGui::TextUnformatted(reference.c_str());
 }
 
-/// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
+/// Formats a fix for its button: "Fix: Normal offset 0.445 texels (equivalent depth bias 0.63 texels)". The bias is
+/// left out where there is no room.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
     const std::string brief = "Fix: " + fix_text(fix, settings);
     const std::string whole = brief + equivalent_bias_text(fix);

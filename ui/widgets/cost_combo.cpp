@@ -14,7 +14,7 @@ void choose_cost(const char* label, CostCase& cost) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(ImGui::GetFontSize() * 13);
     ImGui::PushID(label);
-    if (begin_combo("##cost", std::string(row_of(cost).when))) {
+    if (begin_combo("##cost", std::string(cost_row(cost).when))) {
         for (std::size_t i = 0; i < cost_cases().size(); ++i) {
             const CostRow& row = cost_cases()[i];
             if (ImGui::Selectable(std::string(row.when).c_str(), cost == CostCase(i))) cost = CostCase(i);
@@ -22,7 +22,7 @@ void choose_cost(const char* label, CostCase& cost) {
         }
         ImGui::EndCombo();
     } else if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("Of which frames times are, ms. %s", std::string(row_of(cost).help).c_str());
+        ImGui::SetTooltip("Of which frames times are, ms. %s", std::string(cost_row(cost).help).c_str());
     }
     ImGui::PopID();
 }
