@@ -20,7 +20,7 @@ struct PictureSize {
     int width = 1280, height = 720;
 };
 
-/// Parses the value of --size, "1280x720". @throws UsageError
+/// Parses the value of --size, such as "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
 
 /// Parses a pixel "X,Y" (from the top left) within a picture of `size`. @param option name of the option, for the
@@ -88,7 +88,7 @@ struct PrecisionOptions {
 };
 /// Runs `precision`: prints the error of single against double precision for each way to compute map coordinates.
 void run_precision(const PrecisionOptions& options);
-/// Keys of the series that `precision --over` accepts (distance, scale, ...).
+/// Returns the keys of the series that `precision --over` accepts (distance, scale, ...).
 std::vector<std::string_view> precision_series();
 
 /// Options of the command `shimmer`.
@@ -112,10 +112,10 @@ struct TuneOptions {
     bool json = false;
     bool check_numeric = false;
 };
-/// Runs `tune`: writes a preset with the least bias that leaves no acne. With limits it also picks kernel and
-/// resolution.
+/// Runs the command `tune`: writes a preset with the least bias that leaves no acne. With limits the search also picks
+/// kernel and resolution.
 void run_tune(const TuneOptions& options);
-/// Keys of the metrics that `tune --error` accepts.
+/// Returns the keys of the metrics that `tune --error` accepts.
 std::vector<std::string_view> tuned_errors();
 
 /// Finds a metric that `tune --error` accepts. @param key empty: the first one @throws UsageError listing the known
@@ -134,7 +134,8 @@ struct AdviseOptions {
     bool json = false;
     bool check_numeric = false;
 };
-/// Runs `advise`: prints settings that the scene allows to change, each measured. With a limit it runs the autopilot.
+/// Runs the command `advise`: prints changes of settings that the scene allows, each measured. With a limit the
+/// autopilot runs instead.
 void run_advise(const AdviseOptions& options);
 
 /// Options of the command `probe`.
@@ -154,9 +155,9 @@ struct ListOptions {
     std::string prefix;  ///< lists only keys that begin with it
     bool json = false;
 };
-/// Runs `list`: prints the rows of one table (settings, filters, presets, ...).
+/// Runs the command `list`: prints the rows of one table (settings, filters, presets, ...).
 void run_list(const ListOptions& options);
-/// Tables that `list` knows: settings, filters, fits, views, overlays, scenes, presets, ...
+/// Returns the names of the tables that `list` prints: settings, filters, fits, views, overlays, scenes, presets, ...
 const std::vector<std::string>& list_kinds();
 
 /// Runs `info`: prints the OpenGL driver, its limits and the program's version.
@@ -183,7 +184,7 @@ void run_preset_show(const std::string& file);
 /// Runs `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in preset, or
 /// "default".
 void run_preset_diff(const std::string& before, const std::string& after, bool json);
-/// Title, topic and description of a preset.
+/// Title, topic and description of a preset to be saved.
 struct PresetTexts {
     std::string title, topic, about;
 };

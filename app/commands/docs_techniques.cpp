@@ -11,7 +11,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/against.h"
+#include "app/report/compare.h"
 #include "app/session/command_line.h"
 #include "app/sweep/pictures.h"
 #include "app/sweep/progress_line.h"
@@ -209,8 +209,8 @@ public:
         line_.show(fmt::format("{} of {}  {}", ++done_, count_, e.label), false);
         const Classification classified = measurer_.judge(scene_, e.settings);
         const std::string file = picture_name(section, e);
-        pictures_[file] =
-            png_bytes(side_by_side(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));
+        pictures_[file] = png_bytes(
+            side_by_side_image(shrunk(classified.picture, kShownWidth), shrunk(classified.artefacts, kShownWidth)));
         return row_text(e, folder_ + "/" + file, classified);
     }
 

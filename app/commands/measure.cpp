@@ -9,7 +9,7 @@
 #include "app/base/notes.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/measure_json.h"
 #include "app/report/report.h"

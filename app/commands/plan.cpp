@@ -67,8 +67,8 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     if (options.check_numeric) plan.health = renderer.numeric_health(frame);
     if (options.measure)
         plan.saved =
-            measure_saved(renderer, session.scene, session.settings, request, named_optimisations(plan.effects),
-                          options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
+            measure_saved_times(renderer, session.scene, session.settings, request, named_optimisations(plan.effects),
+                                options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
     request.outputs.health = false;  // the search reads maps whole: what the picture needs of them would not show
     request.timing = options.measure;
     if (options.waste)
@@ -83,7 +83,7 @@ Json plan_json(const Session& session, const PlanOptions& options, const Planned
                  {"scene", session.scene_name},       {"width", options.size.width},
                  {"height", options.size.height},     {"measured", saved != nullptr}};
     json["effects"] = effects_json(plan.effects, saved);
-    json["savings"] = savings_json(saved);
+    json["savings"] = optimisations_json(saved);
     json["frame_ms"] = saved ? Json(saved->frame.total_ms.median) : Json();
     json["rounds"] = saved ? Json(saved->rounds) : Json();
     json["clock"] = saved ? Json(saved->frame.clock) : Json();

@@ -10,7 +10,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 #include "app/report/health_report.h"
 #include "app/report/probe_json.h"
 #include "app/report/report.h"

@@ -6,7 +6,7 @@
 #include "app/base/output.h"
 #include "app/commands/commands.h"
 #include "app/context/headless_context.h"
-#include "app/report/against.h"
+#include "app/report/compare.h"
 #include "app/report/health_report.h"
 #include "app/report/map_report.h"
 #include "app/report/report.h"
@@ -63,15 +63,15 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
         if (!frame.true_colour.texture) throw Error("--against truth: there is no light to trace the truth of");
         b = renderer.read_colour(frame.true_colour);
     } else {
-        Settings other = other_settings(settings, *preset);
+        Settings other = settings_with_shadows_of(settings, *preset);
         check_objects(session.scene, other, options.against, nullptr);
         request.outputs.true_colour = false;
         b = renderer.read_colour(
             render_with_reference(renderer, session.scene, other, request, references, tracing_workers()).colour);
     }
-    write_png(options.output, options.difference   ? difference(a, b)
-                              : options.swipe >= 0 ? swiped(a, b, options.swipe)
-                                                   : side_by_side(a, b));
+    write_png(options.output, options.difference   ? difference_image(a, b)
+                              : options.swipe >= 0 ? swipe_image(a, b, options.swipe)
+                                                   : side_by_side_image(a, b));
     return mean_difference(a, b);
 }
 

@@ -80,7 +80,7 @@ void run_sweep(const SweepOptions& options) {
     CaseSessions sessions(std::move(opened));
     sessions.add_scene(std::move(session.scene), session.settings.scene);
     sessions.check(spec.axes);
-    if (options.fresh) forget_sweep(folder);
+    if (options.fresh) remove_sweep_files(folder);
     std::vector<std::string> notes = session.notes;
     notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
 
@@ -126,7 +126,7 @@ void run_merge(const MergeOptions& options) {
         throw Error(fmt::format("{}: was made by a version of the program that orders cases differently",
                                 options.parts.front()));
     require_sweep_folder(folder);
-    if (options.fresh) forget_sweep(folder);
+    if (options.fresh) remove_sweep_files(folder);
     for (const std::string& part : options.parts) copy_pictures(part, folder);
     // What the folder holds already stays: merging is a continuation, too.
     Journal journal(folder, merged.spec, merged.plan);

@@ -15,7 +15,7 @@ ImGuiSession::ImGuiSession(float scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     theme::load_fonts(scale);
-    theme::apply(scale);
+    theme::apply_style(scale);
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
         ImGui::DestroyContext();
         throw Error("the editor cannot draw: ImGui found no OpenGL functions; is libGL installed?");

@@ -19,8 +19,8 @@ public:
 
     /// Draws the output of ImGui::Render() into the bound framebuffer of this size in pixels.
     void draw(int width, int height);
-    /// Renders one draw list into an image of its own; coordinates are pixels from the upper left, top row first.
-    /// Leaves the default framebuffer bound.
+    /// Renders one ImGui draw list into an image of its own, top row first. The list's coordinates are pixels from the
+    /// upper left. Leaves the default framebuffer bound.
     ByteImage render_list(ImDrawList& list, int width, int height);
 };
 

@@ -127,7 +127,7 @@ MouseQueue::Step InputQueue::next() {
         waiting_.pop_front();
     }
     shown_ = held_ | run.down;
-    return mouse_.stay(run.at);
+    return mouse_.step_without_change(run.at);
 }
 
 InputQueue::Strokes InputQueue::take_strokes() {

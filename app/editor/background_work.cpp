@@ -20,20 +20,20 @@ bool BackgroundWork::poll(const Scene* scene) {
     const bool advised = poll_found(advice_);
     const bool compared = poll_found(pipelines_);
     const bool shimmered = poll_found(shimmer_);
-    return poll_found(saved_) || shimmered || compared || advised || cured || tuned;
+    return poll_found(optimisation_times_) || shimmered || compared || advised || cured || tuned;
 }
 
-bool BackgroundWork::fulfil_saved(const SceneLoader& scenes, const FrameRequest& request,
-                                  const EditorRequests& requests) {
-    if (requests.cancel_saved) saved_.cancel();
-    if (!requests.measure_saved) return requests.cancel_saved;
-    return attempt(state_, [&] { saved_.start(scenes.require(), state_.settings, request); });
+bool BackgroundWork::fulfil_optimisation_times(const SceneLoader& scenes, const FrameRequest& request,
+                                               const EditorRequests& requests) {
+    if (requests.cancel_measuring) optimisation_times_.cancel();
+    if (!requests.measure_saved_times) return requests.cancel_measuring;
+    return attempt(state_, [&] { optimisation_times_.start(scenes.require(), state_.settings, request); });
 }
 
 bool BackgroundWork::poll_tuning(const Scene* scene) {
-    const auto outcome = tuner_.end();
+    const auto outcome = bias_search_.poll();
     if (!outcome) return false;
-    if (!outcome->families.empty()) tuned_ = *outcome;
+    if (!outcome->families.empty()) tuning_ = *outcome;
     if (!outcome->found) {
         if (outcome->failed)
             report(state_, outcome->text);
@@ -63,7 +63,7 @@ void BackgroundWork::start_fixes(const Scene& scene, glm::ivec2 size, std::span<
     fixes_.start(scene, state_.settings, size.x, size.y, request.pixel, std::move(own));
 }
 
-void BackgroundWork::take_sweep_base() {
+void BackgroundWork::apply_sweep_base() {
     if (!sweep_.base()) return;
     const ViewSettings view = state_.settings.view;
     const int light = sweep_.base()->view.light;
@@ -80,8 +80,8 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
     };
     // A kernel must be drawn to be judged: a picture that is not shown has no size.
     request(requests.tune.has_value(),
-            [&] { tuner_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
-    if (requests.cancel_tune) tuner_.cancel();
+            [&] { bias_search_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
+    if (requests.cancel_tune) bias_search_.cancel();
     request(requests.find_fixes.has_value(),
             [&] { start_fixes(scenes.require(), size, diagnoses, *requests.find_fixes); });
     if (requests.cancel_fixes) fixes_.cancel();
@@ -89,7 +89,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
     request(requests.find_advice.has_value(),
             [&] { advice_.start(scenes.require(), state_.settings, size.x, size.y, *requests.find_advice); });
     if (requests.cancel_advice) advice_.cancel();
-    const auto present = [&] { return LabOf{scenes.require().id, state_.settings, size.x, size.y}; };
+    const auto present = [&] { return LabSubject{scenes.require().id, state_.settings, size.x, size.y}; };
     request(requests.compare_pipelines, [&] { pipelines_.start(scenes.require(), present()); });
     if (requests.cancel_pipelines) pipelines_.cancel();
     request(requests.measure_shimmer.has_value(),
@@ -103,15 +103,15 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
         sweep_.save(*requests.save_sweep);
         state_.log.add(LogKind::Info, "Saved " + *requests.save_sweep + "/report.html and its tables");
     });
-    request(requests.take_sweep_base, [&] { take_sweep_base(); });
+    request(requests.apply_sweep_base, [&] { apply_sweep_base(); });
     return changed;
 }
 
-bool BackgroundWork::follow(const Scene* scene, const EditorRequests& requests) {
+bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) {
     if (requests.want_present && scene)
-        sweep_.follow(*scene, state_.scene_name, state_.settings, state_.sweep);
+        sweep_.measure_present(*scene, state_.scene_name, state_.settings, state_.sweep);
     else
-        sweep_.unfollow();
+        sweep_.stop_measuring_present();
     const bool had_problem = !sweep_.facts().problem.empty();
     const bool changed = sweep_.update(state_);
     if (!had_problem && !sweep_.facts().problem.empty()) report(state_, "The sweep ended: " + sweep_.facts().problem);
@@ -119,15 +119,15 @@ bool BackgroundWork::follow(const Scene* scene, const EditorRequests& requests) 
 }
 
 void BackgroundWork::fill(EditorFrame& f, const Scene* scene, glm::ivec2 size) const {
-    f.tuning = tuner_.facts();
-    if (scene && tuned_ && tuned_->scene == scene->id) {
-        f.tuned = tuned_->families;
-        f.tuned_current = tuned_->is_about(state_.settings, size.x, size.y);
+    f.tuning = bias_search_.facts();
+    if (scene && tuning_ && tuning_->scene == scene->id) {
+        f.tuned = tuning_->families;
+        f.tuned_current = tuning_->is_about(state_.settings, size.x, size.y);
     }
     f.fixes = fixes_.facts(scene ? scene->id : 0, state_.settings, size.x, size.y);
-    saved_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
+    optimisation_times_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
     advice_.fill(f, scene ? scene->id : 0, state_.settings, size.x, size.y);
-    const LabOf present{scene ? scene->id : 0, state_.settings, size.x, size.y};
+    const LabSubject present{scene ? scene->id : 0, state_.settings, size.x, size.y};
     pipelines_.fill(f, present);
     shimmer_.fill(f, present);
     f.sweep = &sweep_.facts();

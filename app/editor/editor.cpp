@@ -118,7 +118,7 @@ bool take_file(FilePortal& portal, EditorModel& model) {
     const auto answer = portal.take_answer();
     if (!answer) return false;
     if (answer->kind == FilePortal::Answer::Kind::NoDialog) {
-        model.asks_desktop = false;
+        model.has_desktop_dialog = false;
         model.state.files.dialog.asked = true;  // the editor's own
     } else if (answer->kind == FilePortal::Answer::Kind::Chosen) {
         if (answer->job == FileDialog::Job::Open)
@@ -139,7 +139,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     ImGui::GetIO().ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
     EditorModel model(options, {}, {.context = window.sharing(), .wake = WindowContext::wake});
     FilePortal portal(WindowContext::wake);
-    model.asks_desktop = true;
+    model.has_desktop_dialog = true;
     std::string titled;
     const InterruptGuard interrupt;  // a batch system's end is an end like any other
     int due = kSettleFrames;         // frames still to draw before the editor may sleep
@@ -158,10 +158,10 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
             due = std::max(due, 1);
-        model.keep();
+        model.write_when_due();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         still = due == 0 && !model.busy() ? still + 1 : 0;
-        if (still == kStillLooks) model.rest();
+        if (still == kStillLooks) model.release_unused_memory();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;
@@ -186,12 +186,12 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         try {
             gl::check_context_alive();
         } catch (const gl::ContextLost&) {
-            model.keep_now();  // the next start offers it
+            model.save_autosave_now();  // the next start offers it
             throw;
         }
         window.hold_cursor(requests.hold_cursor);
         if (model.fulfil(requests)) due = std::max(due, 2);
-        if (requests.ask_desktop) portal.ask(*requests.ask_desktop, window.portal_name());
+        if (requests.open_desktop_dialog) portal.open_dialog(*requests.open_desktop_dialog, window.portal_name());
         if (!window.input().empty()) due = std::max(due, kSettleFrames);
         if (requests.redraw) due = std::max(due, 1);
         if (requests.quit) break;
@@ -201,7 +201,7 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         }
     }
     const auto [width, height] = window.size();
-    model.keep_window(width, height, window.maximised());
+    model.note_window_size(width, height, window.maximised());
     model.end();
     require_sound_session(model);
     return model.notes();
@@ -213,7 +213,7 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     if (!options.headless) return run_window(options);
     HeadlessEditor editor(options);
     editor.settle();
-    editor.smooth();
+    editor.add_all_samples();
     editor.model().require_scene();
     write_png(options.screenshot, editor.picture());
     editor.model().end();

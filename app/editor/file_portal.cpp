@@ -174,7 +174,7 @@ private:
 FilePortal::FilePortal(std::function<void()> wake) : wake_(std::move(wake)) {}
 FilePortal::~FilePortal() = default;
 
-void FilePortal::ask(const DesktopFileDialog& dialog, const std::string& parent_window) {
+void FilePortal::open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window) {
     dialog_.reset();  // one at a time: both would have the same name on the bus
     dialog_ = std::make_unique<Dialog>(dialog, parent_window, wake_);
 }

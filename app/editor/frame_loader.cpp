@@ -165,7 +165,7 @@ FrameLoader::FrameLoader(EditorState& state, FrameThread thread, SessionReport& 
     call([&] {
         if (draw_thread_->has_thread()) gl::set_background_drawing();
         loop_ = std::make_unique<FrameLoop>(draw_thread_->has_thread());
-        if (draw_thread_->has_thread()) copies_ = std::make_unique<Copies>();
+        if (draw_thread_->has_thread()) frame_copies_ = std::make_unique<Copies>();
     });
 }
 
@@ -173,7 +173,7 @@ FrameLoader::~FrameLoader() {
     wait();
     if (draw_thread_->done()) draw_thread_->take();
     call([&] {
-        copies_.reset();
+        frame_copies_.reset();
         loop_.reset();
     });
 }
@@ -208,7 +208,7 @@ bool FrameLoader::poll() {
         else
             state_.log.add(line.kind, line.text);
     }
-    if (news_.thaw) state_.frozen.reset();
+    if (news_.release_frozen_camera) state_.frozen.reset();
     return std::exchange(news_, {}).changed;
 }
 
@@ -220,7 +220,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
     EditorRequests requested = requests;
     requested.cancel_reference = std::exchange(missed_.cancel_reference, false);
     requested.save_error = std::exchange(missed_.save_error, {});
-    const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
+    const GLsync shown = frame_copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
     progress_.set({}, 0, 0);
     draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
@@ -228,7 +228,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
         const WatchPasses watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
-        if (copies_) show_copies(shown);
+        if (frame_copies_) show_copies(shown);
     });
     draw_thread_->wait_for(patience_);
     return poll() || changed;
@@ -236,7 +236,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
 
 void FrameLoader::show_copies(GLsync shown) {
     try {
-        copies_->show_copies(next_facts_, news_.changed, shown);
+        frame_copies_->show_copies(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
         // Without its copies there is no picture; settings stay, and the next frame may find memory.
         news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});
@@ -265,8 +265,8 @@ void FrameLoader::clear() {
     facts_ = {};
 }
 
-void FrameLoader::rest() {
-    if (!busy()) call([&] { loop_->rest(); });
+void FrameLoader::release_unused_memory() {
+    if (!busy()) call([&] { loop_->release_unused_memory(); });
 }
 
 void FrameLoader::save_map(const Scene& scene, const std::string& path) {

@@ -55,11 +55,11 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
         news_.changed |= read_back_.update_frozen(renderer_, scene, state, requests);
     } catch (const std::exception& e) {
         report(e.what());
-        news_.thaw = true;
+        news_.release_frozen_camera = true;
     }
     const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
-    if (!drawn) news_.changed |= smooth(scene, state, requests);
+    if (!drawn) news_.changed |= add_sample(scene, state, requests);
     news_.changed |= follow_read_back(scene, state, requests, drawn);
     try {
         news_.changed |= follow_reference(scene, state, requests, drawn, comparison);
@@ -151,7 +151,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
         driver_reset_ = false;
         problem_.clear();
         if (requests.search_all) require_sound_numbers(scene);
-        foresee_programs(scene);
+        queue_likely_shaders(scene);
     } catch (const std::exception& e) {
         drawn_ = false;
         driver_reset_ = dynamic_cast<const gl::ContextLost*>(&e) != nullptr;
@@ -174,7 +174,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     report(news_.unsound);
 }
 
-bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
+bool FrameLoop::add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !requests.at_rest || smoothed_ >= kSmoothedMost || !view.smooth) return false;
     if (view.slabs != Slabs::None || state.comparison.view != ComparisonView::Off || state.pinned) return false;
@@ -205,14 +205,14 @@ void FrameLoop::report_smoothing(const FrameResult& more) {
     frame_effects_.clear();
 }
 
-void FrameLoop::foresee_programs(const Scene& scene) {
+void FrameLoop::queue_likely_shaders(const Scene& scene) {
     if (!warmup_) return;
     if (!foreseen_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
     // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.
     WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = request_};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
     next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
-    warmup_->foresee(std::move(next));
+    warmup_->enqueue(std::move(next));
 }
 
 bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests,

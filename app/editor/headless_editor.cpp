@@ -53,7 +53,7 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
     model_->smooths = false;
 }
 
-void HeadlessEditor::smooth() {
+void HeadlessEditor::add_all_samples() {
     model_->smooths = true;
     for (int i = 0; i <= kSmoothedMost; ++i) {
         frame();

@@ -7,14 +7,14 @@ namespace si {
 namespace {
 
 /// Returns true if a measurement is about the present scene, settings and size.
-bool holds(const LabOf& of, const LabOf& present) {
+bool holds(const LabSubject& of, const LabSubject& present) {
     return of.scene == present.scene && of.width == present.width && of.height == present.height &&
            measured_settings(of.settings) == measured_settings(present.settings);
 }
 
 }  // namespace
 
-void EditorPipelines::start(const Scene& scene, const LabOf& of) {
+void EditorPipelines::start(const Scene& scene, const LabSubject& of) {
     job_.start(
         [copy = std::make_shared<const Scene>(scene), of](const Workers&, const auto&) {
             const HeadlessContext context;
@@ -24,18 +24,18 @@ void EditorPipelines::start(const Scene& scene, const LabOf& of) {
         {"four pipelines", 0});
 }
 
-void EditorPipelines::fill(LabFacts& shown, const LabOf& present) const {
+void EditorPipelines::fill(LabFacts& shown, const LabSubject& present) const {
     shown.comparing_pipelines = job_.progress();
     if (!found_) return;
     shown.pipelines = found_->errors;
     // The ways compared are all there are, whichever is chosen.
-    LabOf of = found_->of;
+    LabSubject of = found_->of;
     of.settings.map.origin = present.settings.map.origin;
     of.settings.map.transform = present.settings.map.transform;
     shown.pipelines_current = holds(of, present);
 }
 
-void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOptions& options) {
+void EditorShimmer::start(const Scene& scene, const LabSubject& of, const ShimmerOptions& options) {
     job_.start(
         [copy = std::make_shared<const Scene>(scene), of, options](const Workers& workers, const auto& report) {
             ShimmerFound out{{}, options, of};
@@ -56,7 +56,7 @@ void EditorShimmer::start(const Scene& scene, const LabOf& of, const ShimmerOpti
         {"the first frame", 0});
 }
 
-void EditorShimmer::fill(LabFacts& shown, const LabOf& present) const {
+void EditorShimmer::fill(LabFacts& shown, const LabSubject& present) const {
     shown.measuring_shimmer = job_.progress();
     if (!found_) return;
     shown.shimmer = found_->variants;

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/report/against.h"
+#include "app/report/compare.h"
 #include "renderer/gl/driver_failure.h"
 
 namespace si {
@@ -71,7 +71,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
         facts_->problem = comparison->problem;
         return;
     }
-    Settings settings = other_settings(state.settings, comparison->settings);
+    Settings settings = settings_with_shadows_of(state.settings, comparison->settings);
     settings.view.panes = Panes::One;
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_reference_ == request.reference &&
@@ -112,7 +112,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
 void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
     const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
     if (a.width != b.width || a.height != b.height) return;
-    difference_ = std::make_unique<Texture>(difference(a, b));
+    difference_ = std::make_unique<Texture>(difference_image(a, b));
     facts_->difference = {difference_->id, difference_->width, difference_->height};
     facts_->mae = mean_difference(a, b);
 }

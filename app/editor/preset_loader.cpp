@@ -38,7 +38,7 @@ bool PresetLoader::is_built_in(const std::string& key) const {
     return std::ranges::any_of(entries_, named) || std::ranges::any_of(hard_cases_, named);
 }
 
-GuideNote PresetLoader::opened(const std::string& name_or_path, const Preset& preset) {
+GuideNote PresetLoader::register_opened(const std::string& name_or_path, const Preset& preset) {
     if (!is_built_in(name_or_path)) files_[whole_path(name_or_path)] = preset;
     return {name_or_path, preset.title, preset.about};
 }
@@ -59,11 +59,11 @@ bool PresetLoader::save(const fs::path& path, const std::string& scene, const Se
     return true;
 }
 
-bool PresetLoader::knows(const std::string& path) const {
+bool PresetLoader::has_file(const std::string& path) const {
     return files_.contains(whole_path(path));
 }
 
-bool PresetLoader::holds(const std::string& path, const std::string& scene, const Settings& settings) const {
+bool PresetLoader::file_holds(const std::string& path, const std::string& scene, const Settings& settings) const {
     const auto it = files_.find(whole_path(path));
     return it != files_.end() && it->second.settings == settings &&
            (it->second.scene.empty() || it->second.scene == scene);

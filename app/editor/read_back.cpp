@@ -213,12 +213,12 @@ bool EditorReadBack::update_loupe(const PictureState& state, const FrameResult& 
     loupe_of_ = frame_;
     loupe_pane_ = int(pane);
     const Image& picture = result.panes[pane].picture;
-    constexpr int kSide = 2 * kLoupeReach + 1;
+    constexpr int kSide = 2 * kLoupeRadiusPixels + 1;
     auto loupe = std::make_shared<LoupeFacts>(LoupeFacts{.at = *at, .pixels = {kSide, kSide, {}}});
     loupe->pixels.data.resize(std::size_t(kSide) * kSide * 4);
     const glm::ivec2 size(picture.width, picture.height);
-    const glm::ivec2 lo = glm::clamp(*at - kLoupeReach, glm::ivec2(0), size);
-    const glm::ivec2 hi = glm::clamp(*at + kLoupeReach + 1, glm::ivec2(0), size), n = hi - lo;
+    const glm::ivec2 lo = glm::clamp(*at - kLoupeRadiusPixels, glm::ivec2(0), size);
+    const glm::ivec2 hi = glm::clamp(*at + kLoupeRadiusPixels + 1, glm::ivec2(0), size), n = hi - lo;
     if (n.x > 0 && n.y > 0) {
         std::vector<std::uint8_t> read(std::size_t(n.x) * std::size_t(n.y) * 4);
         gl::prepare_read_back();
@@ -227,7 +227,7 @@ bool EditorReadBack::update_loupe(const PictureState& state, const FrameResult& 
         for (int y = lo.y; y < hi.y; ++y)
             for (int x = lo.x; x < hi.x; ++x) {
                 const auto* from = &read[(std::size_t(hi.y - 1 - y) * std::size_t(n.x) + std::size_t(x - lo.x)) * 4];
-                const glm::ivec2 to = glm::ivec2(x, y) - *at + kLoupeReach;
+                const glm::ivec2 to = glm::ivec2(x, y) - *at + kLoupeRadiusPixels;
                 auto* pixel = &loupe->pixels.data[(std::size_t(to.y) * kSide + std::size_t(to.x)) * 4];
                 std::copy_n(from, 3, pixel);
                 pixel[3] = 255;

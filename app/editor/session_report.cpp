@@ -40,7 +40,7 @@ void SessionReport::sample(double now_s) {
     every_s_ *= 2;
 }
 
-void SessionReport::follow(double now_s, const Log& log) {
+void SessionReport::write_when_due(double now_s, const Log& log) {
     if (path_.empty() || now_s < due_s_) return;
     sample(now_s);
     due_s_ = now_s + every_s_;

@@ -61,7 +61,7 @@ struct ShaderWarmup::Stage {
 ShaderWarmup::ShaderWarmup() : thread_([this](const std::stop_token& end) { run(end); }) {}
 ShaderWarmup::~ShaderWarmup() = default;
 
-void ShaderWarmup::foresee(WarmupFrame warmup) {
+void ShaderWarmup::enqueue(WarmupFrame warmup) {
     {
         const std::lock_guard lock(mutex_);
         foreseen_.push_back(std::move(warmup));
@@ -86,7 +86,7 @@ std::size_t ShaderWarmup::done() const {
     return done_;
 }
 
-std::unique_ptr<WarmupFrame> ShaderWarmup::take(const std::stop_token& end) {
+std::unique_ptr<WarmupFrame> ShaderWarmup::next_frame(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
         if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
@@ -103,7 +103,7 @@ std::unique_ptr<WarmupFrame> ShaderWarmup::take(const std::stop_token& end) {
 
 void ShaderWarmup::run(const std::stop_token& end) {
     give_way();
-    while (const auto next = take(end)) {
+    while (const auto next = next_frame(end)) {
         try {
             Stage().play(*next);
         } catch (const std::exception&) {

@@ -46,7 +46,7 @@ SweepFolder folder_for(const fs::path& parent, const SweepSpec& spec, const Swee
         if (holds_sweep(numbered(i), spec, plan)) return {numbered(i)};
     std::string problem;
     for (int i = 1; i <= kMostFolders; ++i) try {
-            forget_sweep(numbered(i));
+            remove_sweep_files(numbered(i));
             return {numbered(i), fs::create_directories(numbered(i))};
         } catch (const std::exception& e) {
             problem = e.what();
@@ -142,7 +142,7 @@ void EditorSweep::drop_empty() {
                 const auto cases = read_journal(folder).cases;
                 if (std::ranges::any_of(cases, [](const auto& c) { return c.second.finished; })) return true;
             }
-            forget_sweep(folder);
+            remove_sweep_files(folder);
             fs::remove(folder);  // fails when something else is in it, which then stays
             return true;
         } catch (const std::exception&) {
@@ -155,8 +155,8 @@ void EditorSweep::cancel() {
     if (thread_) thread_->cancel_sweep();
 }
 
-void EditorSweep::follow(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                         const SweepPanel& panel) {
+void EditorSweep::measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
+                                  const SweepPanel& panel) {
     Settings wanted = measured_settings(settings);
     // Dots of one plot are of pictures of one size, held against one truth.
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
@@ -169,7 +169,7 @@ void EditorSweep::follow(const Scene& scene, const std::string& scene_name, cons
     thread().start_measurement(*followed_);
 }
 
-void EditorSweep::unfollow() {
+void EditorSweep::stop_measuring_present() {
     if (!followed_) return;
     followed_.reset();
     thread_->cancel_measurement();
@@ -206,7 +206,7 @@ void EditorSweep::save(const fs::path& folder) const {
     std::error_code error;
     if (!fs::equivalent(folder, shown_->folder, error)) {
         fs::create_directories(folder);
-        if (has_journal(folder)) forget_sweep(folder);
+        if (has_journal(folder)) remove_sweep_files(folder);
         fs::copy_file(shown_->folder / kJournalFile, folder / kJournalFile);
         copy_pictures(shown_->folder, folder);
     }
@@ -225,7 +225,7 @@ void EditorSweep::wait() const {
     if (thread_) thread_->wait();
 }
 
-void EditorSweep::take_news() {
+void EditorSweep::fetch_results() {
     MeasuringThread::Status status = thread_->status();
     seen_ = status.version;
     fresh_ = true;
@@ -294,7 +294,7 @@ void EditorSweep::compare_settings(const EditorState& state) {
 }
 
 bool EditorSweep::update(const EditorState& state) {
-    if (moved()) take_news();
+    if (moved()) fetch_results();
     const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
     fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;

@@ -34,7 +34,7 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
         Json row = {{"name", effect.name}, {"state", state_name(effect.state)}, {"reason", effect.reason}};
         const Spread* spared = saved ? saved->of(effect) : nullptr;
         put_saved(row, spared);
-        row["saved_together"] = spared ? Json(saved_together(effects, effect)) : Json();
+        row["saved_together"] = spared ? Json(sharing_optimisation_count(effects, effect)) : Json();
         row["saving"] = effect.saving ? Json(row_of(*effect.saving).key) : Json();
         row["pass"] = effect.pass.empty() ? Json() : Json(effect.pass);
         row["part"] = effect.part;
@@ -45,7 +45,7 @@ Json effects_json(std::span<const Effect> effects, const SavedTimes* saved) {
     return rows;
 }
 
-Json savings_json(const SavedTimes* saved) {
+Json optimisations_json(const SavedTimes* saved) {
     Json rows = Json::array();
     for (std::size_t i = 0; i < kOptimisations; ++i) {
         const OptimisationRow& saving = savings()[i];
@@ -74,7 +74,7 @@ Json waste_json(const Waste& waste) {
             {"share_of_time", of_time ? Json(*of_time) : Json()}};
 }
 
-std::string saved_text(const Spread* ms, std::size_t together) {
+std::string saved_time_text(const Spread* ms, std::size_t together) {
     if (!ms) return "–";
     return fmt::format("{:.2f} ({:.2f} to {:.2f}){}", ms->median, ms->median_low, ms->median_high,
                        together > 1 ? fmt::format(", of {} together", together) : "");
@@ -85,7 +85,8 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
     std::vector<std::string> saved_texts;
     for (const Effect& effect : effects) {
         wide = std::max(wide, effect.name.size() + (effect.part ? 2 : 0));
-        saved_texts.push_back(saved_text(saved ? saved->of(effect) : nullptr, saved_together(effects, effect)));
+        saved_texts.push_back(
+            saved_time_text(saved ? saved->of(effect) : nullptr, sharing_optimisation_count(effects, effect)));
         saved_wide = std::max(saved_wide, saved_texts.back().size());
     }
     fmt::print("{:<14} {:>10} {:>{}}  {:<{}}  {}\n", "state", "ms", "saved ms", saved_wide, "effect", wide, "why");

@@ -14,13 +14,13 @@ namespace si {
 /// Converts the effects of a frame to JSON, one object each. @param saved measured times; null: each saved_ms is null
 nlohmann::ordered_json effects_json(std::span<const Effect> effects, const SavedTimes* saved);
 /// Converts the table of optimisations to JSON. @param saved measured times; null: none
-nlohmann::ordered_json savings_json(const SavedTimes* saved);
+nlohmann::ordered_json optimisations_json(const SavedTimes* saved);
 /// Converts wasted work (work that changes no pixel) to JSON.
 nlohmann::ordered_json waste_json(const Waste& waste);
 
-/// Formats a saved time: "1.20 (0.90 to 1.50), of 3 together"; a dash for null. @param together number of effects that
-/// were forced together for this time
-std::string saved_text(const Spread* ms, std::size_t together);
+/// Formats the time that an optimisation saves, in ms: "1.20 (0.90 to 1.50), of 3 together"; a dash for null.
+/// @param together number of effects that were forced together for this time
+std::string saved_time_text(const Spread* ms, std::size_t together);
 /// Prints the effects of a frame to stdout. @param saved measured times; null: none
 void print_effects(std::span<const Effect> effects, const SavedTimes* saved);
 /// Prints wasted work (work that changes no pixel) to stdout.

@@ -81,7 +81,7 @@ void copy_pictures(const fs::path& from, const fs::path& to) {
     }
 }
 
-void forget_sweep(const fs::path& folder) {
+void remove_sweep_files(const fs::path& folder) {
     require_sweep_folder(folder);
     std::error_code error;
     const fs::path journal = folder / kJournalFile;

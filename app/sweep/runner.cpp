@@ -108,7 +108,7 @@ void SweepRunner::begin_round() {
         if (!is_measured(c)) continue;
         order_.push_back(number);
         const TimeSamples samples = ranked_samples(c, rounds);
-        all_settled = all_settled && int(samples.total_ms.size()) >= timing_.least_frames && summary(samples).settled;
+        all_settled = all_settled && int(samples.total_ms.size()) >= timing_.min_frames && summary(samples).settled;
     }
     // To and fro, so that a steady drift falls on early and late cases alike.
     if (rounds.rounds.size() % 2) std::reverse(order_.begin(), order_.end());

@@ -11,7 +11,7 @@ struct SweepTiming {
     CostCase cost = kDefaultCost;  ///< kind of frames to time
     int rounds = 10;               ///< largest number of rounds
     int frames = 3;                ///< timed frames per case and round, after one warm-up frame
-    int least_frames = 5;          ///< smallest number of frames of a case before its time can count as settled
+    int min_frames = 5;            ///< smallest number of frames of a case before its time can count as settled
 };
 
 }  // namespace si

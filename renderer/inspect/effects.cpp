@@ -298,7 +298,7 @@ Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool aga
     return effect;
 }
 
-std::size_t saved_together(std::span<const Effect> effects, const Effect& effect) {
+std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect) {
     if (!effect.saving) return 1;
     return std::size_t(std::ranges::count(effects, effect.saving, &Effect::saving));
 }

@@ -22,6 +22,6 @@ std::vector<Effect> frame_effects(const Scene& scene, const Settings& settings, 
 Effect posing_effect(const Scene& scene, const SceneSettings& settings, bool again);
 
 /// How many of `effects`, one of which is `effect`, share its saving: what was measured of that is of all together.
-std::size_t saved_together(std::span<const Effect> effects, const Effect& effect);
+std::size_t sharing_optimisation_count(std::span<const Effect> effects, const Effect& effect);
 
 }  // namespace si

@@ -87,9 +87,9 @@ void KeptFrames::move_on() {
     if (placement_ != scene_.placement) place(scene_, placement_);
 }
 
-SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Optimisation> savings, int rounds, const Workers& workers,
-                         const std::function<void(double)>& report) {
+SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
+                               std::span<const Optimisation> savings, int rounds, const Workers& workers,
+                               const std::function<void(double)>& report) {
     request.force = request.timing = true;
     TimeSamples samples;
     const auto require_going_on = [&] {

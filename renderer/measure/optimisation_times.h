@@ -1,6 +1,6 @@
 // What savings are worth in milliseconds: frames that make them and frames that do the work after all, in turns.
 //
-//     SavedTimes saved = measure_saved(renderer, scene, settings, request, {Saving::Uncalled});
+//     SavedTimes saved = measure_saved_times(renderer, scene, settings, request, {Saving::Uncalled});
 //     saved.of(Saving::Uncalled)->median                // ms; its interval: median_low ... median_high
 #pragma once
 
@@ -48,9 +48,9 @@ inline constexpr int kSavedRounds = 15;
 /// frame to frame and what did not change is kept. Where no animation moves anything, nothing is told of that one.
 /// @param request of the frames; forced and timed here
 /// @throws Error, Cancelled
-SavedTimes measure_saved(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
-                         std::span<const Optimisation> savings, int rounds = kSavedRounds, const Workers& workers = {},
-                         const std::function<void(double)>& report = {});
+SavedTimes measure_saved_times(Renderer& renderer, const Scene& scene, const Settings& settings, FrameRequest request,
+                               std::span<const Optimisation> savings, int rounds = kSavedRounds,
+                               const Workers& workers = {}, const std::function<void(double)>& report = {});
 
 /// Frames in each of which something has moved, for savings that live by what an earlier frame left: time goes on
 /// where it is Saving::Resting, else the camera turns.

@@ -61,11 +61,11 @@ TEST_F(PictureComparison, TheTruthBesideSwipedAndAsADifference) {
     ASSERT_EQ(beside.height, 90);
     EXPECT_TRUE(same(beside, 0, plain, 0, 160)) << "A is what is drawn without --against";
     draw("swiped.png", {"--against", "truth", "--swipe", "0.25"});
-    const Picture swiped = picture("swiped.png");
-    ASSERT_EQ(swiped.width, 160);
-    EXPECT_TRUE(same(swiped, 0, plain, 0, 39));
+    const Picture swipe_image = picture("swiped.png");
+    ASSERT_EQ(swipe_image.width, 160);
+    EXPECT_TRUE(same(swipe_image, 0, plain, 0, 39));
     EXPECT_TRUE(same(
-        swiped, 41,
+        swipe_image, 41,
         [&] {
             Picture right{160, 90, std::vector<std::uint8_t>(160 * 90 * 3)};
             for (int y = 0; y < 90; ++y) std::memcpy(&right.rgb[std::size_t(y) * 160 * 3], beside.at(162, y), 160 * 3);

@@ -306,9 +306,9 @@ TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
                                      {.name = "c", .saving = Optimisation::Casters},
                                      {.name = "d", .saving = Optimisation::Views},
                                      {.name = "e"}};
-    EXPECT_EQ(saved_together(all, all[0]), 2u);
-    EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
-    EXPECT_EQ(saved_together(all, all[2]), 1u);
+    EXPECT_EQ(sharing_optimisation_count(all, all[0]), 2u);
+    EXPECT_EQ(sharing_optimisation_count(all, all[1]), 1u) << "what no saving spares is alone";
+    EXPECT_EQ(sharing_optimisation_count(all, all[2]), 1u);
 }
 
 TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {

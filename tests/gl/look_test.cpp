@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/editor/frame_loop.h"
-#include "app/report/against.h"
+#include "app/report/compare.h"
 #include "app/session/session.h"
 #include "renderer/inspect/effects.h"
 #include "renderer/scenes/shapes.h"

@@ -251,7 +251,7 @@ TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
     const auto bounds = std::ranges::find_if(effects, [](const Effect& e) { return e.name == "map bounds"; });
     ASSERT_NE(bounds, effects.end());
     EXPECT_EQ(bounds->saving, Optimisation::EarlyOut) << bounds->reason;
-    const SavedTimes times = measure_saved(renderer, scene, s, tiny, named_optimisations(effects), 4);
+    const SavedTimes times = measure_saved_times(renderer, scene, s, tiny, named_optimisations(effects), 4);
     ASSERT_TRUE(times.of(*bounds));
     EXPECT_EQ(times.of(*bounds)->samples, 4);
 }

@@ -383,7 +383,7 @@ TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
         if (told == effects.end()) return std::pair(Effect{}, std::optional<Spread>());
         const std::vector<Optimisation> named = named_optimisations(effects);
         EXPECT_TRUE(std::ranges::count(named, Optimisation::Static) == 1);
-        const SavedTimes times = measure_saved(again, scene, s, asked(), named, 5);
+        const SavedTimes times = measure_saved_times(again, scene, s, asked(), named, 5);
         const Spread* ms = times.of(*told);
         return std::pair(*told, ms ? std::optional(*ms) : std::nullopt);
     };

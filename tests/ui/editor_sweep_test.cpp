@@ -59,7 +59,7 @@ TEST(EditorSweep, MeasuresWhileTheEditorGoesOn) {
     EXPECT_FALSE(s.facts().running);
     EXPECT_EQ(s.facts().view.marks.size(), 4u) << "each has an error and a time";
     EXPECT_EQ(s.facts().other_settings.size(), 1u) << "the bias has changed since";
-    s.ask([](EditorRequests& a) { a.take_sweep_base = true; });
+    s.ask([](EditorRequests& a) { a.apply_sweep_base = true; });
     s.editor.settle();
     EXPECT_TRUE(s.facts().other_settings.empty());
     EXPECT_NE(s.state().settings.bias.constant, 0.7);

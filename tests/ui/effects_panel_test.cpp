@@ -43,7 +43,7 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     saved.savings.push_back(
         {Optimisation::Uncalled, {.median = 3.25, .median_low = 3, .median_high = 3.5, .samples = 15}});
     ui.effects.saved = &saved;
-    ui.effects.saved_current = true;
+    ui.effects.saved_times_current = true;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25"), std::string::npos);
     EXPECT_EQ(letters(ui).find("3.25of"), std::string::npos) << "one effect has that saving";
@@ -54,10 +54,10 @@ TEST(EffectsPanel, ShowsEachWithStateReasonAndWhatItSaves) {
     ui.frames(2);
     EXPECT_NE(letters(ui).find("3.25of2"), std::string::npos) << "two share it";
     ui.effects.effects = made_up_effects();
-    ui.effects.saved_current = false;
+    ui.effects.saved_times_current = false;
     ui.frames(2);
     EXPECT_NE(letters(ui).find("ofothersettings"), std::string::npos);
-    ui.state.effects.hide_uncalled = true;
+    ui.state.effects.only_needed = true;
     ui.frames(2);
     text = letters(ui);
     EXPECT_EQ(text.find("Nothingmoves."), std::string::npos);
@@ -154,10 +154,10 @@ TEST(EffectsPanel, TimesAreKeptForSecondsAndSaidWhereverTheTabIs) {
     EXPECT_EQ(times.frames.size(), 1u) << "older than half a minute";
     keep_times(times, frame, "stage", 500);
     EXPECT_EQ(times.frames.size(), 1u) << "the last one is never forgotten";
-    EXPECT_TRUE(times.of_shown);
+    EXPECT_TRUE(times.newest_is_shown);
     for (PassInfo& pass : frame.passes) pass.gpu_ms = 0;
     keep_times(times, frame, "stage", 501);
-    EXPECT_FALSE(times.of_shown);
+    EXPECT_FALSE(times.newest_is_shown);
     keep_times(times, frame, "boxes", 502);
     EXPECT_TRUE(times.frames.empty()) << "of another scene";
     EXPECT_TRUE(times.pass_ms.empty());
@@ -203,14 +203,14 @@ TEST(EffectsPanel, AsksForAMeasurementAndItsEnd) {
     const auto measure = ui.find("bottom", "", "Measure what is saved");
     ASSERT_TRUE(measure);
     ui.click(*measure);
-    EXPECT_TRUE(ui.last_requests.measure_saved);
-    ui.effects.measuring_saved = SearchProgress{"alternating frames", 0.4};
+    EXPECT_TRUE(ui.last_requests.measure_saved_times);
+    ui.effects.measuring_optimisations = SearchProgress{"alternating frames", 0.4};
     ui.frames(3);
     EXPECT_NE(letters(ui).find("40%framesinturns"), std::string::npos);
     const auto cancel = ui.find("bottom", "", "Cancel##saved");
     ASSERT_TRUE(cancel);
     ui.click(*cancel);
-    EXPECT_TRUE(ui.last_requests.cancel_saved);
+    EXPECT_TRUE(ui.last_requests.cancel_measuring);
 }
 
 EditorOptions editor_of(const char* scene, std::vector<std::string> sets = {}) {
@@ -305,28 +305,28 @@ TEST(EditorEffects, WhatIsSavedIsMeasuredInTheBackground) {
     editor.settle();
     EXPECT_FALSE(editor.model().facts().saved);
     EditorRequests requests = editor.frame();
-    requests.measure_saved = true;
+    requests.measure_saved_times = true;
     EXPECT_TRUE(editor.model().fulfil(requests));
     EXPECT_TRUE(editor.model().measuring());
-    EXPECT_TRUE(editor.model().facts().measuring_saved);
+    EXPECT_TRUE(editor.model().facts().measuring_optimisations);
     editor.settle();
     ASSERT_TRUE(editor.model().facts().saved);
-    EXPECT_TRUE(editor.model().facts().saved_current);
+    EXPECT_TRUE(editor.model().facts().saved_times_current);
     const Spread* ms = editor.model().facts().saved->of(Optimisation::Uncalled);
     ASSERT_TRUE(ms) << "an effect names this saving";
     EXPECT_EQ(ms->samples, kSavedRounds);
     EXPECT_LE(ms->median_low, ms->median_high);
     editor.model().state.settings.map.resolution = 512;
     editor.settle();
-    EXPECT_FALSE(editor.model().facts().saved_current);
+    EXPECT_FALSE(editor.model().facts().saved_times_current);
     requests = editor.frame();
-    requests.measure_saved = true;
+    requests.measure_saved_times = true;
     editor.model().fulfil(requests);
-    requests.measure_saved = false;
-    requests.cancel_saved = true;
+    requests.measure_saved_times = false;
+    requests.cancel_measuring = true;
     editor.model().fulfil(requests);
     editor.settle();
-    EXPECT_FALSE(editor.model().facts().saved_current) << "a cancelled measurement tells nothing";
+    EXPECT_FALSE(editor.model().facts().saved_times_current) << "a cancelled measurement tells nothing";
 }
 
 }  // namespace

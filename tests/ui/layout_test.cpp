@@ -179,7 +179,7 @@ TEST(Layout, TheSettingsOfANarrowWindowHaveAThirdOfIt) {
 TEST(Layout, TheMapStandsWhereItIsPut) {
     Shown ui(1280, 720);
     const double above = scene_share(ui);
-    ui.state.layout.map_place = MapSpot::BesideScene;
+    ui.state.layout.map_place = MapSpot::NextToScene;
     EXPECT_TRUE(ui.frames(3).want_map);
     EXPECT_LT(scene_share(ui), above);
     ui.state.layout.map_place = MapSpot::Inset;

@@ -64,7 +64,7 @@ struct Case {
     /// Drags the handle by so many pixels of the screen (y down) and takes the result as the light.
     void drag(LightHandle h, const PictureView& v, glm::dvec2 by, double step = 0) {
         const LightPose start = grab_light(pose(), h, fitted());
-        const auto at = v.point(handle_place(start, h, v));
+        const auto at = v.point(handle_position(start, h, v));
         ASSERT_TRUE(at);
         const auto moved = drag_light(start, h, v, *at + by, step);
         ASSERT_TRUE(moved);
@@ -176,7 +176,7 @@ TEST(LightDrag, AnExtentIsTheDistanceFromTheAxis) {
     int tried = 0;
     for (const LightHandle h :
          {LightHandle::ExtentRight, LightHandle::ExtentTop, LightHandle::ExtentLeft, LightHandle::ExtentBottom}) {
-        const glm::dvec3 way = handle_way(pose, h);
+        const glm::dvec3 way = handle_axis(pose, h);
         if (std::abs(way.z) > 0.5) continue;  // along the line of sight
         const double before = c.fitted().views[0].half_width;
         c.drag(h, front_view(), {20 * way.x + 3 * way.y, -20 * way.y + 3 * way.x});
@@ -198,9 +198,9 @@ TEST(LightDrag, AConeOpensToTheMouse) {
             c.light.cone = cone;
             c.light.distance = 9;
             const LightPose pose = c.pose();
-            const glm::dvec3 way = handle_way(pose, h);
+            const glm::dvec3 way = handle_axis(pose, h);
             if (std::abs(way.z) > 0.5) continue;
-            const double half = 0.5 * cone * kDegree, r = cone_reach(pose);
+            const double half = 0.5 * cone * kDegree, r = cone_rim_distance(pose);
             const glm::dvec2 at(r * std::cos(half) + 14 * kMetresPerPixel, r * std::sin(half) + 9 * kMetresPerPixel);
             c.drag(h, front_view(), {-14, -9 * way.y});
             EXPECT_NEAR(c.light.cone, 2 * std::atan2(at.y, at.x) / kDegree, 1e-9);
@@ -221,7 +221,7 @@ TEST(LightDrag, ARangeGoesWhereTheMouseIsAndLeavesTheRest) {
         EXPECT_EQ(std::ranges::count(handles_of(c.pose()), LightHandle::Range), 0) << "unlimited";
         c.light.range = 8;
         c.light.cone = 50;
-        const glm::dvec3 way = range_way(c.pose());
+        const glm::dvec3 way = range_axis(c.pose());
         EXPECT_NEAR(glm::length(way), 1, 1e-12);
         const double along = type == LightType::Spot ? std::cos(25 * kDegree) : 0;  // on the rim, or across
         EXPECT_NEAR(glm::dot(way, -c.pose().to_light), along, 1e-12);
@@ -246,8 +246,8 @@ TEST(LightDrag, TheConeCanBeOpenedLookingDownTheAxis) {
     c.light.cone = 50;
     c.light.distance = 9;
     const LightPose pose = c.pose();
-    const glm::dvec3 way = handle_way(pose, LightHandle::ConeRight);
-    const double r = cone_reach(pose), half = 25 * kDegree;
+    const glm::dvec3 way = handle_axis(pose, LightHandle::ConeRight);
+    const double r = cone_rim_distance(pose), half = 25 * kDegree;
     c.drag(LightHandle::ConeRight, front_view(), {10 * way.x, -10 * way.y});
     EXPECT_NEAR(c.light.cone, 2 * std::atan2(r * std::sin(half) + 10 * kMetresPerPixel, r * std::cos(half)) / kDegree,
                 1e-9);
@@ -258,7 +258,7 @@ TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
         Case c(type, 40, 25);
         if (type == LightType::Spot) c.light.distance = 12;
         const FittedLight before = c.fitted();
-        const double radius = direction_ball(c.pose(), front_view());
+        const double radius = direction_ball_radius(c.pose(), front_view());
         const double sign = type == LightType::Spot ? -1 : 1;  // a spot light's arrow points where it shines
         const glm::dvec3 tip = sign * radius * before.to_light;
         glm::dvec3 wanted = tip + glm::dvec3(-30, 12, 0) * kMetresPerPixel;
@@ -275,7 +275,8 @@ TEST(LightDrag, ADirectionFollowsTheMouseOnItsBall) {
 
 TEST(LightDrag, BeyondItsOutlineTheBallsFarSideIsReached) {
     Case c(LightType::Directional, 40, 0);
-    const double radius = direction_ball(c.pose(), front_view()) / kMetresPerPixel, x = radius * std::sin(40 * kDegree);
+    const double radius = direction_ball_radius(c.pose(), front_view()) / kMetresPerPixel,
+                 x = radius * std::sin(40 * kDegree);
     c.drag(LightHandle::Direction, front_view(), {radius - x + 0.25 * radius, 0});  // a quarter of the radius too far
     const glm::dvec3 to_light = c.fitted().to_light;
     EXPECT_NEAR(to_light.x, 0.75, 1e-9);
@@ -301,8 +302,8 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                     // too.
                     glm::dvec2 to = placed.on_screen + by;
                     if (is_axis(h) || is_extent(h) || h == Near || h == Far) {
-                        const glm::dvec3 way = h == Near || h == Far ? start.view.axes[2] : handle_way(start, h);
-                        to = *v.point(handle_place(start, h, v) + 0.3 * way);
+                        const glm::dvec3 way = h == Near || h == Far ? start.view.axes[2] : handle_axis(start, h);
+                        to = *v.point(handle_position(start, h, v) + 0.3 * way);
                     }
                     const auto moved = drag_light(start, h, v, to);
                     ASSERT_TRUE(moved);
@@ -311,7 +312,7 @@ TEST(LightDrag, HandlesStayUnderTheMouseInPerspective) {
                         EXPECT_NE(c.light.cone, first.light.cone);
                         continue;
                     }
-                    const auto now = v.point(handle_place(c.pose(), h, v));
+                    const auto now = v.point(handle_position(c.pose(), h, v));
                     ASSERT_TRUE(now);
                     // An arrow has its length on the screen, so that its tip comes nearer or farther with the light.
                     const double tolerance = is_axis(h) ? 3 : 1e-6;
@@ -369,10 +370,10 @@ TEST(LightDrag, AcrossItsAxisAConeStaysShutOrWideOpen) {
         Case c(LightType::Spot);
         c.light.cone = cone;
         c.light.distance = 9;
-        const LightHandle h = std::abs(handle_way(c.pose(), LightHandle::ConeTop).y) > 0.5 ? LightHandle::ConeTop
-                                                                                           : LightHandle::ConeRight;
-        const glm::dvec3 way = handle_way(c.pose(), h);
-        c.drag(h, front_view(), {0, way.y * 2.5 * cone_reach(c.pose()) / kMetresPerPixel});
+        const LightHandle h = std::abs(handle_axis(c.pose(), LightHandle::ConeTop).y) > 0.5 ? LightHandle::ConeTop
+                                                                                            : LightHandle::ConeRight;
+        const glm::dvec3 way = handle_axis(c.pose(), h);
+        c.drag(h, front_view(), {0, way.y * 2.5 * cone_rim_distance(c.pose()) / kMetresPerPixel});
         EXPECT_EQ(c.light.cone, wanted);
     }
 }
@@ -429,7 +430,7 @@ TEST(LightHandles, NoneStandBehindTheCameraOrOutsideThePicture) {
     wide.light.extent = 100;  // the picture is 60 m wide
     const LightPose pose = wide.pose();
     ASSERT_FALSE(
-        front_view().contains(*front_view().point(handle_place(pose, LightHandle::ExtentRight, front_view()))));
+        front_view().contains(*front_view().point(handle_position(pose, LightHandle::ExtentRight, front_view()))));
     for (const PlacedHandle& h : place_handles(pose, front_view()))
         EXPECT_TRUE(front_view().contains(h.on_screen)) << handle_name(h.handle);
 }
@@ -447,7 +448,7 @@ TEST(PictureView, ARayThroughAPointOfTheScreenMeetsWhatAppearsThere) {
         const glm::dvec3 p(1.5, -0.7, 0.9);
         const auto on = v.point(p);
         ASSERT_TRUE(on);
-        const auto met = meet_plane(v.ray(*on), p, v.camera.axes[2]);
+        const auto met = intersect_plane(v.ray(*on), p, v.camera.axes[2]);
         ASSERT_TRUE(met);
         expect_near(*met, p);
         const auto beside = v.point(p + v.camera.axes[0] * v.metres_per_pixel(p));

@@ -113,12 +113,12 @@ TEST_F(ObjectsPanel, RowsAreChosenAloneWithOthersAndAllBetween) {
 }
 
 TEST_F(ObjectsPanel, AClosedNodeHidesWhatLiesBelowAndASearchShowsItAgain) {
-    const std::string below = placed_below(ui.scene,
-                                           [&] {
-                                               for (std::size_t i = 0; i < ui.scene.nodes.size(); ++i)
-                                                   if (ui.scene.nodes[i].path == "Stage/Fence") return int(i);
-                                               return -1;
-                                           }())
+    const std::string below = mesh_nodes_below(ui.scene,
+                                               [&] {
+                                                   for (std::size_t i = 0; i < ui.scene.nodes.size(); ++i)
+                                                       if (ui.scene.nodes[i].path == "Stage/Fence") return int(i);
+                                                   return -1;
+                                               }())
                                   .front();
     ASSERT_TRUE(row(below));
     const auto at = arrow("Stage/Fence");
@@ -327,7 +327,7 @@ TEST_F(SceneMenu, ObjectsAreHiddenIsolatedAndShownAgain) {
     EXPECT_TRUE(ui.state.settings.objects.empty());
     key(true, false);
     EXPECT_FALSE(hidden().contains(first));
-    EXPECT_EQ(hidden().size() + 1, placed_below(ui.scene, 0).size()) << "all others";
+    EXPECT_EQ(hidden().size() + 1, mesh_nodes_below(ui.scene, 0).size()) << "all others";
     select_objects(ui.state, {});
     key(false, true);
     key(false, false);

@@ -97,7 +97,8 @@ TEST_P(PresetPanels, NothingIsCutOffAndThePicturesKeepTheirRoom) {
         EXPECT_GT(requests.scene_height, h / 8) << p.key;
     }
     ui.state.files.dialog = {};
-    ask_for_file(ui.state.files.dialog, FileDialog::Job::SavePreset, fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    open_file_dialog(ui.state.files.dialog, FileDialog::Job::SavePreset,
+                     fs::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     ui.frames(3);
     const ImGuiWindow* dialog = window_of("Save the preset as");
     ASSERT_TRUE(dialog);
@@ -269,7 +270,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     for (const char* name : {"b.json", "A.glb", "notes.txt", ".hidden.json"}) std::ofstream(folder / name) << "x";
     UiHarness ui(1280, 720);
     FileDialog& dialog = ui.state.files.dialog;
-    ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
+    open_file_dialog(dialog, FileDialog::Job::Open, folder / "x.json");
     ASSERT_EQ(dialog.entries.size(), 3u);
     EXPECT_TRUE(dialog.entries[0].folder && dialog.entries[0].name == "below");
     EXPECT_EQ(dialog.entries[1].name, "A.glb");
@@ -285,7 +286,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     ui.frames(3);
     EXPECT_FALSE(window_of("Open a scene or a preset")) << "it closes";
 
-    ask_for_file(dialog, FileDialog::Job::SavePreset, folder / "mine", "Look.");
+    open_file_dialog(dialog, FileDialog::Job::SavePreset, folder / "mine", "Look.");
     EXPECT_EQ(dialog.entries.size(), 2u) << "no scenes among presets";
     ui.frames(3);
     press_key(ImGuiKey_Enter);
@@ -297,7 +298,7 @@ TEST(FileDialogs, SaveUnderANameAndOpenByDoubleClick) {
     EXPECT_EQ(saved.save_about, "Look.");
     EXPECT_FALSE(saved.replace);
 
-    ask_for_file(dialog, FileDialog::Job::Open, folder / "no such folder" / "x.json");
+    open_file_dialog(dialog, FileDialog::Job::Open, folder / "no such folder" / "x.json");
     EXPECT_TRUE(dialog.problem.empty()) << "a folder that is gone: the current one instead";
     EXPECT_EQ(dialog.folder, fs::weakly_canonical(fs::current_path()));
 }
@@ -307,7 +308,7 @@ TEST(FileDialogs, AFolderThatIsTypedIsEnteredAndTypedOnIn) {
     fs::create_directory(folder / "below");
     std::ofstream(folder / "below" / "b.json") << "x";
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
+    open_file_dialog(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type((folder / "below").string());
     press_key(ImGuiKey_Enter);
@@ -330,7 +331,7 @@ TEST(FileDialogs, ListsOneKindWithDatesAndGoesToFoldersOfLate) {
     UiHarness ui(1280, 720);
     ui.recent_scenes = {(folder / "elsewhere/c.gltf").string()};
     FileDialog& dialog = ui.state.files.dialog;
-    ask_for_file(dialog, FileDialog::Job::Open, folder / "x.json");
+    open_file_dialog(dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(4);
     ASSERT_EQ(dialog.entries.size(), 3u);
     for (const FileDialog::Entry& e : dialog.entries) {
@@ -374,7 +375,7 @@ TEST(FileDialogs, TabCompletesAPathAsFarAsItIsClear) {
     EXPECT_EQ(completed((folder.string() + "/my").c_str()), folder.string() + "/my.json");
     // By the key, in the dialog.
     UiHarness ui(1280, 720);
-    ask_for_file(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
+    open_file_dialog(ui.state.files.dialog, FileDialog::Job::Open, folder / "x.json");
     ui.frames(3);
     ui.type("models/for");
     press_key(ImGuiKey_Tab);

@@ -141,7 +141,7 @@ TEST(Probing, ArrowKeysMoveTheProbeAndTheLoupeShowsItsPixels) {
     int different = 0;
     for (int y = 0; y < loupe->pixels.height; ++y)
         for (int x = 0; x < loupe->pixels.width; ++x) {
-            const glm::ivec2 p = glm::ivec2(view.origin) + loupe->at + glm::ivec2(x, y) - kLoupeReach;
+            const glm::ivec2 p = glm::ivec2(view.origin) + loupe->at + glm::ivec2(x, y) - kLoupeRadiusPixels;
             const auto* seen = &window.data[(std::size_t(p.y) * std::size_t(window.width) + std::size_t(p.x)) * 4];
             const auto* large =
                 &loupe->pixels.data[(std::size_t(y) * std::size_t(loupe->pixels.width) + std::size_t(x)) * 4];
@@ -294,11 +294,11 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     ui.error = e;
     ui.frames(4);
     const ArtefactStyle& style = artefact_styles()[1];
-    choose_cause(ui.state, style.artefact);
+    toggle_tour_cause(ui.state, style.artefact);
     ui.frames(2);
     ASSERT_GT(ui.state.settings.view.overlay, 0);
     EXPECT_TRUE(overlays()[std::size_t(ui.state.settings.view.overlay - 1)].names_causes);
-    choose_cause(ui.state, style.artefact);
+    toggle_tour_cause(ui.state, style.artefact);
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_FALSE(ui.state.artefact_tour.cause);
     // By mouse: some row of the tables.

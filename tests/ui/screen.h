@@ -8,6 +8,6 @@ namespace si::test {
 inline constexpr int kWidth = 1280, kHeight = 720;
 
 /// Every panel with room beside the others: what places in tests are told for.
-inline const EditorLayout kBeside{.settings_width = 24, .bottom_height = 15.6f, .map_place = MapSpot::BesideScene};
+inline const EditorLayout kBeside{.settings_width = 24, .bottom_height = 15.6f, .map_place = MapSpot::NextToScene};
 
 }  // namespace si::test

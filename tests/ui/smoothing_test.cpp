@@ -55,7 +55,7 @@ TEST_F(EditorSmoothing, WaitsWhileSomethingIsMeasuredAndGoesOnAfterwards) {
         void (*cancel)(EditorRequests&);  ///< null: it is waited for
     };
     const std::vector<Measurement> measurements = {
-        {"savings", [](EditorRequests& a) { a.measure_saved = true; }, nullptr},
+        {"savings", [](EditorRequests& a) { a.measure_saved_times = true; }, nullptr},
         {"a sweep",
          [](EditorRequests& a) {
              a.start_sweep = SweepRequest{{"map.resolution=64,128"}, 64, 48, false};

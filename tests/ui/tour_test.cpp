@@ -93,13 +93,13 @@ TEST_P(Tour, MenusAndDialogs) {
     std::filesystem::create_directories(scenes);
     save_gltf(load_scene("boxes"), scenes / "boxes.gltf");
     save_gltf(load_scene("plane"), scenes / "plane.glb");
-    ask_for_file(state().files.dialog, FileDialog::Job::Open, scenes / "x");
+    open_file_dialog(state().files.dialog, FileDialog::Job::Open, scenes / "x");
     frames(12);  // what stands behind has grown dark
     expect_window("Open a scene or a preset");
     keep("open_dialog");
     ImGui::ClosePopupToLevel(0, false);
-    ask_for_file(state().files.dialog, FileDialog::Job::SavePreset,
-                 std::filesystem::path(SI_SOURCE_DIR) / "assets/presets/x.json");
+    open_file_dialog(state().files.dialog, FileDialog::Job::SavePreset,
+                     std::filesystem::path(SI_SOURCE_DIR) / "assets/presets/x.json");
     frames(12);
     expect_window("Save the preset as");
     keep("save_dialog");
@@ -116,7 +116,7 @@ TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
     ASSERT_TRUE(facts().texel_usage);
     const double of_live = facts().texel_usage->utilisation();
     ASSERT_GT(of_live, 0);
-    state().frozen = freeze(*facts().result, state().settings.camera);
+    state().frozen = frozen_camera_of(*facts().result, state().settings.camera);
     editor_->mouse.at.reset();
     frames(3);
     ASSERT_TRUE(facts().frozen_usage);

@@ -76,7 +76,7 @@ UiHarness::UiHarness(int width, int height, float scale) : width_(width), height
     for (const auto& [key, code] : {std::pair<int, int>{ImGuiKey_A, 'A'}, {ImGuiKey_Y, 'Y'}, {ImGuiKey_Z, 'Z'}})
         io.KeyMap[key] = code;
     theme::load_fonts(scale);
-    theme::apply(scale);
+    theme::apply_style(scale);
     unsigned char* pixels = nullptr;
     int w = 0, h = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &w, &h);
@@ -146,7 +146,7 @@ EditorRequests UiHarness::frame() {
     ImGui::Render();
     EXPECT_EQ(drawn_->fault(), "");
     if (requests.tune || requests.cancel_tune || requests.find_fixes || requests.cancel_fixes ||
-        requests.forget_fixes || requests.measure_saved || requests.cancel_saved || requests.find_advice ||
+        requests.forget_fixes || requests.measure_saved_times || requests.cancel_measuring || requests.find_advice ||
         requests.cancel_advice || requests.compare_pipelines || requests.measure_shimmer)
         last_requests = requests;
     io.MouseWheel = 0;

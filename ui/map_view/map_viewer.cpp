@@ -98,7 +98,7 @@ NamedValues light_choices(const Settings& s) {
 
 /// Returns true if the plots fit below a map that has this height with its caption.
 bool has_room_for_plots(const EditorLayout& layout, float height) {
-    return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::BesideScene ? 17 : 30);
+    return height > ImGui::GetFontSize() * (layout.map_place == MapSpot::NextToScene ? 17 : 30);
 }
 
 void header(EditorState& state, const FrameResult* result, EditorRequests& requests) {
@@ -111,7 +111,7 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
     if (titled && ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s",
                           with_key("Double-click: alone in the window, and back", Command::MaximisePanel).c_str());
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Map);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) toggle_maximised(state, Panel::Map);
     }
     const auto setting = [&](const char* label, const char* key, float width) {
         bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
@@ -328,9 +328,9 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
                       faded(IM_COL32_WHITE, kMarksOpacity));
     list.AddRect(rect.lo, rect_end, theme::line());
     const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
-    if (shows_texel_numbers(shown)) {
+    if (fits_texel_values(shown)) {
         requests.want_map_values = true;
-        if (frame.map_values) texel_numbers(shown, *frame.map_values, origin, end);
+        if (frame.map_values) draw_texel_values(shown, *frame.map_values, origin, end);
     }
     if (camera) {
         if (state.probe_pixel)
@@ -342,10 +342,10 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         // The frozen camera's outline, and the live camera's once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
         if (state.frozen) {
-            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
-            map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
+            draw_map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
+            draw_map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
         } else if (state.settings.view.map_region) {
-            map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
+            draw_map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
@@ -380,7 +380,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
             fmt::format("{} in front of the near plane",
                         fitted->clipped_casters == 1 ? "1 object reaches"
                                                      : fmt::format("{} objects reach", fitted->clipped_casters));
-        veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
+        draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
     list.PopClipRect();
     ImFont* font = theme::small();

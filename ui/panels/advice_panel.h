@@ -12,10 +12,10 @@
 namespace si {
 
 struct Settings;
-struct AdviceReport;     // renderer/advise/advice.h
-struct AutopilotResult;  // renderer/advise/autopilot.h
+struct AdviceReport;
+struct AutopilotResult;
 
-/// State of the panel.
+/// State of the panel Advice: bounds of the autopilot.
 struct AdvicePanel {
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     bool bound_error = true;
@@ -24,14 +24,14 @@ struct AdvicePanel {
     double most_ms = 10;       ///< longest time of a frame
 };
 
-/// Request for a search: advice without bounds, the autopilot with one.
+/// Request for a search: for advice without a bound, for the autopilot with one.
 struct AdviceRequest {
     CostCase cost = kDefaultCost;
     std::optional<double> most_error;  ///< largest mean error of visibility
     std::optional<double> most_ms;     ///< longest time of a frame
 };
 
-/// Facts of the panel.
+/// Facts of the panel Advice: progress and last results.
 struct AdvicePanelFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
@@ -40,7 +40,7 @@ struct AdvicePanelFacts {
     bool advice_current = false;                                             ///< the result is of the present settings
 };
 
-/// Requests of the panel.
+/// Requests of the panel Advice.
 struct AdviceRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;

@@ -90,7 +90,7 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
 
 }  // namespace
 
-Artefact touring_cause(const EditorState& state, const EditorFrame& frame) {
+Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame) {
     if (state.artefact_tour.cause) return *state.artefact_tour.cause;
     if (!frame.error) return Artefact::None;
     Artefact most = Artefact::None;
@@ -103,7 +103,7 @@ Artefact touring_cause(const EditorState& state, const EditorFrame& frame) {
     return most;
 }
 
-void choose_cause(EditorState& state, Artefact cause) {
+void toggle_tour_cause(EditorState& state, Artefact cause) {
     ArtefactTour& tour = state.artefact_tour;
     const int overlay = artefact_overlay();
     if (tour.cause == cause && state.settings.view.overlay == overlay) {
@@ -147,7 +147,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
     // Clusters are known once the reference of this picture is.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
-        const Artefact cause = touring_cause(state, frame);
+        const Artefact cause = artefact_tour_cause(state, frame);
         if (cause == Artefact::None) {
             give_up("No pixel of this picture is wrong");
             return false;

@@ -92,15 +92,15 @@ void force_box(OptimisationSet& forced, Optimisation saving, const char* label) 
 }
 
 void measure_button(const EffectsFacts& facts, EffectsRequests& requests) {
-    if (facts.measuring_saved) {
-        const std::string text =
-            fmt::format("{:.0f} %  {}", 100 * facts.measuring_saved->progress, facts.measuring_saved->about);
-        progress_bar(facts.measuring_saved->progress, text, ImGui::GetFontSize() * 14);
+    if (facts.measuring_optimisations) {
+        const std::string text = fmt::format("{:.0f} %  {}", 100 * facts.measuring_optimisations->progress,
+                                             facts.measuring_optimisations->about);
+        progress_bar(facts.measuring_optimisations->progress, text, ImGui::GetFontSize() * 14);
         ImGui::SameLine();
-        if (ImGui::Button("Cancel##saved")) requests.cancel_saved = true;
+        if (ImGui::Button("Cancel##saved")) requests.cancel_measuring = true;
         return;
     }
-    if (ImGui::Button("Measure what is saved")) requests.measure_saved = true;
+    if (ImGui::Button("Measure what is saved")) requests.measure_saved_times = true;
     wrapped_tooltip(
         "Draws frames with and without each optimisation alternately, in the background, and prints the difference in "
         "milliseconds with its interval.");
@@ -112,7 +112,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     int count = 0;
     for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
-    flow(button_width(forced_text.c_str()));
+    same_line_if_fits(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
     wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
@@ -120,16 +120,16 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
             force_box(forced, Optimisation(i), std::string(savings()[i].label).c_str());
         ImGui::EndPopup();
     }
-    flow(button_width("Reset"));
+    same_line_if_fits(button_width("Reset"));
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all optimisations on again.");
-    flow(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
-    ImGui::Checkbox("Hide what is not needed", &panel.hide_uncalled);
-    if (!facts.saved || facts.saved_current) return;
+    same_line_if_fits(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
+    ImGui::Checkbox("Hide what is not needed", &panel.only_needed);
+    if (!facts.saved || facts.saved_times_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
-    flow(ImGui::CalcTextSize(kOld).x);
+    same_line_if_fits(ImGui::CalcTextSize(kOld).x);
     ImGui::TextDisabled("%s", kOld);
 }
 
@@ -235,8 +235,8 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
         sum.triangles += pass->triangles;
     }
     if (ImGui::TableSetColumnIndex(index_of(Column::Saved)))
-        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, saved_together(facts.effects, effect),
-                   facts.saved_current);
+        saved_cell(facts.saved ? facts.saved->of(effect) : nullptr, sharing_optimisation_count(facts.effects, effect),
+                   facts.saved_times_current);
     if (effect.saving && ImGui::TableSetColumnIndex(index_of(Column::Force)))
         force_box(panel.forced, *effect.saving, "##force");
 }
@@ -244,7 +244,7 @@ void effect_row(EffectsPanel& panel, const FrameTimes& times, const FrameResult&
 /// Returns true for rows that are hidden. Forced effects stay visible, so that they can be switched on again.
 bool left_out(const EffectsPanel& panel, const Effect& effect) {
     const bool forced = effect.saving && panel.forced.contains(*effect.saving);
-    return panel.hide_uncalled && effect.state == EffectState::NotNeeded && !forced;
+    return panel.only_needed && effect.state == EffectState::NotNeeded && !forced;
 }
 
 void sum_row(const PassCost& sum) {

@@ -11,7 +11,7 @@
 
 #include "renderer/reference/artefact_picture.h"
 #include "renderer/reference/live_error.h"
-#include "ui/panels/cures_table.h"
+#include "ui/panels/fixes_table.h"
 #include "ui/state/panels.h"
 #include "ui/state/shortcuts.h"
 #include "ui/widgets/button_width.h"
@@ -108,7 +108,7 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
 }
 
 void next_button(EditorState& state, const EditorFrame& frame, const std::string& tour) {
-    ImGui::BeginDisabled(touring_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
+    ImGui::BeginDisabled(artefact_tour_cause(state, frame) == Artefact::None || state.artefact_tour.waits_for != 0);
     if (ImGui::Button("Next artefact")) next_artefact(state, frame);
     ImGui::EndDisabled();
     if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
@@ -137,7 +137,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
         for (const ArtefactStyle& style : artefact_styles().subspan(first, end - first))
             if (cause_row(style, state.artefact_tour.cause == style.artefact, m.artefacts[std::size_t(style.artefact)],
                           m.counted, shares))
-                choose_cause(state, style.artefact);
+                toggle_tour_cause(state, style.artefact);
         ImGui::EndTable();
     }
     ImGui::PopID();
@@ -172,7 +172,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         return;
     }
     const auto labelled = [&](const char* label, const char* key, float width) {
-        flow(ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width);
+        same_line_if_fits(ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width);
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", label);
         ImGui::SameLine();
@@ -182,16 +182,16 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     labelled("Area light (soft shadows)", "truth.area", ImGui::GetFrameHeight());
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
     labelled("Every n-th pixel", "truth.step", em * 4);
-    flow(em * 4);
+    same_line_if_fits(em * 4);
     save_button(state, frame, requests);
-    flow(em * 6);
-    fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
-                 frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
+    same_line_if_fits(em * 6);
+    draw_fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
+                      frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    flow(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
+    same_line_if_fits(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
     next_button(state, frame, tour);
-    flow(ImGui::CalcTextSize(status.c_str()).x + em * 4);
+    same_line_if_fits(ImGui::CalcTextSize(status.c_str()).x + em * 4);
     ImGui::AlignTextToFramePadding();
     const bool busy = !frame.reference->doing.empty();
     ImGui::TextDisabled("%s", status.c_str());
@@ -199,7 +199,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
-    fix_rows_table(s, frame.fixes, requests, {});
+    draw_fixes_table(s, frame.fixes, requests, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

@@ -124,7 +124,7 @@ void draw_size(SweepPanel& panel) {
     ImGui::SameLine(0, em * 0.2f);
     side("##height", panel.height);
     const char* const area = "Area light (soft shadows)";
-    flow(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(area).x);
+    same_line_if_fits(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(area).x);
     ImGui::Checkbox(area, &panel.area);
     wrapped_tooltip("Compare with an area light (light.size), not a point or direction");
     choose_cost("Times", panel.timed);
@@ -316,7 +316,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     const auto offer = [&](const char* id, const std::string& text, std::size_t mark) {
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
         const std::string button = text + "##" + id;
-        flow(button_width(text.c_str()));
+        same_line_if_fits(button_width(text.c_str()));
         if (ImGui::Button(button.c_str())) take(state, c);
         if (ImGui::IsItemHovered()) case_tooltip(facts, c);
     };
@@ -350,8 +350,8 @@ void draw_state(const SweepFacts& facts, EditorRequests& requests) {
             for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
             wrapped_tooltip(list);
         }
-        flow(button_width("Set them back"));
-        if (ImGui::Button("Set them back")) requests.take_sweep_base = true;
+        same_line_if_fits(button_width("Set them back"));
+        if (ImGui::Button("Set them back")) requests.apply_sweep_base = true;
         wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }
 }
@@ -387,7 +387,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
     if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
         const std::string text =
             fmt::format("Not measured{}: {}", facts.running ? " yet" : "", within_sentence(wanted->label));
-        flow(ImGui::CalcTextSize(text.c_str()).x);
+        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextDisabled("%s", text.c_str());
         wrapped_tooltip(facts.running ? "The plot goes over to it when all cases have a value"
                                       : "No case of this sweep has a value of it");
@@ -396,7 +396,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
         const std::string count =
             facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(), facts.total, facts.failed)
                              : fmt::format("{} of {} cases", facts.cases.size(), facts.total);
-        flow(ImGui::CalcTextSize(count.c_str()).x);
+        same_line_if_fits(ImGui::CalcTextSize(count.c_str()).x);
         ImGui::TextDisabled("%s", count.c_str());
         if (ImGui::IsItemHovered()) {
             std::string text = facts.about;
@@ -406,7 +406,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
             wrapped_tooltip(text);
         }
         if (facts.software) {
-            flow(ImGui::CalcTextSize("CPU rasteriser").x);
+            same_line_if_fits(ImGui::CalcTextSize("CPU rasteriser").x);
             ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();

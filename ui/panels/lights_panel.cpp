@@ -129,7 +129,7 @@ void list_buttons(Settings& s) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetStyle().ItemSpacing.y});
     const auto button = [&](bool possible, const char* label, const std::string& tip) {
-        if (!std::exchange(first, false)) flow(button_width(label));
+        if (!std::exchange(first, false)) same_line_if_fits(button_width(label));
         ImGui::BeginDisabled(!possible);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();

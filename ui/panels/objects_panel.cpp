@@ -105,7 +105,7 @@ void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Pa
     std::vector<double> rank;
     std::vector<std::string> name;
     if (order.column == 0)
-        for (const Row& row : tree.rows) name.push_back(last_part(*row.path));
+        for (const Row& row : tree.rows) name.push_back(last_path_part(*row.path));
     else if (order.column == 1)
         for (const Row& row : tree.rows) rank.push_back(double(row.triangles));
     else if (order.fresh || state.objects.ranks_scene != scene.id || state.objects.ranks.size() != tree.rows.size()) {
@@ -174,9 +174,9 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
             "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
             "triangles faces the way that is culled. Floors and open meshes have no back.",
             shown_light(state.settings));
-    flow(button_width("Show only lost") + ImGui::GetFrameHeight());
+    same_line_if_fits(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
-    flow(button_width("Cast from both sides"));
+    same_line_if_fits(button_width("Cast from both sides"));
     if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
@@ -209,7 +209,7 @@ void choose(EditorState& state, const Scene& scene, const std::vector<const Row*
         return select_objects(state, range);
     }
     const std::vector<std::string> paths =
-        row.placed ? std::vector<std::string>{*row.path} : placed_below(scene, row.node);
+        row.placed ? std::vector<std::string>{*row.path} : mesh_nodes_below(scene, row.node);
     const std::set<std::string> wanted(paths.begin(), paths.end());
     if (!io.KeyCtrl)
         return select_objects(state, selected_objects(state) == wanted ? std::vector<std::string>() : paths);
@@ -237,7 +237,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
                                          : own        ? theme::accent()
                                          : row.placed ? theme::text()
                                                       : theme::muted());
-    const std::string name = last_part(*row.path);
+    const std::string name = last_path_part(*row.path);
     const std::string label = row.lost ? name + "   lost by culling" : name;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
         choose(state, scene, list, at);
@@ -352,7 +352,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
     if (!all) {
-        flow(button_width("Show all"));
+        same_line_if_fits(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
         wrapped_tooltip(with_key("Brings back what is hidden", Command::ShowAllObjects));
     }

@@ -42,7 +42,7 @@ struct Flowed {
 
 /// Runs of text one after the other, broken between words at `width`, in `most` lines (0: as many as it takes). Draws
 /// from `at` on, unless `draw` is null.
-Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
+Flowed same_line_if_fits(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
     const float size = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
     constexpr const char* kMore = "…";
     const float more = ImGui::CalcTextSize(kMore).x;
@@ -86,7 +86,7 @@ float text_room(float width, float buttons) {
 
 /// Returns the number of lines that the runs take in a strip.
 int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
-    return flow(runs, {}, text_room(width, buttons), 0, nullptr).lines;
+    return same_line_if_fits(runs, {}, text_room(width, buttons), 0, nullptr).lines;
 }
 
 /// A band as high as the runs beside buttons of `buttons` pixels need, or as `lines` of text, where what is beyond them
@@ -96,7 +96,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
     const bool below = buttons_below(width, buttons);
     const float wrap = text_room(width, buttons);
     const float frame = ImGui::GetFrameHeight();
-    const Flowed flowed = flow(runs, {}, wrap, lines, nullptr);
+    const Flowed flowed = same_line_if_fits(runs, {}, wrap, lines, nullptr);
     const float text = lines > 0 ? float(lines) * ImGui::GetTextLineHeight() : flowed.height;
     const float gap = em * 0.33f;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::colours().note);
@@ -106,7 +106,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = below ? text : std::max(text, frame);
-    flow(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
+    same_line_if_fits(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
     ImGui::Dummy({wrap, text});
     if (flowed.cut) wrapped_tooltip(runs.back().text);
     ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
@@ -142,7 +142,7 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     const GuideNote& guide = state.files.guide;
     if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
-    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
     const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
     const bool built_in = at != walk.end();
     const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
@@ -193,21 +193,21 @@ void draw_reset(EditorState& state, const EditorFrame& frame, EditorRequests& re
                   requests.save_preset = state.files.preset_path;
               ImGui::SameLine();
               if (hint_button("Save as…", "Under another name"))
-                  ask_for_file(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
-                               state.files.guide.about);
+                  open_file_dialog(state.files.dialog, FileDialog::Job::SavePreset, state.files.preset_path,
+                                   state.files.guide.about);
           });
 }
 
 }  // namespace
 
-std::span<const PresetEntry> open_walk(const EditorState& state, const EditorFrame& frame) {
+std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame) {
     const bool hard =
         std::ranges::find(frame.hard_cases, state.files.guide.key, &PresetEntry::key) != frame.hard_cases.end();
     return hard ? frame.hard_cases : frame.presets;
 }
 
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
-    const std::span<const PresetEntry> walk = open_walk(state, frame);
+    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
     const int count = int(walk.size());
     if (count == 0) return {};
     int at = -1;

@@ -8,7 +8,7 @@
 #include "renderer/base/lengths_text.h"
 #include "renderer/inspect/pixel_diagnosis.h"
 #include "renderer/settings/param.h"
-#include "ui/panels/cures_table.h"
+#include "ui/panels/fixes_table.h"
 #include "ui/panels/section_view.h"
 #include "ui/scene_view/kernel_marks.h"
 #include "ui/state/panels.h"
@@ -61,7 +61,7 @@ void verdict(const std::string& text) {
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.place != MapPlace::Inside || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
-    if (ImGui::Button(quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
+    if (ImGui::Button(shows_quads_at(s, place) ? "Hide stored-depth quads" : "Stored-depth quads here"))
         toggle_quads(s, place);
     if (ImGui::IsItemHovered())
         ImGui::SetTooltip(
@@ -250,10 +250,10 @@ private:
 /// Draws all numbers that the verdict depends on. @param cures draws the fixes of the pixel
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
-             Button&& fixes_button, Table&& fix_rows_table) {
-    if (fixes_button()) si::flow(button_width("Hide stored-depth quads"));
+             Button&& draw_fixes_button, Table&& draw_fixes_table) {
+    if (draw_fixes_button()) si::same_line_if_fits(button_width("Hide stored-depth quads"));
     slabs_button(settings, p, resolution);
-    fix_rows_table();
+    draw_fixes_table();
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
@@ -320,11 +320,11 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
             light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
             [&] {
                 if (classified)
-                    fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
+                    draw_fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
                 return classified;
             },
             [&] {
-                if (classified) fix_rows_table(state.settings, frame.fixes, requests, state.probe_pixel);
+                if (classified) draw_fixes_table(state.settings, frame.fixes, requests, state.probe_pixel);
             });
     };
     if (probe->lights.empty()) return;
@@ -337,10 +337,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
         draw_section_view(state.probe_panel.section_views, frame.sections, first, size);
         state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
-        if (ImGui::IsItemClicked()) maximise(state, Panel::Tabs);
+        if (ImGui::IsItemClicked()) toggle_maximised(state, Panel::Tabs);
         if (ImGui::BeginPopupContextItem("drawing")) {
             if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
-                maximise(state, Panel::Tabs);
+                toggle_maximised(state, Panel::Tabs);
             if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
             ImGui::EndPopup();
         }

@@ -33,7 +33,7 @@ void draw_welcome(EditorState& state, const EditorFrame& frame, EditorRequests& 
         return pressed;
     };
     if (button("Open a model…", "A .gltf or .glb file; dropping one on the window does the same"))
-        ask_for_file(state.files.dialog, FileDialog::Job::Open, state.files.preset_path);
+        open_file_dialog(state.files.dialog, FileDialog::Job::Open, state.files.preset_path);
     if (button("Guided tour",
                fmt::format("The first guided preset; {} goes on", key_text(Command::NextPreset)).c_str()) &&
         !frame.presets.empty())

@@ -66,7 +66,7 @@ void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureVie
     if (!ImGui::IsItemActivated() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     state.viewport.press_taken = true;
     take_camera(state, frame);
-    look_along(state.settings.camera, end->axis, end->positive);
+    look_along_axis(state.settings.camera, end->axis, end->positive);
 }
 
 void draw_gnomon(const EditorState& state, const PicturePainter& p) {

@@ -81,7 +81,7 @@ glm::dvec3 on_ball(const Ray& ray, const glm::dvec3& centre, double radius, bool
 bool drag_direction(LightSettings& s, const LightPose& start, const PictureView& view, const Ray& ray, double step) {
     const bool spot = start.type == LightType::Spot;
     const glm::dvec3 centre = spot ? start.position : start.target;
-    const glm::dvec3 tip = handle_place(start, LightHandle::Direction, view);
+    const glm::dvec3 tip = handle_position(start, LightHandle::Direction, view);
     const auto seen = view.point(tip);
     if (!seen) return false;
     const bool front = glm::dot(tip - centre, view.ray(*seen).direction) <= 0;
@@ -92,11 +92,11 @@ bool drag_direction(LightSettings& s, const LightPose& start, const PictureView&
 }
 
 bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ray& ray, double step) {
-    const glm::dvec3 axis = -start.to_light, side = handle_way(start, h), edge = glm::cross(axis, side);
-    const double half = half_cone_rad(start.settings), reach = cone_reach(start) * std::cos(half);
+    const glm::dvec3 axis = -start.to_light, side = handle_axis(start, h), edge = glm::cross(axis, side);
+    const double half = half_cone_rad(start.settings), reach = cone_rim_distance(start) * std::cos(half);
     const bool in_rim = std::abs(glm::dot(ray.direction, axis)) > std::abs(glm::dot(ray.direction, edge));
     const auto at =
-        in_rim ? meet_plane(ray, start.position + axis * reach, axis) : meet_plane(ray, start.position, edge);
+        in_rim ? intersect_plane(ray, start.position + axis * reach, axis) : intersect_plane(ray, start.position, edge);
     if (!at) return false;
     const glm::dvec3 d = *at - start.position;
     double angle = std::atan2(glm::dot(d, side), glm::dot(d, axis));
@@ -106,7 +106,7 @@ bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ra
 }
 
 bool drag_range(LightSettings& s, const LightPose& start, const Ray& ray, double step) {
-    const auto metres = nearest_on_line(ray, start.position, range_way(start));
+    const auto metres = nearest_on_line(ray, start.position, range_axis(start));
     if (!metres) return false;
     s.range = std::clamp(snapped(*metres, step), std::max(kLeast * start.settings.range, step), kMostRange);
     return true;
@@ -161,13 +161,13 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
                                         const glm::dvec2& to, double step) {
     LightSettings s = start.settings;
     const Ray ray = view.ray(to);
-    const auto in_camera_plane = [&](const glm::dvec3& p) { return meet_plane(ray, p, view.camera.axes[2]); };
+    const auto in_camera_plane = [&](const glm::dvec3& p) { return intersect_plane(ray, p, view.camera.axes[2]); };
     if (h == LightHandle::Position) {
         const auto p = in_camera_plane(start.position);
         if (!p) return {};
         move_place(s, snapped(*p, step), start);
     } else if (is_axis(h)) {
-        const glm::dvec3 way = handle_way(start, h), tip = handle_place(start, h, view);
+        const glm::dvec3 way = handle_axis(start, h), tip = handle_position(start, h, view);
         const auto t = nearest_on_line(ray, tip, way);
         if (!t) return {};
         glm::dvec3 p = start.position + way * *t;
@@ -185,8 +185,8 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
     } else if (h == LightHandle::Direction) {
         if (!drag_direction(s, start, view, ray, step)) return {};
     } else if (is_extent(h)) {
-        const glm::dvec3 way = handle_way(start, h);
-        const auto t = nearest_on_line(ray, handle_place(start, h, view) - way * start.view.half_width, way);
+        const glm::dvec3 way = handle_axis(start, h);
+        const auto t = nearest_on_line(ray, handle_position(start, h, view) - way * start.view.half_width, way);
         if (!t) return {};
         s.extent = std::max(snapped(*t, step), std::max(kLeast * start.view.half_width, step));
     } else if (is_cone(h)) {

@@ -65,7 +65,7 @@ void begin_drag(EditorState& state, const FrameResult& result, const PictureView
     drag.start = grab_light(pose, *on.handle, result.lights[std::size_t(on.light)]);
     drag.before = pose.settings;
     drag.pressed_at = mouse;
-    drag.handle_at = view.point(handle_place(drag.start, drag.handle, view)).value_or(mouse);
+    drag.handle_at = view.point(handle_position(drag.start, drag.handle, view)).value_or(mouse);
     state.viewport.handle_drag = drag;
 }
 

@@ -22,9 +22,9 @@ bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureVi
     const auto across = [&](const glm::dvec3& line) { return glm::length(glm::cross(sight, line)) > kLeastSine; };
     const auto faces = [&](const glm::dvec3& normal) { return std::abs(glm::dot(sight, normal)) > kLeastSine; };
     if (h == LightHandle::Near || h == LightHandle::Far) return across(pose.view.axes[2]);
-    if (is_axis(h) || is_extent(h)) return across(handle_way(pose, h));
-    if (h == LightHandle::Range) return across(range_way(pose));
-    if (is_cone(h)) return faces(pose.to_light) || faces(glm::cross(pose.to_light, handle_way(pose, h)));
+    if (is_axis(h) || is_extent(h)) return across(handle_axis(pose, h));
+    if (h == LightHandle::Range) return across(range_axis(pose));
+    if (is_cone(h)) return faces(pose.to_light) || faces(glm::cross(pose.to_light, handle_axis(pose, h)));
     return true;
 }
 
@@ -103,14 +103,14 @@ std::vector<LightHandle> handles_of(const LightPose& pose) {
     return all;
 }
 
-glm::dvec3 handle_way(const LightPose& pose, LightHandle h) {
+glm::dvec3 handle_axis(const LightPose& pose, LightHandle h) {
     if (is_axis(h)) return glm::dmat3(1.0)[index_of(h) - index_of(LightHandle::AxisX)];
     const int side = index_of(h) - index_of(is_cone(h) ? LightHandle::ConeRight : LightHandle::ExtentRight);
     const glm::dmat3 axes = is_cone(h) ? orthonormal_basis(pose.to_light) : pose.view.axes;
     return (side < 2 ? 1.0 : -1.0) * axes[side % 2];
 }
 
-glm::dvec3 range_way(const LightPose& pose) {
+glm::dvec3 range_axis(const LightPose& pose) {
     const glm::dmat3 axes = orthonormal_basis(pose.to_light);
     const glm::dvec3 aside = (axes[0] + axes[1]) / std::numbers::sqrt2;
     if (pose.type != LightType::Spot) return aside;
@@ -122,17 +122,17 @@ double half_cone_rad(const LightSettings& settings) {
     return std::clamp(0.5 * settings.cone, 0.05, 180.0) * std::numbers::pi / 180;
 }
 
-double direction_ball(const LightPose& pose, const PictureView& view) {
+double direction_ball_radius(const LightPose& pose, const PictureView& view) {
     const glm::dvec3 about = pose.type == LightType::Spot ? pose.position : pose.target;
     const double on_screen = kBallPixels * view.ui_scale * view.metres_per_pixel(about);
     return std::min(on_screen, 0.6 * pose.distance);
 }
 
-double cone_reach(const LightPose& pose) {
+double cone_rim_distance(const LightPose& pose) {
     return kRim * pose.distance;
 }
 
-glm::dvec3 handle_place(const LightPose& pose, LightHandle h, const PictureView& view) {
+glm::dvec3 handle_position(const LightPose& pose, LightHandle h, const PictureView& view) {
     const LightView& map = pose.view;
     const auto along = [&](double z) { return map.eye - map.axes[2] * z; };
     switch (h) {
@@ -141,28 +141,28 @@ glm::dvec3 handle_place(const LightPose& pose, LightHandle h, const PictureView&
         case LightHandle::Target:
             return pose.target;
         case LightHandle::Range:
-            return pose.position + range_way(pose) * pose.settings.range;
+            return pose.position + range_axis(pose) * pose.settings.range;
         case LightHandle::Near:
             return along(map.curve.near);
         case LightHandle::Far:
             return along(map.curve.far);
         case LightHandle::Direction:
-            return pose.type == LightType::Spot ? pose.position - pose.to_light * direction_ball(pose, view)
-                                                : pose.target + pose.to_light * direction_ball(pose, view);
+            return pose.type == LightType::Spot ? pose.position - pose.to_light * direction_ball_radius(pose, view)
+                                                : pose.target + pose.to_light * direction_ball_radius(pose, view);
         default:
             break;
     }
-    const glm::dvec3 way = handle_way(pose, h);
+    const glm::dvec3 way = handle_axis(pose, h);
     if (is_axis(h)) return pose.position + way * (kArrowPixels * view.ui_scale * view.metres_per_pixel(pose.position));
     if (is_extent(h)) return along(0.5 * (map.curve.near + map.curve.far)) + way * map.half_width;
     const double half = half_cone_rad(pose.settings);
-    return pose.position + cone_reach(pose) * (std::sin(half) * way - std::cos(half) * pose.to_light);
+    return pose.position + cone_rim_distance(pose) * (std::sin(half) * way - std::cos(half) * pose.to_light);
 }
 
 std::vector<PlacedHandle> place_handles(const LightPose& pose, const PictureView& view) {
     std::vector<PlacedHandle> placed;
     for (const LightHandle h : handles_of(pose)) {
-        PlacedHandle p{h, handle_place(pose, h, view), {}};
+        PlacedHandle p{h, handle_position(pose, h, view), {}};
         const auto on = view.point(p.at);
         if (!on || !view.contains(*on)) continue;
         p.on_screen = *on;

@@ -121,7 +121,7 @@ void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool busy,
     if (pose.has_map && !pose.cascaded())
         for (const Segment& s : frustum_edges(pose.view))
             p.line(s.from, s.to, faded(theme::kLight, s.far ? far_alpha : near_alpha));
-    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_reach(pose), faded(theme::kLight, near_alpha));
+    if (pose.type == LightType::Spot) draw_rim(p, pose, cone_rim_distance(pose), faded(theme::kLight, near_alpha));
     if (pose.ranged()) draw_range(p, pose);
     const PictureView& view = p.view();
     if (const auto at = pointer_place(pose, view))
@@ -139,7 +139,7 @@ void draw_other_light(const PicturePainter& p, const LightPose& pose, const Fitt
 
 void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<LightHandle> hovered) {
     const PictureView& view = p.view();
-    const glm::dvec3 tip = handle_place(pose, LightHandle::Direction, view);
+    const glm::dvec3 tip = handle_position(pose, LightHandle::Direction, view);
     if (pose.type == LightType::Spot) {
         p.dashes(pose.position, pose.target, faded(theme::kLight, 150), 1);
         p.line(pose.position, tip, theme::kLight);
@@ -180,7 +180,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
 }
 
 void draw_numbers(const PicturePainter& p, const LightPose& pose, LightHandle handle, int map_resolution) {
-    const auto at = p.view().point(handle_place(pose, handle, p.view()));
+    const auto at = p.view().point(handle_position(pose, handle, p.view()));
     if (!at) return;
     std::string text = fmt::format("{}   {}", handle_name(handle), handle_numbers(pose, handle));
     if (is_extent(handle) && map_resolution > 0)

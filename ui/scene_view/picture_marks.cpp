@@ -55,7 +55,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const float cell = kLoupeFactor * std::max(1.0f, std::round(em / 15)), side = cell * float(loupe->pixels.width);
     const float text = em * 2.7f, above = em * 2.6f;
     if (size.x < 3 * side || size.y < side + text + 2 * above) return;
-    const auto* middle = &loupe->pixels.data[std::size_t(kLoupeReach * (loupe->pixels.width + 1)) * 4];
+    const auto* middle = &loupe->pixels.data[std::size_t(kLoupeRadiusPixels * (loupe->pixels.width + 1)) * 4];
     ImFont* font = theme::small();
     const std::string colour =
         fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
@@ -79,7 +79,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
         list.AddLine({lo.x + d, lo.y}, {lo.x + d, hi.y}, kLoupeGrid);
         list.AddLine({lo.x, lo.y + d}, {hi.x, lo.y + d}, kLoupeGrid);
     }
-    const ImVec2 c(lo.x + cell * kLoupeReach, lo.y + cell * kLoupeReach);
+    const ImVec2 c(lo.x + cell * kLoupeRadiusPixels, lo.y + cell * kLoupeRadiusPixels);
     list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kShade, 0, 0, 3);
     list.AddRect({c.x - 1, c.y - 1}, {c.x + cell + 1, c.y + cell + 1}, theme::kProbed, 0, 0, 1.5f);
     std::optional<double> visibility;
@@ -95,7 +95,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
 }
 
-void veiled_text(ImVec2 at, const std::string& text, ImU32 colour) {
+void draw_text_on_picture(ImVec2 at, const std::string& text, ImU32 colour) {
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -114,7 +114,7 @@ std::string artefact_of(const glm::vec3& colour) {
     return "nothing wrong";
 }
 
-void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
+void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
     std::string text = fmt::format("{}, {}", pixel.x, pixel.y);
     const int overlay = pane.overlay;
     const FloatImage* values = frame.overlay_values;
@@ -138,7 +138,7 @@ void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, gl
                                 values->at(pixel.x, pixel.y, 2));
     }
     const float em = ImGui::GetFontSize();
-    veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, text);
+    draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, text);
 }
 
 }  // namespace si

@@ -48,7 +48,7 @@ bool PictureView::contains(const glm::dvec2& screen) const {
     return p.x >= 0 && p.y >= 0 && p.x < size.x && p.y < size.y;
 }
 
-std::optional<glm::dvec3> meet_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal) {
+std::optional<glm::dvec3> intersect_plane(const Ray& ray, const glm::dvec3& point, const glm::dvec3& normal) {
     const double towards = glm::dot(ray.direction, normal);
     if (std::abs(towards) < kParallel) return {};
     const double t = glm::dot(point - ray.origin, normal) / towards;

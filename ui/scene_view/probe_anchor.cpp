@@ -29,7 +29,7 @@ bool hides(const Probe& probe, const ProbeAnchor& anchor) {
     const glm::dvec3 away = anchor.position_ws - camera.eye;
     const double across = 1.5 * view.metres_per_pixel(anchor.position_ws);
     glm::dvec3 expected = anchor.position_ws;
-    if (const auto met = meet_plane(ray, anchor.position_ws, anchor.normal_ws);
+    if (const auto met = intersect_plane(ray, anchor.position_ws, anchor.normal_ws);
         met && glm::distance(*met, anchor.position_ws) < 0.1 * glm::length(away))
         expected = *met;
     const double nearer = glm::dot(probe.position_ws - expected, camera.axes[2]);

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
 
-constexpr int kMostSelected = 200;  // boxes of chosen objects that are drawn
+constexpr int kMaxSelected = 200;  // boxes of chosen objects that are drawn
 
 void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
     for (int i = 0; i < 8; ++i)
@@ -79,7 +79,7 @@ void draw_selection(const PicturePainter& p, const EditorState& state, const Sce
             box(p, around.corners(), theme::kSelected, true);
     int drawn = 0;
     for (const std::string& path : state.selection.others)
-        if (drawn < kMostSelected)
+        if (drawn < kMaxSelected)
             if (const auto corners = box_of(scene, path)) {
                 ++drawn;
                 box(p, *corners, theme::kSelected, false);
@@ -90,7 +90,7 @@ void draw_selection(const PicturePainter& p, const EditorState& state, const Sce
     std::optional<glm::dvec2> top;
     for (const glm::dvec3& c : *corners)
         if (const auto at = p.view().point(c); at && (!top || at->y < top->y)) top = at;
-    std::string name = last_part(state.selection.first);
+    std::string name = last_path_part(state.selection.first);
     if (!state.selection.others.empty()) name += fmt::format(" and {} more", state.selection.others.size());
     if (top) p.caption(*top - glm::dvec2(0, p.px(26)), name, theme::kOnPicture);
 }
@@ -98,7 +98,7 @@ void draw_selection(const PicturePainter& p, const EditorState& state, const Sce
 void draw_caster_bounds(const PicturePainter& p, const Scene& scene, const Settings& settings) {
     const SceneShape shape = scene_shape(scene, settings);
     int drawn = 0;
-    for (std::size_t i = 0; i < shape.boxes.size() && drawn < kMostBoxes; ++i)
+    for (std::size_t i = 0; i < shape.boxes.size() && drawn < kMaxBoxes; ++i)
         if (shape.box_casts[i]) {
             box(p, shape.boxes[i], theme::kBounds, true);
             ++drawn;

@@ -80,7 +80,8 @@ void object_items(EditorState& state, const EditorFrame& frame, const std::set<s
 void open_scene_menu(EditorState& state, const EditorFrame& frame, const PictureView& view) {
     const ImGuiIO& io = ImGui::GetIO();
     if (!frame.scene || !ImGui::IsItemDeactivated() || !ImGui::IsMouseReleased(ImGuiMouseButton_Right)) return;
-    if (state.viewport.flew || io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] > kClickPixels * kClickPixels) return;
+    if (state.viewport.camera_flew || io.MouseDragMaxDistanceSqr[ImGuiMouseButton_Right] > kClickPixels * kClickPixels)
+        return;
     const ImVec2 at = io.MouseClickedPos[ImGuiMouseButton_Right];
     if (!view.contains({at.x, at.y})) return;
     state.viewport.menu_object = object_at(*frame.scene, view.ray({at.x, at.y}));

@@ -29,7 +29,7 @@ struct ScenePanel {
     bool select_probed = false;             ///< the next probe selects its object (a double click)
 
     Flight flight;
-    bool flew = false;  ///< the camera moved, or a key was down, while the right button was held
+    bool camera_flew = false;  ///< the camera moved, or a key was down, while the right button was held
     std::optional<CameraSettings> camera_before_light;  ///< camera to go back to from the light's view
 };
 

@@ -55,7 +55,8 @@ void header(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     Toolbar bar("scene tools");
     bar.title("Scene");
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        toggle_maximised(state, Panel::Scene);
     bar.item("Overlay", em * 9, [&s](float room) { overlay_widget(s, overlay_setting(0), room); });
     bar.item("Compare", em * 6.5f, [&state](float room) { comparison_view_widget(state, room); });
     bar.item("", em * 9, [&](float room) { comparison_other_widget(state, frame, room); });
@@ -230,7 +231,7 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
         // Above it stands which overlay the pane has, or which side of a comparison it is.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
-        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
+        draw_hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
@@ -289,8 +290,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x,
                             panes.lo(i).y + panes.size().y, panes.size());
     if (!frame.shader_log.empty())
-        veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
-                    "A shader does not compile; the last good one is in use (see Log)");
+        draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 2.2f},
+                             "A shader does not compile; the last good one is in use (see Log)");
     for (int i = 0; i < pictures; ++i)
         if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);

@@ -146,7 +146,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     requests.redraw |= state.window.open_tab.has_value();
     requests.want_timing = state.tab == BottomTab::Effects;
     requests.want_error = state.tab == BottomTab::Error;
-    if (double_click_on_tabs()) maximise(state, Panel::Tabs);
+    if (double_click_on_tabs()) toggle_maximised(state, Panel::Tabs);
     ImGui::EndTabBar();
 }
 
@@ -207,7 +207,7 @@ void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& req
 void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
-    if (layout.map_place == MapSpot::BesideScene) {
+    if (layout.map_place == MapSpot::NextToScene) {
         const float map = std::clamp(size.x * layout.map_share, em * 8, std::max(em * 8, size.x - em * 12));
         scene_panel(state, frame, requests, {size.x - map - bar, size.y});
         ImGui::SameLine();
@@ -309,7 +309,7 @@ bool text_is_typed() {
     return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
-void maximise(EditorState& state, Panel panel) {
+void toggle_maximised(EditorState& state, Panel panel) {
     if (state.window.maximised == panel)
         state.window.maximised.reset();
     else
@@ -321,17 +321,17 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     const std::optional<Shot> shot = std::exchange(state.shots.next, {});
     state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
     state.viewport.dragging = false;
-    theme::use(state.layout.light_theme);
+    theme::set_light(state.layout.light_theme);
     use_driver(frame.driver);
     use_scene(frame.scene);
     use_result(frame.result);
     if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
-    play_on(state, frame, double(ImGui::GetIO().DeltaTime));
+    advance_animation(state, frame, double(ImGui::GetIO().DeltaTime));
     // A click in this frame may enter a text field that the letters are for, if frames are slow.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
     state.lights.listed = false;
-    follow_fix(state, frame);
+    apply_waiting_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();
@@ -368,18 +368,18 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
         state.objects.hovered.clear();  // no list that says it
     requests.want_error |= shows_artefacts(state.settings) || waits;
-    share_arrow_keys(state);
-    share_page_keys(state);
+    assign_arrow_keys(state);
+    assign_page_keys(state);
     state.window.had_popup = popup_is_open();
     if (shot) take_shot(state, requests, *shot);
     requests.redraw |= state.shots.next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.viewport.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.files.guide});
-    state.history.observe(state.settings, gesture || state.between_steps);
+    state.history.record(state.settings, gesture || state.between_steps);
     // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
     requests.hold_cursor = state.viewport.flight.on &&
-                           (state.viewport.flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
+                           (state.viewport.camera_flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
     requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;

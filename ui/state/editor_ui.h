@@ -14,9 +14,9 @@
 #include "ui/panels/advice_panel.h"
 #include "ui/panels/artefact_tour.h"
 #include "ui/panels/compare_panel.h"
-#include "ui/panels/cures.h"
 #include "ui/panels/effects_panel.h"
 #include "ui/panels/error_panel.h"
+#include "ui/panels/fixes.h"
 #include "ui/panels/frontier_panel.h"
 #include "ui/panels/health_panel.h"
 #include "ui/panels/lab_panel.h"
@@ -24,8 +24,8 @@
 #include "ui/panels/objects_panel.h"
 #include "ui/panels/presets.h"
 #include "ui/panels/probe_panel.h"
+#include "ui/panels/reference.h"
 #include "ui/panels/settings_panel.h"
-#include "ui/panels/truth.h"
 #include "ui/panels/tune.h"
 #include "ui/scene_view/cameras.h"
 #include "ui/scene_view/picture_comparison.h"
@@ -43,7 +43,7 @@
 
 namespace si {
 
-/// Comparison to go back to when the key is released that shows A alone.
+/// Comparison to restore when the key that shows A alone is released.
 struct Flicker {
     PictureComparison picture_comparison;
     CompareWith compare;
@@ -52,7 +52,7 @@ struct Flicker {
 /// Centre of the loupe: the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
-/// The part of the editor's state that frames, and the numbers read from them, depend on.
+/// Part of the editor's state that the drawn frame and the numbers read back from it depend on.
 struct PictureState {
     Settings settings;
     CompareWith compare;
@@ -69,7 +69,7 @@ struct PictureState {
     std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
 };
 
-/// State of the editor: the state of each panel, and what they share.
+/// State of the editor: the state of each panel, and the state that panels share.
 struct EditorState : PictureState {
     History history;
     Log log;
@@ -100,20 +100,21 @@ struct EditorState : PictureState {
     LabPanel lab;
 };
 
-/// A scene that is being read while the editor shows another.
+/// Progress of a scene that is loading while the editor shows another one.
 struct LoadingFacts {
     std::string name;         ///< built-in key or path
     double progress = 0;      ///< 0..1
     double seconds_left = 0;  ///< estimated; 0: not known yet
 };
 
-/// The first picture of a scene while it is drawn.
+/// Progress of a scene's first picture while it is drawn.
 struct DrawingFacts {
     std::string pass;     ///< pass under way
     double progress = 0;  ///< 0..1
 };
 
-/// Facts about the last frame and the work in the background. Pointers may be null: the editor draws without them.
+/// Facts that panels show: the last frame, the scene and background work. Pointers may be null: the editor then draws
+/// without these facts.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -143,7 +144,7 @@ struct EditorFrame : ProbeFacts,
     const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
-/// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
+/// Requests of the panels to the application in one frame. Members want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
                         ReferenceRequests,
                         PresetRequests,
@@ -160,8 +161,8 @@ struct EditorRequests : MapRequests,
     bool want_timing = false;          ///< passes are to be timed
     bool copy_command_line = false;
     bool quit = false;
-    std::optional<DesktopFileDialog> ask_desktop;  ///< open the desktop's file dialog
-    bool welcomed = false;                         ///< the welcome was shown
+    std::optional<DesktopFileDialog> open_desktop_dialog;  ///< open the desktop's file dialog
+    bool welcomed = false;                                 ///< the welcome was shown
     bool hold_cursor = false;  ///< hide the mouse and let it move without bounds, while the camera flies
     bool redraw = false;       ///< something still moves: draw the next frame soon
     std::optional<ShotRequest> shot;
@@ -172,7 +173,8 @@ struct EditorRequests : MapRequests,
 inline constexpr float kLeastWidth = 640;
 inline constexpr float kLeastHeight = 360;
 
-/// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
+/// Draws the whole editor into the current ImGui frame, and edits state.settings in place. Returns the panels'
+/// requests, which the caller fulfils before the next frame.
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

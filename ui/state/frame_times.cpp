@@ -14,9 +14,9 @@ void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view sc
             frame.drew_maps = true;
         }
     }
-    times.of_shown = frame.ms > 0;
+    times.newest_is_shown = frame.ms > 0;
     const bool stays = !times.frames.empty() && times.frames.back().ms == frame.ms;
-    if (times.of_shown && !stays) times.frames.push_back(frame);
+    if (times.newest_is_shown && !stays) times.frames.push_back(frame);
     while (times.frames.size() > 1 && times.frames.front().at_s < now_s - FrameTimes::kKept_s) times.frames.pop_front();
 }
 

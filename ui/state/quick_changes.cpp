@@ -86,7 +86,7 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
                       : "No fix to apply: the verdict of this pixel names none");
 }
 
-void follow_fix(EditorState& state, const EditorFrame& frame) {
+void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_panel.fix_waits) return;
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
         state.probe_panel.fix_waits = false;
@@ -94,20 +94,20 @@ void follow_fix(EditorState& state, const EditorFrame& frame) {
         apply_fix(state, frame);
 }
 
-void point_quads(EditorState& state, const EditorFrame& frame) {
-    const std::optional<TexelPlace> place = pointed_place(state, frame);
+void toggle_pointed_quads(EditorState& state, const EditorFrame& frame) {
+    const std::optional<TexelPlace> place = pointed_texel(state, frame);
     if (!place) {
         state.log.add(LogKind::Info, "No stored-depth quads to show: point at a surface whose shadow the map decides");
         return;
     }
     toggle_quads(state.settings, *place);
-    state.log.add(LogKind::Info, quads_at(state.settings, *place)
+    state.log.add(LogKind::Info, shows_quads_at(state.settings, *place)
                                      ? "Stored-depth quads are shown about this place, each as large as its texel: "
                                        "come closer (wheel) where they are too small"
                                      : "Stored-depth quads are off");
 }
 
-bool quads_at(const Settings& settings, const TexelPlace& place) {
+bool shows_quads_at(const Settings& settings, const TexelPlace& place) {
     const ViewSettings& v = settings.view;
     return v.slabs != Slabs::None && v.light == place.light && v.face == place.face && v.slabs_u == place.u &&
            v.slabs_v == place.v;
@@ -115,7 +115,7 @@ bool quads_at(const Settings& settings, const TexelPlace& place) {
 
 void toggle_quads(Settings& settings, const TexelPlace& place) {
     ViewSettings& v = settings.view;
-    if (quads_at(settings, place)) {
+    if (shows_quads_at(settings, place)) {
         v.slabs = Slabs::None;
         return;
     }
@@ -126,7 +126,7 @@ void toggle_quads(Settings& settings, const TexelPlace& place) {
     v.slabs_v = place.v;
 }
 
-std::optional<TexelPlace> pointed_place(const EditorState& state, const EditorFrame& frame) {
+std::optional<TexelPlace> pointed_texel(const EditorState& state, const EditorFrame& frame) {
     if (!frame.result) return {};
     const auto hovered = hovered_place(state, frame);
     return hovered ? hovered : probed_place(state, frame);

@@ -10,7 +10,7 @@ std::string scene_label(const std::string& name) {
     for (const BuiltinScene& scene : builtin_scenes())
         if (scene.key == name) return std::string(scene.label);
     if (is_builtin_scene(name)) return name;
-    return last_part(name);
+    return last_path_part(name);
 }
 
 }  // namespace si

@@ -58,7 +58,7 @@ std::vector<std::string> paths_where(const Settings& settings, bool ObjectSettin
 
 }  // namespace
 
-std::string last_part(const std::string& path) {
+std::string last_path_part(const std::string& path) {
     const auto slash = path.find_last_of('/');
     return slash == std::string::npos ? path : path.substr(slash + 1);
 }
@@ -89,7 +89,7 @@ Bounds bounds_below(const Scene& scene, const std::string& path) {
     return bounds_of_marked(scene, below(scene, node_of(scene, path)));
 }
 
-std::vector<std::string> placed_below(const Scene& scene, int node) {
+std::vector<std::string> mesh_nodes_below(const Scene& scene, int node) {
     const std::vector<char> in = below(scene, node);
     std::vector<char> placed(in.size(), 0);
     for (const Object* o : all_objects(scene)) placed[std::size_t(o->node)] = in[std::size_t(o->node)];

@@ -180,7 +180,8 @@ constexpr Shortcut kShortcutTable[] = {
      .label = "the panel under the mouse alone, and back",
      .action =
          [](C c) {
-             maximise(c.state, c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
+             toggle_maximised(c.state,
+                              c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
          }},
     {.chord = gesture("double-click a title"), .joined = true},
     {.command = Command::RestorePanels,
@@ -238,7 +239,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::ToggleDepthQuads,
      .chord = letter("Q"),
      .label = "stored-depth quads at the mouse or the probe; again: none",
-     .action = [](C c) { point_quads(c.state, c.frame); }},
+     .action = [](C c) { toggle_pointed_quads(c.state, c.frame); }},
     {.command = Command::ToggleOverlay,
      .chord = {.name = "1 to 9", .first = '1', .last = '9', .ctrl = Modifier::Any},
      .label = "overlays, more with Shift, Alt or Ctrl (their list has the keys); again: none",
@@ -335,7 +336,7 @@ constexpr Shortcut kShortcutTable[] = {
     {.command = Command::OpenFile,
      .chord = with_ctrl(letter("O")),
      .label = "open a .gltf or .glb scene, or a preset",
-     .action = [](C c) { ask_for_file(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); },
+     .action = [](C c) { open_file_dialog(c.state.files.dialog, FileDialog::Job::Open, c.state.files.preset_path); },
      .section = "Files and steps"},
     {.chord = gesture("or drop a file"), .joined = true},
     {.command = Command::SavePreset,
@@ -347,8 +348,8 @@ constexpr Shortcut kShortcutTable[] = {
      .label = "save it as",
      .action =
          [](C c) {
-             ask_for_file(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
-                          c.state.files.guide.about);
+             open_file_dialog(c.state.files.dialog, FileDialog::Job::SavePreset, c.state.files.preset_path,
+                              c.state.files.guide.about);
          },
      .joined = true},
     {.command = Command::RevertPreset,
@@ -484,7 +485,7 @@ const Shortcut& row_of(Command command) {
 
 }  // namespace
 
-bool overlap(When a, When b) {
+bool can_coincide(When a, When b) {
     if (a == When::Always || b == When::Always) return true;
     const bool one = a == When::OnePanel || b == When::OnePanel;
     const bool all = a == When::AllPanels || b == When::AllPanels;
@@ -521,7 +522,7 @@ bool is_held(Command command) {
     return ImGui::IsKeyDown(chord.mapped ? ImGui::GetKeyIndex(chord.first) : chord.first);
 }
 
-void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void run_command(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     row_of(command).action({state, frame, requests});
 }
 
@@ -544,7 +545,7 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
     for (const auto& [row, k] : pressed) row->action({state, frame, requests, k});
 }
 
-void share_arrow_keys(EditorState& state) {
+void assign_arrow_keys(EditorState& state) {
     ImGuiIO& io = ImGui::GetIO();
     const bool mine = state.keyboard.probe_has_arrows && state.probe_pixel && !popup_open();
     if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
@@ -556,7 +557,7 @@ void share_arrow_keys(EditorState& state) {
     }
 }
 
-void share_page_keys(EditorState& state) {
+void assign_page_keys(EditorState& state) {
     int* const keys = ImGui::GetIO().KeyMap;
     if (keys[ImGuiKey_PageUp] >= 0) state.keyboard.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
     const bool theirs = popup_open();

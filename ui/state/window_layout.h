@@ -8,9 +8,9 @@
 namespace si {
 
 /// Place of the map viewer in the window.
-enum class MapSpot { AboveSettings, BesideScene, Inset, Hidden };
+enum class MapSpot { AboveSettings, NextToScene, Inset, Hidden };
 
-/// A part of the window that can fill it.
+/// Part of the editor that can fill the whole window.
 enum class Panel { Scene, Map, Tabs };
 
 /// Tabs of the strip below the pictures.
@@ -24,11 +24,11 @@ struct EditorLayout {
     float bottom_height = 0;    ///< height of the tabs below; 0: the need of the tab that was chosen by hand last
     MapSpot map_place = MapSpot::AboveSettings;
     float map_height = 0.5f;      ///< share of the settings' column, for AboveSettings
-    float map_share = 0.40f;      ///< share of the width left of the settings, for BesideScene
+    float map_share = 0.40f;      ///< share of the width left of the settings, for NextToScene
     float map_inset = 20;         ///< width and height, for Inset
     bool map_plots = true;        ///< histogram and depth curve are drawn under the map
     bool light_theme = false;     ///< else the dark one
-    bool desktop_dialogs = true;  ///< the desktop's file dialog is used where there is one
+    bool desktop_dialogs = true;  ///< use the desktop's file dialog if there is one
     bool operator==(const EditorLayout&) const = default;
 };
 

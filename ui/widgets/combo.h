@@ -10,8 +10,8 @@
 
 namespace si {
 
-/// Returns true if a press on the last item only closes a popup elsewhere. ImGui ignores such a press otherwise.
-inline bool pressed_beside_popup() {
+/// Returns true if the press on the last ImGui item has closed a popup elsewhere. ImGui ignores such a press otherwise.
+inline bool press_closed_other_popup() {
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) &&
            !ImGui::GetTopMostPopupModal() && !ImGui::IsItemHovered() &&
            ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenBlockedByPopup);
@@ -24,7 +24,7 @@ inline bool begin_combo(const char* label, const std::string& shown, ImGuiComboF
     if (ImGui::BeginCombo(label, beginning_that_fits(shown, room, ImGui::GetFont()).c_str(), flags)) return true;
     if (ImGui::GetCurrentWindow()->SkipItems) return false;  // the last item is another one
     // The list comes in the next frame: all lists share a window, in which that of the closed one may stand by now.
-    if (pressed_beside_popup()) ImGui::OpenPopup(ImHashStr("##ComboPopup", 0, ImGui::GetItemID()));
+    if (press_closed_other_popup()) ImGui::OpenPopup(ImHashStr("##ComboPopup", 0, ImGui::GetItemID()));
     return false;
 }
 

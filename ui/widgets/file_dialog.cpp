@@ -177,7 +177,7 @@ void choose(EditorState& state, EditorRequests& requests) {
     if (d.job == FileDialog::Job::Open) {
         requests.open_file = path.string();
     } else {
-        requests.save_preset = preset_path(path).string();
+        requests.save_preset = with_preset_extension(path).string();
         requests.save_about = d.about;
     }
     ImGui::CloseCurrentPopup();
@@ -185,7 +185,7 @@ void choose(EditorState& state, EditorRequests& requests) {
 
 }  // namespace
 
-void ask_for_file(FileDialog& d, FileDialog::Job job, const fs::path& path, const std::string& about) {
+void open_file_dialog(FileDialog& d, FileDialog::Job job, const fs::path& path, const std::string& about) {
     d.job = job;
     d.about = about;
     d.name = job == FileDialog::Job::SavePreset ? path.filename().string() : std::string();
@@ -196,7 +196,7 @@ void ask_for_file(FileDialog& d, FileDialog::Job job, const fs::path& path, cons
     d.asked = true;
 }
 
-fs::path preset_path(fs::path path) {
+fs::path with_preset_extension(fs::path path) {
     if (lower_extension(path) != ".json") path += ".json";
     return path;
 }
@@ -228,7 +228,7 @@ void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorReques
     FileDialog& d = state.files.dialog;
     if (d.asked && frame.desktop_dialogs && state.layout.desktop_dialogs) {
         d.asked = false;
-        requests.ask_desktop = {d.job, d.kind, d.folder, d.name};
+        requests.open_desktop_dialog = {d.job, d.kind, d.folder, d.name};
     }
     const bool saving = d.job == FileDialog::Job::SavePreset;
     const char* title = saving ? kSaveTitle : kOpenTitle;

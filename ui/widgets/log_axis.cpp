@@ -39,7 +39,7 @@ void add_bytes_ticks(LogAxis& axis) {
 
 }  // namespace
 
-double LogAxis::at(double value) const {
+double LogAxis::position(double value) const {
     const double begin = zero ? kZeroShare : 0;
     if (value <= 0) return 0;
     const double share = std::log(value / low) / std::log(high / low);

@@ -344,7 +344,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
 void menu_button(const char* label, const char* popup, const char* hint, float width) {
     // While another menu is open, the press that closes it opens this one.
     const bool pressed = ImGui::Button(label);
-    const bool beside = pressed_beside_popup() && !ImGui::IsPopupOpen(popup);
+    const bool beside = press_closed_other_popup() && !ImGui::IsPopupOpen(popup);
     if (pressed || beside) ImGui::OpenPopup(popup);
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);
@@ -352,7 +352,7 @@ void menu_button(const char* label, const char* popup, const char* hint, float w
     ImGui::SetNextWindowPos({std::max(std::min(lo.x, most), 0.0f), hi.y + ImGui::GetFontSize() * 0.2f});
 }
 
-void flow(float width) {
+void same_line_if_fits(float width) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }

@@ -139,7 +139,7 @@ ImFont* small() {
     return fonts.Size > 2 ? fonts[2] : fonts[0];
 }
 
-void apply(float scale) {
+void apply_style(float scale) {
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
     style.FramePadding = {7, 3.5f};
@@ -177,7 +177,7 @@ const Colours& colours() {
     return colours(light_in_use);
 }
 
-void use(bool light) {
+void set_light(bool light) {
     if (light == light_in_use) return;
     light_in_use = light;
     set_colours();

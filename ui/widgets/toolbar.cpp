@@ -15,8 +15,8 @@ constexpr const char* kMore = "»";
 
 }  // namespace
 
-Toolbar::Toolbar(const char* id, float kept_free)
-    : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - kept_free) {}
+Toolbar::Toolbar(const char* id, float free_right)
+    : id_(id), right_(ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x - free_right) {}
 
 bool Toolbar::fits(float width) {
     if (!waiting_.empty()) return false;

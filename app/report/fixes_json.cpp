@@ -1,4 +1,4 @@
-#include "app/report/cures_json.h"
+#include "app/report/fixes_json.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "app/editor/cures.h"
+#include "app/editor/fixes.h"
 
 #include "app/context/headless_context.h"
 #include "renderer/measure/axes.h"
@@ -21,7 +21,7 @@ void EditorFixes::start(const Scene& scene, const Settings& settings, int width,
     job_.start(
         [copy = std::make_shared<const Scene>(scene), about = about_, options](const Workers& workers,
                                                                                const auto& report) {
-            FixOutcome out = about;
+            FixesFound out = about;
             const HeadlessContext context;
             Renderer renderer;
             ReferenceCache cache;

@@ -1,4 +1,4 @@
-#include "app/editor/tuner.h"
+#include "app/editor/bias_search.h"
 
 #include <fmt/format.h>
 
@@ -19,8 +19,8 @@ std::vector<TunedFamily> families_of(const BiasSearch& search) {
     return out;
 }
 
-TuningOutcome search(TuningOutcome out, const Scene& scene, const TuningJob& job, const Workers& workers,
-                     const std::function<void(const Tuner&)>& report) {
+BiasSearchResult search(BiasSearchResult out, const Scene& scene, const TuningJob& job, const Workers& workers,
+                        const std::function<void(const Tuner&)>& report) {
     const auto began = std::chrono::steady_clock::now();
     const HeadlessContext context;
     Renderer renderer;
@@ -34,7 +34,7 @@ TuningOutcome search(TuningOutcome out, const Scene& scene, const TuningJob& job
 
 }  // namespace
 
-bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height) const {
+bool BiasSearchResult::is_about(const Settings& now, int now_width, int now_height) const {
     Settings then = settings;
     if (found) apply_tuning(then, *found);
     then.bias = now.bias;
@@ -42,8 +42,8 @@ bool TuningOutcome::is_about(const Settings& now, int now_width, int now_height)
     return width == now_width && height == now_height && measured_settings(then) == measured_settings(now);
 }
 
-void EditorTuner::start(const Scene& scene, const Settings& settings, int width, int height,
-                        const TuneRequest& request) {
+void EditorBiasSearch::start(const Scene& scene, const Settings& settings, int width, int height,
+                             const TuneRequest& request) {
     TuningJob job{.settings = settings, .width = width, .height = height};
     job.settings.truth.area = request.area;
     job.goals.most_error = request.most_error;
@@ -63,11 +63,11 @@ void EditorTuner::start(const Scene& scene, const Settings& settings, int width,
         {"the present bias", 0});
 }
 
-std::optional<TuningOutcome> EditorTuner::end() {
+std::optional<BiasSearchResult> EditorBiasSearch::poll() {
     auto outcome = job_.poll();
     if (!outcome) return {};
     if (outcome->value) return std::move(outcome->value);
-    TuningOutcome none = about_;
+    BiasSearchResult none = about_;
     none.failed = !outcome->cancelled;
     none.text =
         outcome->cancelled ? "The search for the smallest bias was cancelled" : exception_message(outcome->problem);

@@ -1,4 +1,4 @@
-#include "app/editor/truth.h"
+#include "app/editor/reference.h"
 
 #include <fmt/format.h>
 
@@ -56,7 +56,7 @@ void EditorReference::clear() {
     light_maps_.clear();
 }
 
-void EditorReference::rest() {
+void EditorReference::release_unused_memory() {
     if (job_.busy()) return;  // the cache is the job's
     const bool shown =
         std::ranges::any_of(pictures_, [&](const auto& p) { return p && p->traced.receivers == cache_.receivers(); });

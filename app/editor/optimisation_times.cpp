@@ -1,13 +1,13 @@
-#include "app/editor/saved.h"
+#include "app/editor/optimisation_times.h"
 
 #include "app/context/headless_context.h"
 
 namespace si {
 
-void EditorSaved::start(const Scene& scene, const Settings& settings, const FrameRequest& request) {
+void EditorOptimisationTimes::start(const Scene& scene, const Settings& settings, const FrameRequest& request) {
     job_.start(
         [copy = std::make_shared<const Scene>(scene), settings, request](const Workers& workers, const auto& report) {
-            SavedOutcome out{
+            OptimisationTimesFound out{
                 .times = {}, .scene = copy->id, .settings = settings, .width = request.width, .height = request.height};
             const HeadlessContext context;
             Renderer renderer;
@@ -16,21 +16,21 @@ void EditorSaved::start(const Scene& scene, const Settings& settings, const Fram
             const FrameResult frame = renderer.render(*copy, settings, unforced);
             const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
             const std::vector<Optimisation> named = named_optimisations(effects);
-            out.times =
-                measure_saved(renderer, *copy, settings, unforced, named, kSavedRounds, workers, [&](double share) {
-                    report({"alternating frames", share});
-                });
+            out.times = measure_saved_times(renderer, *copy, settings, unforced, named, kSavedRounds, workers,
+                                            [&](double share) {
+                                                report({"alternating frames", share});
+                                            });
             return out;
         },
         {"the first frame", 0});
 }
 
-void EditorSaved::fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width,
-                       int height) const {
-    shown.measuring_saved = job_.progress();
+void EditorOptimisationTimes::fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width,
+                                   int height) const {
+    shown.measuring_optimisations = job_.progress();
     if (!found_ || found_->scene != scene) return;
     shown.saved = &found_->times;
-    shown.saved_current = found_->settings == settings && found_->width == width && found_->height == height;
+    shown.saved_times_current = found_->settings == settings && found_->width == width && found_->height == height;
 }
 
 }  // namespace si

@@ -1,4 +1,4 @@
-#include "app/report/against.h"
+#include "app/report/compare.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ void copy_columns(ByteImage& to, int at, const ByteImage& from, int first, int c
 
 }  // namespace
 
-Settings other_settings(const Settings& shown, const Settings& other) {
+Settings settings_with_shadows_of(const Settings& shown, const Settings& other) {
     Settings out = other;
     out.scene = shown.scene;
     out.camera = shown.camera;
@@ -26,7 +26,7 @@ Settings other_settings(const Settings& shown, const Settings& other) {
     return out;
 }
 
-ByteImage swiped(const ByteImage& a, const ByteImage& b, double at) {
+ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at) {
     ByteImage out = b;
     const int line = std::clamp(int(std::lround(at * a.width)), 0, a.width);
     if (line > 0) copy_columns(out, 0, a, 0, line);
@@ -37,7 +37,7 @@ ByteImage swiped(const ByteImage& a, const ByteImage& b, double at) {
     return out;
 }
 
-ByteImage side_by_side(const ByteImage& a, const ByteImage& b) {
+ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b) {
     ByteImage out{a.width + kGap + b.width, std::max(a.height, b.height), {}};
     out.data.assign(std::size_t(out.width) * std::size_t(out.height) * 4, 22);
     copy_columns(out, 0, a, 0, a.width);
@@ -45,7 +45,7 @@ ByteImage side_by_side(const ByteImage& a, const ByteImage& b) {
     return out;
 }
 
-ByteImage difference(const ByteImage& a, const ByteImage& b) {
+ByteImage difference_image(const ByteImage& a, const ByteImage& b) {
     ByteImage out = a;
     for (std::size_t i = 0; i < std::min(a.data.size(), b.data.size()); ++i)
         out.data[i] = i % 4 == 3 ? 255 : std::uint8_t(std::min(2 * std::abs(int(a.data[i]) - int(b.data[i])), 255));
