@@ -143,7 +143,7 @@ public:
         numbers_.require_sound();
     }
 
-    void fly(const Metric& error) {
+    void run_autopilot(const Metric& error) {
         std::vector<SweepAxis> axes;
         for (const std::string& axis : o_.vary) axes.push_back(parse_axis(axis));
         const AutopilotGoals goals{.most_error = o_.most_error,
@@ -195,7 +195,7 @@ void run_advise(const AdviseOptions& options) {
     if (!options.output.empty()) require_writable(options.output);
     Advisor advisor(options);
     if (flies)
-        advisor.fly(error);
+        advisor.run_autopilot(error);
     else
         advisor.advise(error);
 }

@@ -37,7 +37,7 @@ std::string allowed(const SettingRef& ref) {
 std::string setting_section(const Param& p) {
     static const std::map<Cost, std::string_view> kCosts = {{Cost::Uniform, ""},
                                                             {Cost::Program, " A change compiles shaders."},
-                                                            {Cost::Target, " A change allocates the maps anew."}};
+                                                            {Cost::Target, " A change allocates the maps again."}};
     const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
     const std::string preset = value_text(p, default_value(ref));
     std::string text =

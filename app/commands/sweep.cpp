@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 constexpr auto kCheckpoint = 10s;
 constexpr double kBusyLoad = 0.5;  // running processes per core
 
-/// Steps until all is done or a person has had enough, and writes results from time to time.
+/// Runs all steps of a sweep until its end or Ctrl+C, and writes results at intervals.
 void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     ProgressLine line;
     auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
@@ -85,7 +85,7 @@ void run_sweep(const SweepOptions& options) {
     notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
 
     SweepTiming timing = options.timing;
-    // Shards run beside each other, on machines that differ.
+    // Shards run at the same time on different machines, so that their times are not comparable.
     timing.on = timing.on && shard.count == 1;
     const HeadlessContext context;
     Renderer renderer;
@@ -128,7 +128,7 @@ void run_merge(const MergeOptions& options) {
     require_sweep_folder(folder);
     if (options.fresh) remove_sweep_files(folder);
     for (const std::string& part : options.parts) copy_pictures(part, folder);
-    // What the folder holds already stays: merging is a continuation, too.
+    // Results in the folder stay, because merging continues a sweep.
     Journal journal(folder, merged.spec, merged.plan);
     journal.add(missing_lines(journal.state(), merged));
     const SweepResults results = write_sweep_files(folder, journal.state(), plan);

@@ -56,7 +56,7 @@ nlohmann::ordered_json reference_json(const TracedReference& traced, const Refer
     return json;
 }
 
-/// @throws Error that names the first pixel whose visibility is no share of a light
+/// Checks that all visibilities are within 0..1. @throws Error that names the first faulty pixel
 void require_true_shares(const FloatImage& visibility) {
     for (std::size_t i = 0; i < visibility.data.size(); ++i)
         if (const float v = visibility.data[i]; !(v >= 0 && v <= 1)) {

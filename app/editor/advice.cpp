@@ -14,16 +14,16 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
             const HeadlessContext context;
             Renderer renderer;
             ReferenceCache cache;
-            const auto tell = [&](double share, const std::string& what) { report({what, share}); };
+            const auto report_progress = [&](double share, const std::string& what) { report({what, share}); };
             if (!request.most_error && !request.most_ms) {
                 out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = request.cost},
-                                       cache, workers, tell);
+                                       cache, workers, report_progress);
                 return out;
             }
             const AutopilotGoals goals{
                 .most_error = request.most_error, .most_ms = request.most_ms, .cost = request.cost};
-            AutopilotResult flight =
-                fly_autopilot(renderer, *copy, out.settings, out.width, out.height, goals, {}, cache, workers, tell);
+            AutopilotResult flight = fly_autopilot(renderer, *copy, out.settings, out.width, out.height, goals, {},
+                                                   cache, workers, report_progress);
             out.changes = setting_changes(measured_settings(out.settings), flight.best.settings);
             out.what = std::move(flight);
             return out;

@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Runs one piece of work at a time: on its thread, or at once if it has none.
+/// Drawing thread: runs one function at a time, on the calling thread if there is no context.
 class FrameLoader::DrawThread {
 public:
     explicit DrawThread(FrameThread thread) : wake_(std::move(thread.wake)) {
@@ -77,7 +77,7 @@ public:
         changed_.wait_for(lock, most, [&] { return !work_; });
         awaited_ = false;
     }
-    /// @throws what the work threw
+    /// Waits for the work. @throws the work's exception
     void take() {
         std::exception_ptr problem;
         {
@@ -92,7 +92,7 @@ private:
     std::function<void()> next(const std::stop_token& end) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, end, [&] { return bool(work_); });
-        return work_;  // empty at the end
+        return work_;  // empty: the thread ends
     }
     void finish(std::exception_ptr problem) {
         bool awaited = false;
@@ -110,7 +110,7 @@ private:
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::function<void()> work_;  ///< until it is done
+    std::function<void()> work_;  ///< empty: no work is under way
     std::exception_ptr problem_;
     bool done_ = false;
     mutable bool awaited_ = false;  ///< a caller waits, so that wake_ is not called
@@ -238,7 +238,7 @@ void FrameLoader::show_copies(GLsync shown) {
     try {
         frame_copies_->show_copies(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
-        // Without its copies there is no picture; settings stay, and the next frame may find memory.
+        // Without copies there is no picture; the next frame may succeed.
         news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});
         next_facts_ = {};
         next_facts_.problem = e.what();

@@ -113,7 +113,7 @@ private:
     std::vector<Effect> frame_effects_;            ///< of the last frame; empty: not requested yet
     std::vector<Effect> effects_;                  ///< frame_effects_ and the work of panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
-    std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose next shaders are queued
+    std::set<std::uint64_t> warmed_programs_;      ///< Renderer::programs_key() of frames whose next shaders are queued
     std::unique_ptr<ShaderWarmup> warmup_;
 };
 

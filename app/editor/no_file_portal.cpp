@@ -1,5 +1,5 @@
-// FilePortal of builds without SI_FILE_PORTAL: every request is answered by "no dialog", so that the editor's own
-// opens.
+// FilePortal of builds without SI_FILE_PORTAL: answers every request with "no dialog", so that the editor opens its
+// own.
 #include <utility>
 
 #include "app/editor/file_portal.h"

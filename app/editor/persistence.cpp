@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr double kLayoutSeconds = 1;  ///< a splitter rests this long before its place is written
+constexpr double kLayoutSeconds = 1;  ///< time without changes before the layout is written
 
 std::string whole_path(const std::string& path) {
     std::error_code error;

@@ -18,7 +18,8 @@ std::string whole_path(const fs::path& path) {
     return (error ? path : whole).lexically_normal().string();
 }
 
-/// The scene as the preset's folder finds it, wherever the program is started: below that folder by its relative path.
+/// Returns the scene's name to store in a preset file: a relative path if the scene is below the preset's folder, else
+/// an absolute one, so that the preset loads from any working directory.
 std::string scene_for(const fs::path& preset, const std::string& scene) {
     if (is_builtin_scene(scene)) return scene;
     const std::string file = whole_path(scene);
@@ -53,7 +54,7 @@ bool PresetLoader::save(const fs::path& path, const std::string& scene, const Se
     preset.scene = scene_for(path, scene);
     preset.settings = settings;
     save_preset(preset, path);
-    preset.scene = scene;  // as the editor calls it
+    preset.scene = scene;  // under the editor's name for the scene
     files_[key] = preset;
     if (comparison_ && comparison_->with.kind == CompareKind::Preset) comparison_.reset();
     return true;

@@ -35,7 +35,7 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
     plan.scene_name = scenes_.known_name(plan.scene_name);
     const bool shown = scenes_.is_shown(plan.scene_name, plan.settings.scene.index);
     if (has_own_scene && !shown) return start(std::move(plan), remark);
-    if (has_own_scene) scenes_.cancel_loading();  // it belongs to the scene that is shown
+    if (has_own_scene) scenes_.cancel_loading();  // the preset belongs to the shown scene
     const std::vector<std::string> left_out = scenes_.apply_settings(plan.settings, name_or_path);
     state_.files.guide = note(name_or_path, *plan.preset, plan.scene_name);
     state_.log.add(LogKind::Info, remark);
@@ -59,7 +59,7 @@ GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset pre
         state_.files.preset_path = name_or_path;
         persistence_.note_preset(name_or_path);
     }
-    if (!preset.scene.empty()) preset.scene = scene_name;  // as the editor calls it
+    if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
     return loader_.register_opened(name_or_path, preset);
 }
 

@@ -14,8 +14,8 @@
 namespace si {
 namespace {
 
-/// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
-/// scene, the scene's own suggestions do not.
+/// Returns `settings` with the values that equal those of `from` replaced by those of `to`. The user's changes survive
+/// a change of scene; the scene's suggestions do not.
 Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
     Settings out = settings;
     for (const SettingRef& ref : all_settings(to))
@@ -123,7 +123,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     std::vector<std::string> left_out, notes;
     if (arrival.plan) {
         Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
-        // Changes made by hand while the first scene was being read are kept.
+        // The user's changes during the loading of the first scene are kept.
         state_.settings = first ? rebased(state_.settings, base_, session.settings) : session.settings;
         given_ = session.settings;
         suggests_ = !arrival.plan->preset;
@@ -135,7 +135,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         const Settings base = base_settings(loaded);
         state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
         if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
-        // Earlier changes stay unsaved under the new scene.
+        // Earlier changes stay unsaved in the new scene.
         const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
         given_ = !arrival.settings                             ? rebased(given_, base_, base)
                  : arrival.step && was_here != given_at_.end() ? was_here->second

@@ -46,8 +46,8 @@ private:
 
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::deque<WarmupFrame> foreseen_;
-    std::size_t done_ = 0, asked_ = 0;
+    std::deque<WarmupFrame> queue_;
+    std::size_t done_ = 0, queued_count_ = 0;
     bool working_ = false;
     std::jthread thread_;  ///< last: ends before what it uses
 };

@@ -103,7 +103,7 @@ void print_waste(const Waste& waste) {
     fmt::print("\nleft out in turn; what changes no byte of the picture is waste:\n");
     for (const Tried& t : waste.tried) {
         const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
-        // Of what is not drawn it is what a kernel would read.
+        // For a pass that is not drawn, the taps are those that the kernel would read.
         const std::string read =
             t.read < 0 || undrawn ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
         fmt::print("  {:<9} {:>10} triangles  {}{}\n",

@@ -36,7 +36,7 @@ Json fixes_json(const FixTable& table) {
 
 void print_fixes(const FixTable& table, std::size_t rows) {
     if (table.rows.empty()) return;
-    fmt::print("cures, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
+    fmt::print("fixes, each drawn and measured ({} pixels are wrong now):\n", table.wrong);
     fmt::print("  {:>8} {:>8} {:>10} {:>9}\n", "cured", "broken", "time", "map");
     for (const MeasuredFix& fix : table.rows) {
         if (!fix.untried.empty()) {

@@ -15,7 +15,8 @@ namespace {
 
 Json scene_json(const Session& session) {
     const Scene& s = session.scene;
-    const std::size_t ground = s.objects.size() - s.object_count();  // a mesh, a node and a material of ours each
+    const std::size_t ground =
+        s.objects.size() - s.object_count();  // the added ground is one mesh, one node and one material
     Json bounds = nullptr;
     if (!s.bounds.empty()) bounds = {{"min", vector_json(s.bounds.lo)}, {"max", vector_json(s.bounds.hi)}};
     return {{"name", session.scene_name},
@@ -29,7 +30,7 @@ Json scene_json(const Session& session) {
             {"warnings", s.warnings}};
 }
 
-/// Every setting that acts on this frame: lights that are on, objects with an override.
+/// Converts the settings that act on this frame to JSON: lights that are on, objects with an override.
 Json settings_json(const Settings& settings) {
     Json json = Json::object();
     for (const SettingRef& ref : all_settings(settings)) {

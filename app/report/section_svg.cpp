@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 std::string escaped(const std::string& text) {
-    // What XML cannot hold becomes visible first.
+    // Control characters, which XML cannot hold, become visible escapes first.
     std::string safe = printable(text, text.size() * 8 + 16), out;
     for (const auto& [bytes, shown] : {std::pair{"\xef\xbf\xbe", "\\ufffe"}, {"\xef\xbf\xbf", "\\uffff"}})
         for (std::size_t at; (at = safe.find(bytes)) != std::string::npos;) safe.replace(at, 3, shown);
@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// In hundredths of a pixel, so that the last digits of sums do not show.
+/// Formats a coordinate in hundredths of a pixel, so that rounding of sums does not show.
 std::string number(double v) {
     std::string text = fmt::format("{:.2f}", v);
     while (text.back() == '0') text.pop_back();
@@ -52,7 +52,7 @@ std::string points(const std::vector<glm::dvec2>& at) {
     return out;
 }
 
-/// An open head at the last point.
+/// Formats an open arrow head at the last point.
 std::string arrow_head(const Mark& m) {
     const glm::dvec2 tip = m.points.back(), from = m.points[m.points.size() - 2];
     const double length = glm::length(tip - from), size = std::min(4.5 * m.width, length);

@@ -42,7 +42,7 @@ void write_depth(Renderer& renderer, const Settings& settings, const FrameResult
     write_pfm(path, depth);
 }
 
-/// The panes as one picture, with dark gaps between them.
+/// Composes the panes into one picture, with dark gaps between them.
 ByteImage joined(Renderer& renderer, const FrameResult& frame, const PaneGrid& grid, int width, int height) {
     ByteImage out{width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * 4, 22)};
     for (int pane = 0; pane < grid.count(); ++pane) {
@@ -87,7 +87,8 @@ std::vector<View> views() {
     int index = 0;
     for (const Overlay& overlay : overlays()) {
         ++index;
-        if (std::ranges::find(list, overlay.key, &View::key) != list.end()) continue;  // above, as floats too
+        if (std::ranges::find(list, overlay.key, &View::key) != list.end())
+            continue;  // listed above, also as a float file
         list.push_back(
             {std::string(overlay.key), std::string(overlay.label), std::string(overlay.help), overlay.scalar, index});
     }
@@ -123,7 +124,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
                 const std::string& path, FrameResult* frame, const Workers& workers) {
     const bool floats = lower_extension(path) == ".pfm";
     if (view.overlay > 0) settings.view.overlay = view.overlay;
-    // Only the picture itself has panes: whatever is asked for by another name is one picture.
+    // Only the shaded picture has panes; every other view is a single picture.
     if (view.key != "shaded") settings.view.panes = Panes::One;
     const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
     if (depth) settings.view.map_source = view.key == "camera-depth" ? MapSource::Camera : MapSource::Light;
@@ -142,7 +143,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
         request.height = grid.height;
     }
     ReferenceCache references;
-    // The renderer's frame may lack what overlays judge by.
+    // The frame may lack the reference that overlays need.
     const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);
     if (frame) *frame = result;
     if (depth) {

@@ -5,7 +5,7 @@
 namespace si {
 namespace {
 
-/// Whether a value of this setting may be refused for what the scene is.
+/// Returns true if the scene may reject a value of this setting (an unknown camera, object, animation).
 bool asks_the_scene(const std::string& key) {
     return key == "scene.index" || key == "scene.animation" || key == "camera.index" || key.starts_with("object.");
 }

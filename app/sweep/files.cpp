@@ -27,14 +27,14 @@ constexpr const char* kTableFile = "results.csv";
 constexpr const char* kReportFile = "report.html";
 constexpr const char* kPictures = "pictures";
 
-/// As picture_path() and artefacts_path() name them.
+/// Returns true for file names that picture_path() and artefacts_path() make.
 bool is_picture_of_case(const fs::path& path) {
     const std::string name = path.filename().string();
     const auto digits = std::min(name.find_first_not_of("0123456789"), name.size());
     return digits >= 4 && (name.substr(digits) == ".jpg" || name.substr(digits) == "-artefacts.png");
 }
 
-/// The first file that a sweep of this folder would replace; empty: there is none.
+/// Returns the first file in the folder that a sweep would replace; empty: none.
 std::string first_in_the_way(const fs::path& folder) {
     std::error_code error;
     for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
@@ -95,7 +95,7 @@ void remove_sweep_files(const fs::path& folder) {
         fs::remove(folder / name, error);
     for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
         if (is_picture_of_case(entry.path())) fs::remove(entry.path(), error);
-    fs::remove(folder / kPictures, error);  // fails when something else is in it, which then stays
+    fs::remove(folder / kPictures, error);  // fails if other files are in the folder, which then stays
     if (descriptor >= 0) ::close(descriptor);
 }
 

@@ -182,7 +182,7 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(r.code, 1);
     EXPECT_EQ(r.err,
               "shadow-inspector: out: holds another sweep (bias.slope: the default there, 1 here); choose another "
-              "folder, or --fresh to begin anew\n");
+              "folder, or --fresh to start again\n");
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
     EXPECT_EQ(file_bytes(folder / "out/report.html"), html);
     std::ofstream(folder / "out/mine.txt") << "kept";

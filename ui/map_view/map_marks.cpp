@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-constexpr float kNumberEms = 5.2f;  ///< least width of a texel that holds its number
+constexpr float kNumberEms = 5.2f;  ///< smallest width of a texel that shows its number, ems
 
 }  // namespace
 

@@ -1,5 +1,4 @@
-// Errors of the shown light's shadows against the ray-traced reference: numbers that follow every setting at once, and
-// causes.
+// Panel Error: errors of the shown light's shadows against the ray-traced reference, live, and their causes.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -23,7 +22,8 @@
 namespace si {
 namespace {
 
-/// The rows of one table, each sum with its parts below it. @param shares of pixels, or all others
+/// Returns the rows of one table, each sum followed by its parts. @param causes shares of wrong pixels; else all other
+/// metrics
 std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
     std::vector<const Metric*> rows;
     const auto add = [&](const Metric& row) {
@@ -49,7 +49,7 @@ std::string text_of(const Metric& row, double value) {
     return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
 }
 
-/// @param causes the sums of wrong pixels with their parts, or all others
+/// Draws one table of metrics. @param causes sums of wrong pixels with their causes; else all other metrics
 void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
@@ -61,7 +61,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         const std::string whole = part ? "   " + std::string(row->part) : std::string(row->label);
         std::string name;
         const auto tooltip = [&] {
-            const std::string title = name == whole ? "" : whole + "\n";  // where the column is too narrow for it
+            const std::string title = name == whole ? "" : whole + "\n";  // for columns too narrow for the whole name
             if (ImGui::IsItemHovered())
                 ImGui::SetTooltip("%s%s\n%s", title.c_str(), row->formula.data(), row->help.data());
         };
@@ -79,7 +79,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     ImGui::EndTable();
 }
 
-/// Returns whether it was clicked.
+/// Draws the coloured mark and name of a cause. Returns true if it was clicked.
 bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std::size_t counted, bool with_share) {
     const float em = ImGui::GetFontSize();
     ImGui::TableNextRow();
@@ -96,8 +96,8 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
     list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
-    list.AddRect(lo, hi, theme::faint());  // the white one, on white
-    // Two causes differ in their ends: by bias or by offset.
+    list.AddRect(lo, hi, theme::faint());  // outlines a white mark on a white panel
+    // Two causes have names that differ only at the end: by bias, by offset.
     const auto fitted = label.find(" by ") == label.npos ? beginning_that_fits : end_that_fits;
     const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
     list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
@@ -123,7 +123,7 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
     ImGui::TextDisabled("%s", tour.c_str());
 }
 
-/// @param first, end of artefact_styles() @param shares there is room for them
+/// Draws the list of causes. @param first, end range of artefact_styles() @param shares shares of pixels fit, too
 void causes_table(EditorState& state, const LiveError& error, std::size_t first, std::size_t end, bool shares) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;

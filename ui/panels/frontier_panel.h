@@ -51,7 +51,7 @@ struct SweepFacts {
     std::vector<MeasuredCase> cases;  ///< finished and failed
     std::size_t total = 0;            ///< cases of the sweep; 0: there is no sweep
     std::size_t failed = 0;
-    std::string about;      ///< "stage, 640 x 360 pixels, hard truth; llvmpipe"
+    std::string about;      ///< "stage, 640 x 360 pixels, hard reference; llvmpipe"
     bool software = false;  ///< a CPU rasteriser took the times
     bool other_scene = false;
     std::vector<std::string>

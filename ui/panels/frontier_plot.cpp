@@ -70,7 +70,7 @@ void draw_stair(const Area& a, const std::vector<FrontierView::Mark>& marks) {
     ImGui::GetWindowDrawList()->AddPolyline(path.data(), int(path.size()), kStair, 0, ImGui::GetFontSize() * 0.1f);
 }
 
-/// Names beside the dots of the frontier where there is room.
+/// Draws the names of the frontier's dots where they fit.
 void draw_names(const Area& a, const SweepFacts& facts) {
     const float line = theme::small()->FontSize, gap = line * 0.55f;
     struct Box {
@@ -99,7 +99,7 @@ void draw_names(const Area& a, const SweepFacts& facts) {
             });
             if (!inside || !free) continue;
             taken.push_back({lo, hi});
-            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::well());  // the stair may pass here
+            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::well());  // hides the stair behind the name
             small_text(lo, name, theme::text());
             break;
         }

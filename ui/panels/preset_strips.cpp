@@ -1,4 +1,4 @@
-// Strips between the top bar and the pictures: what to look at in the open preset, and the session that a crash left.
+// Strips between the top bar and the pictures: the note of the open preset, and the session that a crash has left.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -19,7 +19,7 @@ namespace si {
 namespace {
 
 constexpr float kGap = 0.53f;      ///< between buttons, in text heights
-constexpr float kPadding = 0.67f;  ///< left and right of a strip's text, likewise
+constexpr float kPadding = 0.67f;  ///< left and right of a strip's text, in text heights
 
 float buttons_width(std::initializer_list<const char*> labels) {
     float width = 0;
@@ -40,9 +40,9 @@ struct Flowed {
     bool cut = false;  ///< the last line ends in "…"
 };
 
-/// Runs of text one after the other, broken between words at `width`, in `most` lines (0: as many as it takes). Draws
-/// from `at` on, unless `draw` is null.
-Flowed same_line_if_fits(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
+/// Lays out runs of text one after the other, broken between words at `width`, in at most `most` lines (0: no limit).
+/// Draws them from `at` on, unless `draw` is null.
+Flowed lay_out_runs(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
     const float size = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
     constexpr const char* kMore = "…";
     const float more = ImGui::CalcTextSize(kMore).x;
@@ -86,17 +86,17 @@ float text_room(float width, float buttons) {
 
 /// Returns the number of lines that the runs take in a strip.
 int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
-    return same_line_if_fits(runs, {}, text_room(width, buttons), 0, nullptr).lines;
+    return lay_out_runs(runs, {}, text_room(width, buttons), 0, nullptr).lines;
 }
 
-/// A band as high as the runs beside buttons of `buttons` pixels need, or as `lines` of text, where what is beyond them
-/// stands in a tooltip; `draw` adds the buttons.
+/// Draws a strip with text runs and buttons (`buttons` pixels wide, drawn by `draw`). The strip has `lines` lines of
+/// text, or as many as the runs need; a tooltip shows text that does not fit.
 void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, int lines, const auto& draw) {
     const float em = ImGui::GetFontSize(), pad_x = em * kPadding, pad_y = em * 0.35f;
     const bool below = buttons_below(width, buttons);
     const float wrap = text_room(width, buttons);
     const float frame = ImGui::GetFrameHeight();
-    const Flowed flowed = same_line_if_fits(runs, {}, wrap, lines, nullptr);
+    const Flowed flowed = lay_out_runs(runs, {}, wrap, lines, nullptr);
     const float text = lines > 0 ? float(lines) * ImGui::GetTextLineHeight() : flowed.height;
     const float gap = em * 0.33f;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::colours().note);
@@ -106,7 +106,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = below ? text : std::max(text, frame);
-    same_line_if_fits(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
+    lay_out_runs(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
     ImGui::Dummy({wrap, text});
     if (flowed.cut) wrapped_tooltip(runs.back().text);
     ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
@@ -127,7 +127,7 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
-/// "3/38  Title  What to look at."
+/// Returns the runs of a preset's note: "3/38  Title  Description."
 std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string& key, const std::string& title,
                            const std::string& about) {
     std::vector<Run> runs;
@@ -148,13 +148,13 @@ void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     // The number of lines is the same for all presets of the sequence, so that the picture keeps its place and size.
-    constexpr int kLeastLines = 2, kMostLines = 3;
-    int lines = kLeastLines;
+    constexpr int kMinLines = 2, kMaxLines = 3;
+    int lines = kMinLines;
     for (const PresetEntry& preset : walk) {
-        if (lines >= kMostLines) break;
+        if (lines >= kMaxLines) break;
         lines = std::max(lines, lines_beside(width, buttons, note_runs(walk, preset.key, preset.title, preset.about)));
     }
-    strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
+    strip("guide", width, buttons, runs, std::min(lines, kMaxLines), [&] {
         if (built_in) {
             if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
                             at != walk.begin()))

@@ -1,4 +1,4 @@
-// The shadow test of one pixel written out, step by step.
+// Panel Probe: the shadow test of one pixel, step by step.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -33,7 +33,7 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
 }
 
-/// With that many digits after the point; never "-0".
+/// Formats a number with a fixed number of digits after the point; never "-0".
 std::string fixed(double value, int digits) {
     std::string text = fmt::format("{:.{}f}", value, digits);
     if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
@@ -57,7 +57,7 @@ void verdict(const std::string& text) {
     ImGui::PopFont();
 }
 
-/// Draws the texels around the probed one into the scene, or takes them away.
+/// Draws the button that shows or hides the texels around the probed one as quads in the scene.
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.place != MapPlace::Inside || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
@@ -70,7 +70,7 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
             s.view.slabs_texels, key_text(Command::ToggleDepthQuads));
 }
 
-/// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
+/// Draws an amount of bias in texels, depth units and metres as one row. @param endless text for an infinite amount
 void amount_row(const char* name, const DepthShift& a, const char* about, const char* endless = "infinite") {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -98,7 +98,7 @@ void bias_terms(const BiasBreakdown& a) {
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
     if (a.by_itself != 0)
-        amount_row("of itself", a.amount(a.by_itself), "Bias of bias.kind itself, whatever the numbers are");
+        amount_row("of itself", a.amount(a.by_itself), "Bias that bias.kind itself adds, at any numbers");
     amount_row(
         "normal offset", a.amount(a.normal),
         "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
@@ -200,7 +200,8 @@ void reference_column(const PixelDiagnosis& d) {
     ImGui::TextUnformatted(reference.c_str());
 }
 
-/// "Fix: Normal offset 0.445 texels (worth 0.63 texels of depth bias here)", the end where there is room.
+/// Formats the proposed fix with its equivalent depth bias: "Fix: Normal offset 0.445 texels (...)", the part in
+/// parentheses only if it fits.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
     const std::string brief = "Fix: " + fix_text(fix, settings);
     const std::string whole = brief + fix_worth_text(fix);
@@ -224,7 +225,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
                           fix_worth_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
-/// Blocks beside each other as far as they fit.
+/// Layout of blocks in columns, as many as fit into the width.
 class BlockFlow {
 public:
     void block(float width, const auto& draw) {
@@ -239,7 +240,7 @@ public:
         const float from = ImGui::GetCursorPosX();
         draw();
         ImGui::SetCursorPosX(from);
-        ImGui::Dummy({width, 0});  // as wide as it counts, however little is in it
+        ImGui::Dummy({width, 0});  // reserves the block's full width
         ImGui::EndGroup();
     }
 
@@ -247,7 +248,7 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// Draws all numbers that the verdict depends on. @param cures draws the fixes of the pixel
+/// Draws all numbers that the verdict depends on. @param fixes draws the fixes of the pixel
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
              Button&& draw_fixes_button, Table&& draw_fixes_table) {
@@ -267,13 +268,13 @@ void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settin
     blocks.block(em * 36, [&] { space(p); });
 }
 
-/// The verdict.
+/// Draws the verdict of one light's shadow test.
 void heading(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
     if (p.casts) return classification(p, d, tracing, settings);
     verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
 }
 
-/// Room for the drawing left of the verdict; 0: too little for both.
+/// Returns the width of the drawing left of the verdict, pixels; 0: too narrow for both.
 float section_width(const Sections& sections, std::size_t light, float room) {
     const float em = ImGui::GetFontSize();
     if (!sections || light >= sections->size() || !(*sections)[light].shadowed || room < em * 58) return 0;
@@ -314,7 +315,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const auto write_out = [&](const Probe::PerLight& light) {
         const PixelDiagnosis* const diagnosis = diagnosis_of(light);
         const bool wrong = diagnosis && diagnosis->cause().artefact != Artefact::None;
-        // Cures are those of the light whose shadows are judged.
+        // Fixes belong to the light whose shadows are measured.
         const bool classified = wrong && light.light == state.settings.view.light;
         reasons(
             light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
@@ -328,7 +329,7 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
             });
     };
     if (probe->lights.empty()) return;
-    // The light whose shadows are judged stands on top: its drawing, and beside it its verdict, both pinned.
+    // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =
         std::clamp<std::size_t>(std::size_t(std::max(state.settings.view.light, 0)), 0, probe->lights.size() - 1);
     const ImVec2 room = ImGui::GetContentRegionAvail();

@@ -1,4 +1,4 @@
-// File menu, scene, guided presets, the preset in work, undo.
+// Top bar: file menu, scene, guided presets, open preset, undo.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -152,7 +152,7 @@ void view_menu(EditorState& state, const char* label) {
     ImGui::EndPopup();
 }
 
-/// All steps, to go to any of them.
+/// Draws the menu of all steps of undo; a click goes to a step.
 void steps_menu(EditorState& state) {
     const float em = ImGui::GetFontSize();
     menu_button("Steps", "steps", "What was changed, step by step; a click goes there", em * 24);

@@ -17,10 +17,10 @@ namespace si {
 namespace {
 
 constexpr double kWheelSeconds = 0.4;    ///< turns of the wheel closer than this are one step of undo
-constexpr double kRadiiPerSecond = 0.4;  ///< a flight's speed at factor 1, in radii of the scene
-constexpr double kFast = 4;              ///< with Shift
+constexpr double kRadiiPerSecond = 0.4;  ///< flying speed at factor 1, in radii of the scene per second
+constexpr double kFast = 4;              ///< factor of the speed with Shift
 constexpr double kSpeedPerStep = 1.25;   ///< factor of the speed per step of the wheel
-constexpr double kLongestStep = 0.5;     ///< s; a frame that took longer does not leap
+constexpr double kLongestStep = 0.5;     ///< s; limits the step of a frame that took longer
 
 /// Returns the direction of the held keys: right, up, forward.
 glm::dvec3 wanted_way() {
@@ -40,7 +40,7 @@ void fly_on(EditorState& state, const EditorFrame& frame) {
     state.viewport.camera_flew |=
         moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
     turn_camera(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
-    // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
+    // The time before a key's press does not count; else an editor that slept would jump.
     if (moving && flight.moving) {
         const double radius = frame.scene ? std::max(frame.scene->bounds.radius(), 1e-6) : 1;
         const double seconds = std::min(double(io.DeltaTime), kLongestStep);

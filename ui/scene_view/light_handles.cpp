@@ -12,15 +12,15 @@ namespace si {
 namespace {
 
 constexpr double kArrowPixels = 58, kBallPixels = 92;  // at scale 1
-constexpr double kRim = 0.7;                           // of the distance to the target
-constexpr double kLeastSine = 0.12;                    // between the line of sight and the way a handle moves
+constexpr double kRim = 0.7;                           // share of the distance to the target
+constexpr double kMinSine = 0.12;                      // smallest sine between the line of sight and a handle's axis
 
 /// Returns true if the handle does not move along the line of sight, where small movements would become large.
 bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureView& view) {
     const LightHandle h = placed.handle;
     const glm::dvec3 sight = view.ray(placed.on_screen).direction;
-    const auto across = [&](const glm::dvec3& line) { return glm::length(glm::cross(sight, line)) > kLeastSine; };
-    const auto faces = [&](const glm::dvec3& normal) { return std::abs(glm::dot(sight, normal)) > kLeastSine; };
+    const auto across = [&](const glm::dvec3& line) { return glm::length(glm::cross(sight, line)) > kMinSine; };
+    const auto faces = [&](const glm::dvec3& normal) { return std::abs(glm::dot(sight, normal)) > kMinSine; };
     if (h == LightHandle::Near || h == LightHandle::Far) return across(pose.view.axes[2]);
     if (is_axis(h) || is_extent(h)) return across(handle_axis(pose, h));
     if (h == LightHandle::Range) return across(range_axis(pose));

@@ -1,4 +1,4 @@
-// The picture against another one of the same frame: under a line that is dragged, beside it, or as their difference.
+// Comparison of the picture with another one of the same frame: swipe, side by side, or difference.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -192,7 +192,7 @@ void pin_settings(EditorState& state) {
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    if (state.comparison.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
+    if (state.comparison.view == ComparisonView::Off) {  // starts a comparison
         state.compare = {CompareKind::Pinned, {}};
         state.comparison.reference = false;
     }

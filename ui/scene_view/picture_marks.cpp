@@ -60,7 +60,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const std::string colour =
         fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
     const float across = std::max(side, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, colour.c_str()).x + em * 0.4f);
-    // On the other side where it would lie over what it shows.
+    // The loupe moves to the other side if it would cover its own pixels.
     const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
     const bool right = at_x < side * 2;
     const ImVec2 lo(std::round(right ? origin.x + size.x - across - em : origin.x + em), std::round(origin.y + above)),

@@ -170,8 +170,8 @@ struct EditorRequests : MapRequests,
 };
 
 /// Smallest size of the editor at scale 1 (a font of 15 pixels), pixels. A smaller window scrolls.
-inline constexpr float kLeastWidth = 640;
-inline constexpr float kLeastHeight = 360;
+inline constexpr float kMinWindowWidth = 640;
+inline constexpr float kMinWindowHeight = 360;
 
 /// Draws the whole editor into the current ImGui frame, and edits state.settings in place. Returns the panels'
 /// requests, which the caller fulfils before the next frame.

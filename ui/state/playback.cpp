@@ -13,7 +13,7 @@ const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings&
 
 namespace {
 
-/// The settings of a step of this scene at once; those of another wait for it.
+/// Applies a step of undo at once if it belongs to the shown scene; else the step waits for its scene.
 void show_step(EditorState& state, const Settings& settings) {
     const Place& place = state.history.place();
     state.between_steps = !place.scene.empty() && place.scene != state.scene_name;

@@ -88,7 +88,7 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
 
 void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_panel.fix_waits) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // the click probes another pixel
         state.probe_panel.fix_waits = false;
     else if (!verdict_follows(state, frame))
         apply_fix(state, frame);

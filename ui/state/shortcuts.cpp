@@ -77,7 +77,7 @@ void move_probe(const CommandContext& c) {
         glm::clamp(*c.state.probe_pixel + step * direction, glm::ivec2(0), glm::max(size, glm::ivec2(1)) - 1);
 }
 
-/// Returns the selected objects; without one the log says what to do.
+/// Returns the selected objects; without a selection the log tells the user to select some.
 std::set<std::string> objects_to_hide(const CommandContext& c) {
     std::set<std::string> selected = selected_objects(c.state);
     if (selected.empty() || !c.frame.scene) {
@@ -96,7 +96,7 @@ void isolate_selected(const CommandContext& c) {
         isolate(c.state.settings, *c.frame.scene, selected);
 }
 
-/// The overlay of the pane that the mouse was over last. A comparison shows one pane only.
+/// Returns the overlay setting of the pane that the mouse was over last. A comparison shows one pane only.
 SettingRef active_overlay(const EditorState& state) {
     const int pane = state.comparison.view == ComparisonView::Off ? state.active_pane : 0;
     return *find_setting(overlay_setting(pane));
@@ -422,17 +422,17 @@ bool popup_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/// The one situation of Ready, PopupOpen, Flying and HandleDragged that holds; none while a text is typed.
+/// Returns the present situation: Ready, PopupOpen, Flying or HandleDragged; none while a text is typed.
 std::optional<When> present_mode(const EditorState& state) {
     if (text_is_typed()) return {};
     if (state.viewport.flight.on) return When::Flying;
     if (state.viewport.handle_drag) return When::HandleDragged;
-    // ImGui closes a menu on Escape before this is asked in the same frame.
+    // ImGui closes a menu on Escape earlier in the same frame, so that the last frame's state counts.
     if (popup_open() || state.window.had_popup) return When::PopupOpen;
     return When::Ready;
 }
 
-/// The situation that contains this one.
+/// Returns the wider situation that contains this one.
 When mode_of(When when) {
     switch (when) {
         case When::Always:
@@ -470,10 +470,10 @@ bool matches(Modifier wanted, bool down) {
     return wanted == Modifier::Any || (wanted == Modifier::Down) == down;
 }
 
-/// Code of a key as the window feeds it; -1: it feeds none.
+/// Returns the window's code (GLFW) of an ImGui key; -1: unknown.
 int window_code(const Chord& chord, int key, const EditorState& state) {
     if (!chord.mapped) return key;
-    // ImGui does not know these while they open presets.
+    // ImGui gets no Page keys while they switch presets.
     if (key == ImGuiKey_PageUp) return state.keyboard.page_keys[0];
     if (key == ImGuiKey_PageDown) return state.keyboard.page_keys[1];
     return ImGui::GetKeyIndex(key);
@@ -530,7 +530,7 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
     if (state.flicker && !is_held(Command::ShowPinned)) end_flicker(state);
     const ImGuiIO& io = ImGui::GetIO();
     const std::optional<When> mode = present_mode(state);
-    // An action may change the situation: first all keys, then all requests.
+    // An action may change the situation, so that all keys are read before the first action.
     std::vector<std::pair<const Shortcut*, int>> pressed;
     for (const Shortcut& row : kShortcutTable) {
         const Chord& chord = row.chord;
