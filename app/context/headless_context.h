@@ -13,7 +13,7 @@ namespace si {
 /// Contexts may follow one another; each owns its EGL resources. Needs neither a display server nor GLFW.
 class HeadlessContext {
 public:
-    /// @throws Error naming every EGL call that failed and what to try.
+    /// Makes the context. @throws Error naming every EGL call that failed and what to try
     HeadlessContext();
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;

@@ -11,7 +11,8 @@ namespace si {
 /// from construction to destruction.
 class ImGuiSession {
 public:
-    /// @param scale of text and widgets; 1 at about 96 dots per inch @throws Error when ImGui finds no OpenGL functions
+    /// Makes the ImGui context. @param scale scale of text and widgets; 1 at about 96 dots per inch @throws Error when
+    /// ImGui finds no OpenGL functions
     explicit ImGuiSession(float scale);
     ~ImGuiSession();
     ImGuiSession(const ImGuiSession&) = delete;

@@ -16,7 +16,7 @@ namespace si {
 /// Window with an OpenGL 4.5 core debug context and vsync, current on the constructing thread. Only one may exist.
 class WindowContext {
 public:
-    /// @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area.
+    /// Opens the window. @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area
     /// @throws Error when there is no display or no OpenGL 4.5.
     WindowContext(const std::string& title, int width, int height, bool maximised = false);
     ~WindowContext();
@@ -26,7 +26,7 @@ public:
     /// Returns the GLFW handle of the window.
     GLFWwindow* handle() const { return window_; }
     /// Returns a function that makes one context sharing objects with the window's; empty if the driver offers none.
-    /// The window must outlive it.
+    /// The window must outlive that context.
     ThreadContextMaker sharing() const;
     /// Wakes the thread that sleeps in wait_events(). Callable from any thread.
     static void wake();

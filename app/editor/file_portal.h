@@ -25,7 +25,7 @@ public:
         std::string problem;         ///< why there is no dialog
     };
 
-    /// @param wake called from another thread when there is an answer
+    /// Makes a client without a dialog. @param wake called from another thread when there is an answer
     explicit FilePortal(std::function<void()> wake);
     /// Closes the dialog.
     ~FilePortal();

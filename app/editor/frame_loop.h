@@ -30,7 +30,7 @@ struct FrameNews {
 /// life.
 class FrameLoop {
 public:
-    /// @param warm_up_shaders compile shaders of likely next frames in the background
+    /// Makes the editor's renderer. @param warm_up_shaders compile shaders of likely next frames in the background
     explicit FrameLoop(bool warm_up_shaders) {
         if (warm_up_shaders) warmup_ = std::make_unique<ShaderWarmup>();
     }

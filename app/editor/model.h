@@ -76,7 +76,7 @@ public:
     bool busy() const { return loading() || measuring() || tracing(); }
     /// Returns true while a frame is drawn and the last picture is still shown.
     bool drawing() const { return frames_.busy(); }
-    /// Waits for that frame. Returns true if the next frame of the editor looks different.
+    /// Waits for the frame that is being drawn. Returns true if the editor has to be drawn again.
     bool finish_drawing() {
         frames_.wait();
         return frames_.poll();

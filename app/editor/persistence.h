@@ -13,7 +13,7 @@ namespace si {
 /// Reader and writer of the workspace and the autosave of one editor.
 class EditorPersistence {
 public:
-    /// @param folder of the program's state; empty: nothing is kept
+    /// Reads the workspace and looks for autosaves. @param folder state folder of the program; empty: nothing is kept
     explicit EditorPersistence(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
 
     const WorkspaceData& workspace() const { return workspace_.data(); }

@@ -43,7 +43,7 @@ private:
                       const FrameResult& result);
     /// Reads back the pixels around the loupe's centre.
     bool update_loupe(const PictureState& state, const FrameResult& result);
-    /// Reads back the map viewer's depth image, its statistics and the texels that the picture reads.
+    /// Reads back the map viewer's depth image, and computes its statistics and histogram.
     bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                     const FrameResult& result);
     /// Reads back the values of the active pane's overlay.
@@ -51,7 +51,7 @@ private:
                         const FrameResult& result);
     /// Reads back the share of texels that kernels fetch (FrameResult::texels_read).
     bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
-    /// Reads back each pixel's place in the map, which links pixels and texels under the mouse.
+    /// Reads back each pixel's place in the map, and finds the texels that the picture reads.
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 

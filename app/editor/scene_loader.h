@@ -29,8 +29,8 @@ struct Arrival {
 /// Loader of scenes in the background; switches the editor to a scene once it is loaded, and poses the shown scene.
 class SceneLoader {
 public:
-    /// @param state, memory of the editor; outlive this object @param read makes scenes; empty: load_scene()
-    /// @param strict an option that the first scene lacks is an error; else it is ignored
+    /// Makes a loader without a scene. @param state, memory parts of the editor; outlive this object @param read reads
+    /// scenes; empty: load_scene() @param strict true: options that the first scene lacks are errors; false: ignored
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
     /// Sets the editor's settings until the first scene is loaded.
@@ -63,10 +63,11 @@ public:
     bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
     /// Shows the step of undo or redo that waits for its scene. Loads the scene first unless it is shown already.
     void show_undo_step();
-    /// Returns true if scene.index or scene.time in the settings differ from those of the shown scene.
+    /// Returns true if scene.* (scene of the file, time, placement) or settings of objects differ from those of the
+    /// shown scene.
     bool scene_settings_changed() const;
-    /// Makes the shown scene match scene.*: loads another scene of the file, or poses the shown one at another time.
-    /// @throws Error
+    /// Makes the shown scene match scene.* and the settings of objects. Loads another scene of the file if scene.index
+    /// has changed, else poses the shown scene. @throws Error
     void follow_scene_settings();
 
     /// Returns true if the editor shows this scene. @param file_scene index of the scene in a glTF file; -1: its
@@ -89,9 +90,10 @@ private:
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const;
-    /// Starts to load another scene of the file if scene.index has changed.
+    /// Starts to load the scene of the file that scene.index names, unless the editor shows it.
     void follow_file_scene();
-    /// Poses the shown scene at scene.time if the time has changed.
+    /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
+    /// animates.
     void follow_time();
     /// Applies object settings (shown, cast, receive, culling) to the scene.
     void follow_objects();

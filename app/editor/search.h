@@ -35,7 +35,7 @@ public:
     }
 
 protected:
-    /// @param cancelled message after cancel()
+    /// Makes a search that does not run yet. @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
     ~EditorSearch() = default;
 

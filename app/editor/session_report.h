@@ -14,7 +14,7 @@ namespace si {
 /// Report of an editor's session as a JSON file: collects its facts and writes them at intervals.
 class SessionReport {
 public:
-    /// @param path file of the report; empty: none is written
+    /// Begins a session report. @param path file of the report; empty: none is written
     explicit SessionReport(std::filesystem::path path) : path_(std::move(path)) {}
 
     /// Adds a message of the OpenGL driver to the report.

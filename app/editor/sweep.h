@@ -16,7 +16,8 @@ namespace si {
 /// Sweeps of the panel Frontier, one at a time on a thread of its own, and measurements of the present settings.
 class EditorSweep {
 public:
-    /// @param state_folder folder of a sweep's journal, by which a later run continues it; empty: a temporary one
+    /// Makes the sweeps of the panel Frontier. @param state_folder folder for sweeps, which later runs continue; empty:
+    /// a temporary folder
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();

@@ -17,7 +17,7 @@ class Autosave {
 public:
     static constexpr double kSeconds = 2;  ///< shortest time between two writes
 
-    /// @param folder of the program's state; empty: autosave is off
+    /// Looks for sessions that crashed editors left. @param folder state folder of the program; empty: autosave is off
     explicit Autosave(const std::filesystem::path& folder);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;

@@ -22,7 +22,7 @@ double remaining_seconds(double passed, double progress);
 /// Background loading of one scene at a time (see Job).
 class SceneLoading {
 public:
-    /// @param read function that reads a scene; empty: load_scene()
+    /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
 
     /// Starts loading a scene in the background and cancels the loading before. @param file_scene index of the scene in

@@ -51,7 +51,7 @@ private:
 /// Workspace file in the state folder, shared by all running editors.
 class Workspace {
 public:
-    /// @param folder created at the first write; empty: nothing is kept
+    /// Reads the workspace file of a state folder. @param folder made at the first write; empty: nothing is kept
     explicit Workspace(std::filesystem::path folder);
 
     /// Returns the workspace as last read or written by this process.
@@ -62,7 +62,7 @@ public:
     std::vector<std::string> take_remarks();
 
 private:
-    /// Reads the workspace file. Returns false if there is no readable one.
+    /// Reads the workspace file. Returns true if the file may be written: it is not of another program or version.
     bool read(WorkspaceData& data);
 
     std::filesystem::path folder_;

@@ -20,7 +20,8 @@ namespace si {
 /// Background thread for sweeps and single measurements.
 class MeasuringThread {
 public:
-    /// @param kept time that maps, programs and the GL context stay in memory after the last measurement
+    /// Starts the measuring thread. @param kept time that maps, programs and the GL context stay in memory after the
+    /// last measurement
     explicit MeasuringThread(std::chrono::milliseconds kept = std::chrono::seconds(5));
     /// Cancels all work and joins the thread.
     ~MeasuringThread();
@@ -33,8 +34,8 @@ public:
         int width = 0, height = 0;
         CostCase cost = kDefaultCost;  ///< kind of frames to time
     };
-    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as its scene
-    /// settings (index, animation, time, placement)
+    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as scene
+    /// settings (index, animation, time, placement) that the scene is posed with
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
     /// Stops the running sweep. Finished cases stay in its journal.
     void cancel_sweep();
@@ -91,7 +92,7 @@ private:
     void step_sweep(Bench& bench);
     /// Measures error, cost and time of the waiting picture.
     void measure_picture(Bench& bench, const PictureWanted& wanted);
-    /// Applies a change to the status and wakes waiting threads.
+    /// Applies a change to the status and wakes the threads that wait for it.
     template <typename Change>
     void update_status(const Change& change);
 

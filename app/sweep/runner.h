@@ -42,7 +42,8 @@ struct SweepProgress {
 /// Runs the steps of a sweep and appends each result to the journal.
 class SweepRunner {
 public:
-    /// @param folder of the journal and the pictures
+    /// Prepares the steps of a sweep: cases without results, then rounds of timed frames. @param retry_failed measures
+    /// failed cases again @param folder folder of the journal and the pictures
     SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
                 Journal& journal, std::filesystem::path folder);
     /// Runs the next step of the sweep: measures error and cost of one case, or times frames of one case in a round.
@@ -55,9 +56,9 @@ private:
     using Clock = std::chrono::steady_clock;
     /// Measures error, cost and pictures of the next case. Returns false if no case is left.
     bool step_facts();
-    /// Times frames of the next case of the round. Returns false if all times have settled.
+    /// Times frames of the next case of the round. Returns false if all times have settled, or after the last round.
     bool step_timing();
-    /// Begins a round of timed frames with a new random order of the cases.
+    /// Begins a round of timed frames over all measured cases. The order of the cases alternates from round to round.
     void begin_round();
     /// Returns the description of this process, for the journal.
     RunInfo this_run() const;

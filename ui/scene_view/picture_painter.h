@@ -12,7 +12,7 @@ namespace si {
 /// Painter of lines, marks and captions over one scene picture.
 class PicturePainter {
 public:
-    /// The arguments outlive the painter.
+    /// @param view, list outlive the painter
     PicturePainter(const PictureView& view, ImDrawList& list) : view_(view), list_(list) {}
 
     const PictureView& view() const { return view_; }
