@@ -38,7 +38,7 @@ std::string plain_name(const std::string& scene) {
 }
 
 /// Makes an empty file. Returns false if a file of this name exists.
-bool take_name(const std::filesystem::path& path) {
+bool make_empty_file(const std::filesystem::path& path) {
     errno = 0;
     std::FILE* file = std::fopen(path.c_str(), "wx");
     if (file) std::fclose(file);
@@ -68,11 +68,11 @@ std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const s
     for (int number = 1; number < kMaxShots; ++number) {
         const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, part_of(of), number);
         const std::filesystem::path drawing = std::filesystem::path(path).replace_extension(".svg");
-        if (!take_name(path)) continue;
+        if (!make_empty_file(path)) continue;
         std::error_code ignored;
         bool drawing_taken = false;
         try {
-            drawing_taken = !svg.empty() && take_name(drawing);
+            drawing_taken = !svg.empty() && make_empty_file(drawing);
             if (!svg.empty() && !drawing_taken) {
                 std::filesystem::remove(path, ignored);
                 continue;

@@ -20,7 +20,7 @@ constexpr int kWidth = 64, kHeight = 36;  ///< size of the warm-up pictures, pix
 constexpr std::size_t kMaxQueued = 3;     ///< largest length of the queue; the oldest frames are dropped
 
 /// Gives the thread the lowest priority, so that it uses idle processor time only.
-void give_way() {
+void lower_priority() {
 #if defined(__linux__)
     const sched_param none{};
     pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // a failure is harmless
@@ -103,7 +103,7 @@ std::unique_ptr<WarmupFrame> ShaderWarmup::next_frame(const std::stop_token& end
 }
 
 void ShaderWarmup::run(const std::stop_token& end) {
-    give_way();
+    lower_priority();
     while (const auto next = next_frame(end)) {
         try {
             Stage().play(*next);

@@ -103,7 +103,7 @@ private:
     bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
     CostCase seen_timed_ = kDefaultCost;
-    CostCase swept_cost_ = kDefaultCost;  ///< frames that the shown sweep's times are of
+    CostCase swept_cost_ = kDefaultCost;  ///< kind of frames timed by the shown sweep
     std::optional<PinnedSettings> seen_pinned_;
     Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;

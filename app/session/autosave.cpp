@@ -29,7 +29,7 @@ void remove_session(const fs::path& file) {
 }
 
 /// Returns the scene's name as an absolute path, valid from any working directory.
-std::string lasting_name(const std::string& scene) {
+std::string absolute_name(const std::string& scene) {
     if (is_builtin_scene(scene)) return scene;
     std::error_code error;
     const fs::path absolute = fs::absolute(scene, error);
@@ -92,7 +92,7 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
     try {
         if (!claim_file()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
         Preset preset;
-        preset.scene = lasting_name(scene);
+        preset.scene = absolute_name(scene);
         preset.settings = settings;
         save_preset(preset, file_);
     } catch (const std::exception& e) {

@@ -28,16 +28,16 @@ constexpr int kWorkspaceVersion = 1;
 constexpr std::size_t kMaxRecent = 12;
 constexpr const char* kFile = "workspace.json";
 
-/// Reads a number within its bounds from JSON; else keeps `value`.
+/// Reads a number within its bounds from a member of JSON; else keeps `value`.
 template <class T>
-void take(const Json& json, const char* key, T& value, double least, double most) {
+void read_member(const Json& json, const char* key, T& value, double least, double most) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_number()) return;
     const double number = it->get<double>();
     if (number >= least && number <= most) value = T(number);
 }
 
-void take(const Json& json, const char* key, std::vector<std::string>& list) {
+void read_member(const Json& json, const char* key, std::vector<std::string>& list) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_array()) return;
     list.clear();
@@ -53,25 +53,25 @@ WorkspaceData from_json(const Json& json) {
         return it != json.end() && it->is_object() ? *it : none;
     };
     const Json& layout = part("layout");
-    take(layout, "settings_width", d.layout.settings_width, 4, 400);
-    take(layout, "bottom_height", d.layout.bottom_height, 0, 400);
-    take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
-    take(layout, "map_height", d.layout.map_height, 0.05, 0.95);
-    take(layout, "map_inset", d.layout.map_inset, 4, 400);
+    read_member(layout, "settings_width", d.layout.settings_width, 4, 400);
+    read_member(layout, "bottom_height", d.layout.bottom_height, 0, 400);
+    read_member(layout, "map_share", d.layout.map_share, 0.05, 0.95);
+    read_member(layout, "map_height", d.layout.map_height, 0.05, 0.95);
+    read_member(layout, "map_inset", d.layout.map_inset, 4, 400);
     int place = int(d.layout.map_place);
-    take(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
+    read_member(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
     d.layout.map_place = MapSpot(place);
     d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
     d.layout.desktop_dialogs = layout.value("desktop_dialogs", Json()) != Json(false);
     d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
-    take(window, "width", d.window_width, 200, 32768);
-    take(window, "height", d.window_height, 150, 32768);
+    read_member(window, "width", d.window_width, 200, 32768);
+    read_member(window, "height", d.window_height, 150, 32768);
     if (d.window_width == 0 || d.window_height == 0) d.window_width = d.window_height = 0;
     d.maximised = window.value("maximised", Json()) == Json(true);
     d.welcomed = json.value("welcomed", Json()) == Json(true);
-    take(json, "recent_scenes", d.recent_scenes);
-    take(json, "recent_presets", d.recent_presets);
+    read_member(json, "recent_scenes", d.recent_scenes);
+    read_member(json, "recent_presets", d.recent_presets);
     return d;
 }
 

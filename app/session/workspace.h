@@ -67,7 +67,7 @@ private:
 
     std::filesystem::path folder_;
     WorkspaceData data_;
-    bool foreign_ = false;  ///< the file is of another program or a later version: it is not written
+    bool foreign_ = false;  ///< the file belongs to another program or version and is not written
     std::vector<std::string> remarks_;
 };
 

@@ -35,7 +35,7 @@ bool is_picture_of_case(const fs::path& path) {
 }
 
 /// Returns the first file in the folder that a sweep would replace; empty: none.
-std::string first_in_the_way(const fs::path& folder) {
+std::string first_replaced_file(const fs::path& folder) {
     std::error_code error;
     for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
         if (fs::exists(fs::symlink_status(folder / name, error))) return name;
@@ -104,7 +104,7 @@ void require_sweep_folder(const fs::path& folder) {
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
         throw Error(fmt::format("{}: is a file; name a folder", folder.string()));
     if (has_own_journal(folder)) return;
-    if (const std::string name = first_in_the_way(folder); !name.empty())
+    if (const std::string name = first_replaced_file(folder); !name.empty())
         throw Error(
             fmt::format("{}: holds {}, and no {} says that a sweep wrote it; choose another folder, or move it away",
                         folder.string(), name, kJournalFile));

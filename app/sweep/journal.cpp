@@ -92,7 +92,7 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& file) {
 }
 
 /// Flushes the file to disk. A file system that cannot flush is no failure.
-void onto_disk(int descriptor, const fs::path& file) {
+void flush_to_disk(int descriptor, const fs::path& file) {
     if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
         throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
 }
@@ -183,7 +183,7 @@ void Journal::add(const std::vector<Json>& lines) {
         matters = matters || line.contains("facts") || line.contains("failed");
     }
     write_all(descriptor_, text, file_);
-    if (matters) onto_disk(descriptor_, file_);
+    if (matters) flush_to_disk(descriptor_, file_);
     for (const Json& line : lines) state_.apply(line);
 }
 

@@ -10,8 +10,8 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kRest = 200ms;    ///< time without changes before a picture is measured
-constexpr auto kReport = 250ms;  ///< time between two reports of a sweep's results
+constexpr auto kSettleTime = 200ms;      ///< time without changes before a picture is measured
+constexpr auto kReportInterval = 250ms;  ///< time between two reports of a sweep's results
 
 /// Returns the workers for measurements, which leave one CPU thread to the editor.
 Workers workers_of(std::stop_token stop) {
@@ -77,7 +77,7 @@ void MeasuringThread::start_measurement(Picture picture) {
     update_status([&] {
         picture_stop_.request_stop();
         picture_stop_ = {};
-        next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kRest};
+        next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kSettleTime};
         status_.measuring = true;
         status_.measure_problem.clear();
     });
@@ -174,7 +174,7 @@ void MeasuringThread::begin_sweep(Bench& bench) {
         bench.sweep_stop = wanted->stop.get_token();
         bench.sweep =
             std::make_unique<RunningSweep>(std::move(wanted->inputs), bench.renderer, workers_of(bench.sweep_stop));
-        bench.report_due = Clock::now() + kReport;
+        bench.report_due = Clock::now() + kReportInterval;
     } catch (const std::exception& e) {
         update_status([&] {
             status_.sweeping = false;
@@ -196,7 +196,7 @@ void MeasuringThread::step_sweep(Bench& bench) {
     std::optional<SweepResults> results;
     if (report) {
         results = sweep_results(bench.sweep->state(), bench.sweep->inputs().plan);
-        bench.report_due = Clock::now() + kReport;
+        bench.report_due = Clock::now() + kReportInterval;
     }
     const SweepProgress progress = bench.sweep->progress();
     if (!more) bench.sweep.reset();  // closes the journal before the end is reported

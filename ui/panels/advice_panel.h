@@ -37,7 +37,7 @@ struct AdvicePanelFacts {
     const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
     const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
     std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< key and value
-    bool advice_current = false;                                             ///< the result is of the present settings
+    bool advice_current = false;  ///< the result belongs to the present settings
 };
 
 /// Requests of the panel Advice.

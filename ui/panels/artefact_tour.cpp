@@ -59,7 +59,7 @@ void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const Artefac
 }
 
 /// Moves the camera by part of a pixel, so that the target lies in the middle of a pixel and is probed exactly.
-void put_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3& point) {
+void centre_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3& point) {
     if (!frame.scene || !frame.result) return;
     const Image& picture = frame.result->colour;
     const Camera made = make_camera(*frame.scene, state.settings, frame.result->camera.aspect);
@@ -78,7 +78,7 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
     const ArtefactSpot& spot = tour.of.spots[tour.at];
     take_camera(state, frame);
     look_at_spot(state.settings.camera, tour.of, spot);
-    put_on_pixel(state, frame, spot.position_ws);
+    centre_on_pixel(state, frame, spot.position_ws);
     // The probe follows the surface point into the new picture.
     state.probe_pixel = spot.pixel;
     state.probe_anchor = ProbeAnchor{spot.position_ws, spot.normal_ws, state.scene_name, spot.pixel};

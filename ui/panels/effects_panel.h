@@ -25,7 +25,7 @@ struct EffectsPanel {
 struct EffectsFacts {
     std::span<const Effect> effects;                        ///< empty unless requested
     const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene
-    bool saved_times_current = false;                       ///< these times are of the present settings and size
+    bool saved_times_current = false;                       ///< these times belong to the present settings and size
     std::optional<SearchProgress> measuring_optimisations;  ///< under way
 };
 

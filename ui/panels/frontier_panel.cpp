@@ -238,7 +238,7 @@ double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredCo
 }
 
 /// Applies a case's values of the varied settings, as a step of undo.
-void take(EditorState& state, const MeasuredCase& c) {
+void apply_case(EditorState& state, const MeasuredCase& c) {
     for (const auto& [key, value] : c.settings) set_setting(state.settings, key, value);
     state.sweep.chosen = c.number;
 }
@@ -318,7 +318,7 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
         const std::string button = text + "##" + id;
         same_line_if_fits(button_width(text.c_str()));
-        if (ImGui::Button(button.c_str())) take(state, c);
+        if (ImGui::Button(button.c_str())) apply_case(state, c);
         if (ImGui::IsItemHovered()) case_tooltip(facts, c);
     };
     if (view.advice.better)
@@ -429,7 +429,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
                 draw_frontier_plot(facts, is_bytes(*cost), state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
-            if (r.clicked) take(state, facts.cases[*r.clicked]);
+            if (r.clicked) apply_case(state, facts.cases[*r.clicked]);
         }
     }
     ImGui::EndChild();

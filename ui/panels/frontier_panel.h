@@ -64,7 +64,7 @@ struct SweepFacts {
     std::string problem;                  ///< reason why the last sweep ended early; empty: it did not
     std::optional<MeasuredCase> present;  ///< the shown settings, measured at the sweep's size
     bool measuring_present = false;
-    bool present_is_old = false;         ///< its numbers are of earlier settings, until the shown ones are measured
+    bool present_is_old = false;         ///< its numbers belong to earlier settings, until the shown ones are measured
     std::optional<MeasuredCase> before;  ///< other settings of the same picture: pinned A, else those measured last
     bool before_is_pinned = false;
     std::string change;  ///< difference from `before` to the present settings: "Kernel: PCF 3×3 → Poisson disk"

@@ -31,7 +31,7 @@ struct LabFacts {
     std::span<const PipelineError> pipelines;           ///< last result for this scene; empty: none
     std::span<const ShimmerShown> shimmer;              ///< last result for this scene; empty: none
     ShimmerOptions shimmer_of;                          ///< options of `shimmer`
-    bool pipelines_current = false;                     ///< `pipelines` are of the present settings and size
+    bool pipelines_current = false;                     ///< `pipelines` belong to the present settings and size
     bool shimmer_current = false;                       ///< `shimmer` is of the present settings and size
 };
 

@@ -63,7 +63,7 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     for (const LostCaster& l : frame.lost_casters)
         if (std::size_t(l.object) < scene.objects.size())
             tree.rows[std::size_t(scene.objects[std::size_t(l.object)].node)].lost = &l;
-    for (std::size_t i = count; i-- > 0;) {  // parents stand before their children
+    for (std::size_t i = count; i-- > 0;) {  // parents precede their children
         Row& row = tree.rows[i];
         row.node = int(i);
         row.path = &scene.nodes[i].path;
@@ -100,7 +100,7 @@ std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& 
 }
 
 /// Sorts the rows by their settings at the time of the click, so that a changed row keeps its place.
-void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Param* const> params, Order order) {
+void sort_rows(Tree& tree, const Scene& scene, EditorState& state, std::span<const Param* const> params, Order order) {
     if (order.column < 0) return;
     std::vector<double> rank;
     std::vector<std::string> name;
@@ -155,7 +155,7 @@ bool has_override(const Settings& s, const std::string& path) {
 }
 
 /// Makes the objects cast with all of their faces.
-void keep(Settings& s, const Tree& tree) {
+void cast_with_all_faces(Settings& s, const Tree& tree) {
     for (const Row& row : tree.rows)
         if (row.placed && row.lost) s.objects[*row.path].cull = ObjectCull::None;
 }
@@ -177,7 +177,7 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
     same_line_if_fits(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
     same_line_if_fits(button_width("Cast from both sides"));
-    if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
+    if (ImGui::Button("Cast from both sides")) cast_with_all_faces(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
@@ -197,7 +197,7 @@ void arrow(EditorState& state, const Row& row, float width) {
 
 /// Selects the row's object, or for a node without a mesh all objects below it: alone, with Ctrl in addition (or
 /// removed), with Shift all rows from the first selected one.
-void choose(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
+void select_row(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
     const ImGuiIO& io = ImGui::GetIO();
     const Row& row = *list[at];
     const auto first = std::ranges::find_if(list, [&](const Row* r) { return *r->path == state.selection.first; });
@@ -240,7 +240,7 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     const std::string name = last_path_part(*row.path);
     const std::string label = row.lost ? name + "   lost by culling" : name;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
-        choose(state, scene, list, at);
+        select_row(state, scene, list, at);
         end_seeking(state);  // the row is under the mouse already
     }
     ImGui::PopStyleColor();
@@ -295,8 +295,8 @@ void bring_into_view(EditorState& state) {
 /// Column of settings right of the names.
 struct SettingColumn {
     std::string label;
-    float width = 0;   ///< pixels
-    int given_up = 0;  ///< order in which columns are dropped without room: 1 first; 0 never
+    float width = 0;     ///< pixels
+    int drop_order = 0;  ///< order in which columns are dropped without room: 1 first; 0 never
     bool shown = true;
 };
 
@@ -314,7 +314,7 @@ std::vector<SettingColumn> fitting_columns(std::span<const Param* const> params)
     for (const SettingColumn& c : all) name -= c.width + padding;
     for (int next = 1; next <= 3 && name < em * kMinName; ++next)
         for (SettingColumn& c : all)
-            if (c.given_up == next) {
+            if (c.drop_order == next) {
                 c.shown = false;
                 name += c.width + padding;
             }
@@ -376,7 +376,7 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
         ImGui::TableSetupColumn(c.label.c_str(), of, c.width);
     }
     ImGui::TableHeadersRow();
-    sort(tree, *frame.scene, state, rows, order_of());
+    sort_rows(tree, *frame.scene, state, rows, order_of());
     begin_seeking(state);
     const std::vector<const Row*> list = open_rows(tree, state);
     const auto sought =

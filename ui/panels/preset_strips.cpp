@@ -85,7 +85,7 @@ float text_room(float width, float buttons) {
 }
 
 /// Returns the number of lines that the runs take in a strip.
-int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
+int line_count(float width, float buttons, const std::vector<Run>& runs) {
     return lay_out_runs(runs, {}, text_room(width, buttons), 0, nullptr).lines;
 }
 
@@ -128,12 +128,13 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
 }
 
 /// Returns the runs of a preset's note: "3/38  Title  Description."
-std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string& key, const std::string& title,
+std::vector<Run> note_runs(std::span<const PresetEntry> sequence, const std::string& key, const std::string& title,
                            const std::string& about) {
     std::vector<Run> runs;
-    const auto at = std::ranges::find(walk, key, &PresetEntry::key);
-    if (at != walk.end())
-        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::muted()});
+    const auto at = std::ranges::find(sequence, key, &PresetEntry::key);
+    if (at != sequence.end())
+        runs.push_back(
+            {fmt::format("{}/{}", at - sequence.begin() + 1, sequence.size()), ImGui::GetFont(), theme::muted()});
     if (!title.empty()) runs.push_back({title, theme::strong(), theme::text()});
     runs.push_back({about, ImGui::GetFont(), theme::text()});
     return runs;
@@ -142,26 +143,27 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     const GuideNote& guide = state.files.guide;
     if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
-    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
-    const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
-    const bool built_in = at != walk.end();
-    const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
+    const std::span<const PresetEntry> sequence = open_preset_sequence(state, frame);
+    const auto at = std::ranges::find(sequence, guide.key, &PresetEntry::key);
+    const bool built_in = at != sequence.end();
+    const std::vector<Run> runs = note_runs(sequence, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     // The number of lines is the same for all presets of the sequence, so that the picture keeps its place and size.
     constexpr int kMinLines = 2, kMaxLines = 3;
     int lines = kMinLines;
-    for (const PresetEntry& preset : walk) {
+    for (const PresetEntry& preset : sequence) {
         if (lines >= kMaxLines) break;
-        lines = std::max(lines, lines_beside(width, buttons, note_runs(walk, preset.key, preset.title, preset.about)));
+        lines =
+            std::max(lines, line_count(width, buttons, note_runs(sequence, preset.key, preset.title, preset.about)));
     }
     strip("guide", width, buttons, runs, std::min(lines, kMaxLines), [&] {
         if (built_in) {
             if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
-                            at != walk.begin()))
+                            at != sequence.begin()))
                 requests.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
             if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
-                            std::next(at) != walk.end()))
+                            std::next(at) != sequence.end()))
                 requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
@@ -207,15 +209,15 @@ std::span<const PresetEntry> open_preset_sequence(const EditorState& state, cons
 }
 
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
-    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
-    const int count = int(walk.size());
+    const std::span<const PresetEntry> sequence = open_preset_sequence(state, frame);
+    const int count = int(sequence.size());
     if (count == 0) return {};
     int at = -1;
     for (int i = 0; i < count; ++i)
-        if (walk[std::size_t(i)].key == state.files.guide.key) at = i;
+        if (sequence[std::size_t(i)].key == state.files.guide.key) at = i;
     const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
     if (to < 0 || to >= count) return {};
-    return walk[std::size_t(to)].key;
+    return sequence[std::size_t(to)].key;
 }
 
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {

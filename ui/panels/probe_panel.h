@@ -23,7 +23,7 @@ struct ProbeFacts {
     std::span<const PixelDiagnosis> diagnoses;  ///< one a light of the probe, once the reference is there
     Sections sections;                          ///< null: the panel is hidden
     bool tracing_probe = false;                 ///< the diagnoses will follow
-    bool verdict_follows = false;               ///< these facts are of an earlier picture; the next is being drawn
+    bool verdict_follows = false;               ///< these facts belong to an earlier picture; the next is being drawn
 };
 
 /// Drawings of the cross-sections, kept until the pixel or their size changes.

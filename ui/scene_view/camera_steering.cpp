@@ -29,7 +29,7 @@ glm::dvec3 wanted_way() {
             held(Command::FlyForwards) - held(Command::FlyBackwards)};
 }
 
-void fly_on(EditorState& state, const EditorFrame& frame) {
+void fly_camera(EditorState& state, const EditorFrame& frame) {
     Flight& flight = state.viewport.flight;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
@@ -72,7 +72,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     if (ImGui::IsItemActivated()) state.viewport.camera_flew = false;
     if (state.viewport.flight.on) {
         state.viewport.dragging = state.viewport.press_moved = true;
-        return fly_on(state, frame);
+        return fly_camera(state, frame);
     }
     state.viewport.flight.moving = false;
     if (ImGui::IsItemActive() && moved) {

@@ -20,7 +20,7 @@ namespace {
 
 constexpr ImU32 kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
-constexpr int kRest = 70;  ///< opacity of lines while the light is not hovered, of 255
+constexpr int kIdleOpacity = 70;  ///< opacity of lines while the light is not hovered, of 255
 // Distance of the pointer to a light outside from the picture's edges, pixels at scale 1.
 constexpr double kEdge = 12, kCaptionEdge = 42;
 
@@ -114,7 +114,7 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 }
 
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool busy, bool pointer_hovered) {
-    const int near_alpha = busy ? 220 : kRest, far_alpha = busy ? 110 : kRest / 2;
+    const int near_alpha = busy ? 220 : kIdleOpacity, far_alpha = busy ? 110 : kIdleOpacity / 2;
     for (std::size_t i = 0; i < pose.cascades.size(); ++i)
         for (const Segment& s : frustum_edges(pose.cascades[i]))
             p.line(s.from, s.to, faded(theme::colour(shared::view_colour(int(i))), s.far ? far_alpha : near_alpha));

@@ -25,16 +25,16 @@
 namespace si {
 namespace {
 
-constexpr float kPictures = 10;        ///< smallest height of the pictures above the tabs, ems
-constexpr float kTabs = 13;            ///< height of the tabs below, ems
-constexpr float kHighTabs = 18;        ///< height of tabs with a drawing, a plot or many numbers, ems
-constexpr float kAllTabs = 40;         ///< width that fits all tabs, ems
-constexpr float kEveryday = 24.6f;     ///< height that fits the frequently used settings, ems
-constexpr float kMapTexts = 6.2f;      ///< height of the texts above and below the map, ems
-constexpr float kMapPlots = 6.5f;      ///< height of the plots under the map, ems
-constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
-constexpr float kFindingTexels = 24;   ///< width of the map viewer about a texel of a finding, texels
-constexpr float kSplitter = 5;         ///< at scale 1, pixels
+constexpr float kPictures = 10;             ///< smallest height of the pictures above the tabs, ems
+constexpr float kTabs = 13;                 ///< height of the tabs below, ems
+constexpr float kHighTabs = 18;             ///< height of tabs with a drawing, a plot or many numbers, ems
+constexpr float kAllTabs = 40;              ///< width that fits all tabs, ems
+constexpr float kFrequentSettings = 24.6f;  ///< height that fits the frequently used settings, ems
+constexpr float kMapTexts = 6.2f;           ///< height of the texts above and below the map, ems
+constexpr float kMapPlots = 6.5f;           ///< height of the plots under the map, ems
+constexpr float kWidthLeftOfSettings = 40;  ///< width that settings wider than a third leave, ems
+constexpr float kFindingTexels = 24;        ///< width of the map viewer about a texel of a finding, texels
+constexpr float kSplitter = 5;              ///< at scale 1, pixels
 
 bool popup_is_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
@@ -241,7 +241,8 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
         const bool as_given = layout.map_height == EditorLayout{}.map_height;
         const float square = size.x + em * (layout.map_plots ? kMapTexts + kMapPlots : kMapTexts);
         const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
-        const float map = std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kEveryday : 10)));
+        const float map =
+            std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kFrequentSettings : 10)));
         map_panel(state, frame, requests, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
@@ -255,7 +256,7 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
 
 /// Returns the largest width of the settings' column: half of the window, a third of a narrow one.
 float most_settings(float width) {
-    return std::clamp(width - kBesideSettings * ImGui::GetFontSize(), width / 3, width / 2);
+    return std::clamp(width - kWidthLeftOfSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
 
 /// Returns the height that a tab needs, ems. Tabs that a click in the picture opens have the same height.

@@ -60,7 +60,8 @@ void scale_resolution(Settings& settings, bool twice) {
 
 namespace {
 
-/// Returns true while the probed pixel's verdict is of an earlier picture or not there yet, or a pixel is searched.
+/// Returns true while the probed pixel's verdict belongs to an earlier picture or is not known yet, or a pixel is
+/// searched.
 bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
     if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
     if (!state.probe_pixel) return false;

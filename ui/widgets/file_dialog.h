@@ -1,4 +1,4 @@
-// File dialog: opens scenes and presets, or asks for a name to save a preset under.
+// File dialog: opens scenes and presets, or chooses a name to save a preset under.
 #pragma once
 
 #include <filesystem>

@@ -233,7 +233,7 @@ bool text_input(const SettingRef& ref, std::string& value) {
 }
 
 /// Returns true if the setting has no effect, and changing it alone would not give it one.
-bool dead(Settings& settings, const SettingRef& ref) {
+bool cannot_take_effect(Settings& settings, const SettingRef& ref) {
     if (without_effect(settings, ref).empty()) return false;
     const Param& p = *ref.param;
     const Value now = get_value(settings, ref);
@@ -247,7 +247,7 @@ bool dead(Settings& settings, const SettingRef& ref) {
     return still;
 }
 
-/// Draws a setting's widget and its menu inside the ID scope of its row. @param idle see dead()
+/// Draws a setting's widget and its menu inside the ID scope of its row. @param idle see cannot_take_effect()
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names, bool idle) {
     const Param& p = *ref.param;
     Value value = get_value(settings, ref);
@@ -303,7 +303,7 @@ bool setting_menu(Settings& settings, const SettingRef& ref) {
 
 bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     ImGui::PushID(setting_key(ref).c_str());
-    const bool changed = widget_and_menu(settings, ref, width, names, dead(settings, ref));
+    const bool changed = widget_and_menu(settings, ref, width, names, cannot_take_effect(settings, ref));
     ImGui::PopID();
     return changed;
 }
@@ -319,7 +319,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    const bool idle = dead(settings, ref);
+    const bool idle = cannot_take_effect(settings, ref);
     const float dot = ImGui::GetFontSize() * 0.75f;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();

@@ -12,9 +12,9 @@ namespace {
 void draw_mark(const ImRect& frame, ImGuiID id, ImGuiDataType type, void* value, const void* least, const void* most,
                const char* format, ImGuiSliderFlags flags) {
     // For an inactive id, ImGui's function returns the knob's place and changes nothing.
-    const ImGuiID nobody = ImHashStr("mark", 0, id);
+    const ImGuiID inactive = ImHashStr("mark", 0, id);
     ImRect knob;
-    ImGui::SliderBehavior(frame, nobody, type, value, least, most, format, flags, &knob);
+    ImGui::SliderBehavior(frame, inactive, type, value, least, most, format, flags, &knob);
     const ImGuiStyle& style = ImGui::GetStyle();
     const float height = std::max(std::floor(style.FramePadding.y - 0.5f), 2.0f);
     const ImVec2 lo(knob.Min.x, frame.Max.y - height), hi(knob.Max.x, frame.Max.y);

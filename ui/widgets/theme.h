@@ -17,7 +17,7 @@ struct Colours {
     ImU32 line;
     ImU32 accent;  ///< changed values
     ImU32 error, warning;
-    ImU32 note;  ///< behind remarks to the person
+    ImU32 note;  ///< behind notes for the user
     ImU32 done;  ///< filled part of a progress bar
     ImU32 bar;   ///< bars of a plot
 };
