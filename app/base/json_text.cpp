@@ -114,7 +114,7 @@ Json parse_json_text(std::string_view text, const std::string& name) {
                            number.empty() ? "a number" : number));
     }
     if (!builder.duplicate.empty())
-        refuse(fmt::format("\"{}\" stands there twice; keep one", printable(builder.duplicate, kQuotedBytes)));
+        refuse(fmt::format("\"{}\" occurs twice; keep one", printable(builder.duplicate, kQuotedBytes)));
     return std::move(builder.tree);
 }
 

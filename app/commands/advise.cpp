@@ -188,7 +188,7 @@ private:
 void run_advise(const AdviseOptions& options) {
     const bool flies = options.most_error || options.most_ms;
     if (!flies && !(options.output.empty() && options.vary.empty()))
-        throw UsageError("--output and --vary are of the autopilot: give it --max-error or --max-ms");
+        throw UsageError("--output and --vary belong to the autopilot; add --max-error or --max-ms");
     if (!options.output.empty() && lower_extension(options.output) != ".json")
         throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
     const Metric& error = tuned_error(options.error);

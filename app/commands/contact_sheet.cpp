@@ -31,7 +31,7 @@ using Colour = std::array<std::uint8_t, 3>;
 
 std::vector<fs::path> models_below(const fs::path& folder) {
     std::error_code error;
-    if (!fs::is_directory(folder, error)) throw Error(fmt::format("{}: this is no folder", folder.string()));
+    if (!fs::is_directory(folder, error)) throw Error(fmt::format("{}: not a folder", folder.string()));
     std::vector<fs::path> out;
     for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
          it != fs::recursive_directory_iterator() && !error; it.increment(error)) {
@@ -39,7 +39,7 @@ std::vector<fs::path> models_below(const fs::path& folder) {
         if (it->is_regular_file() && (extension == ".gltf" || extension == ".glb")) out.push_back(it->path());
     }
     if (error) throw Error(fmt::format("{}: {}", folder.string(), error.message()));
-    if (out.empty()) throw Error(fmt::format("{}: there is no .gltf or .glb file in it or below", folder.string()));
+    if (out.empty()) throw Error(fmt::format("{}: no .gltf or .glb file in this folder or below it", folder.string()));
     std::sort(out.begin(), out.end());
     return out;
 }
@@ -209,7 +209,7 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     }
     write_png(options.output, sheet.image());
     write_file(index_path, index);
-    fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output,
+    fmt::print("{} models in {}, {} of them not shown; {} lists them with reasons\n", models.size(), options.output,
                failures, index_path.string());
     if (!unsound.empty()) throw Error(fmt::format("--check-numeric: {}", unsound));
 }

@@ -73,7 +73,7 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     request.timing = options.measure;
     if (options.waste)
         plan.waste = find_waste(renderer, session.scene, session.settings, request, workers,
-                                [&](double share) { report(share, "left out in turn"); });
+                                [&](double share) { report(share, "left out one at a time"); });
     return plan;
 }
 

@@ -111,7 +111,7 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
     print_amount("shift towards the light", d.lifted, "a surface nearer than this is lost");
-    print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
+    print_amount("occluder", d.occluder, "the surface nearest the light: this much bias loses its shadow", "none");
     fmt::print("  reference: {}", d.reference.lit ? "lit" : "in shadow");
     if (d.reference.share > 0 && d.reference.share < 1)
         fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.reference.share);
@@ -133,7 +133,7 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
     const bool has_comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
     const auto second = has_comma ? std::from_chars(first.ptr + 1, end, y) : first;
     if (!has_comma || second.ec != std::errc() || second.ptr != end) {
-        throw UsageError(fmt::format("{} {}: X,Y from the top left is wanted, such as 640,360", option, text));
+        throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
     }
     if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
         throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,

@@ -31,7 +31,7 @@ PictureSize parse_size(const std::string& text) {
     const bool in_range = size.width >= 1 && size.height >= 1 && size.width <= 16384 && size.height <= 16384;
     if (!has_x || height.ec != std::errc() || height.ptr != end || !in_range) {
         throw UsageError(
-            fmt::format("--size {}: WIDTHxHEIGHT in pixels is wanted, each 1 to 16384, such as 1280x720", text));
+            fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1280x720", text));
     }
     return size;
 }
@@ -84,7 +84,7 @@ void run_render(const RenderOptions& options) {
     const bool against = !options.against.empty();
     if (against && view.key != "shaded")
         throw UsageError(
-            fmt::format("--against: it holds the picture itself against another, not the view '{}'; leave out "
+            fmt::format("--against compares the shaded picture, not the view '{}'; leave out "
                         "--view",
                         view.key));
     if (!options.report.empty()) require_writable(options.report);

@@ -97,7 +97,7 @@ void run_sweep(const SweepOptions& options) {
     const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.inputs().plan);
     if (interrupt.stop_requested()) {
         print_to_stderr(fmt::format(
-            "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
+            "shadow-inspector: interrupted after {} of {} cases; results so far are in {}; the same command goes on "
             "from there\n",
             results.finished + results.failed, sweep.inputs().plan.cases.size(), folder.string()));
         interrupt.end();
@@ -115,8 +115,7 @@ void run_merge(const MergeOptions& options) {
     for (const std::string& part : options.parts) {
         std::error_code ignored;
         if (fs::equivalent(part, folder, ignored))
-            throw UsageError(fmt::format("{}: is a part, and would be the whole, too; name another folder with -o",
-                                         folder.string()));
+            throw UsageError(fmt::format("{}: is one of the parts; name another folder with -o", folder.string()));
         parts.emplace_back(part, read_journal(part));
     }
     SweepState merged = merge_sweeps(parts);

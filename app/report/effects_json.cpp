@@ -100,7 +100,7 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
 }
 
 void print_waste(const Waste& waste) {
-    fmt::print("\nleft out in turn; what changes no byte of the picture is waste:\n");
+    fmt::print("\nleft out one at a time; work that changes no byte of the picture is waste:\n");
     for (const Tried& t : waste.tried) {
         const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
         // For a pass that is not drawn, the taps are those that the kernel would read.

@@ -40,7 +40,7 @@ std::string text_member(const Json& json, const char* key, const std::string& na
 int check_header(const Json& json, const std::string& name) {
     static const std::vector<std::string> known = {"format", "version", "title",    "topic",
                                                    "about",  "scene",   "settings", "claims"};
-    if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
+    if (!json.is_object()) refuse(name, "not a preset: must be an object {\"format\": ...}");
     const auto format = json.find("format");
     if (format == json.end() || *format != kFormat) {
         refuse(name, fmt::format("not a preset: \"format\" must be \"{}\"", kFormat));

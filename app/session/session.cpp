@@ -78,7 +78,7 @@ void apply_set(Settings& settings, const std::string& assignment) {
     // The last '=' separates: node paths may contain '=', values never do.
     const auto equals = assignment.rfind('=');
     if (equals == std::string::npos) {
-        throw UsageError(fmt::format("--set \"{}\": KEY=VALUE is wanted, such as bias.slope=2", assignment));
+        throw UsageError(fmt::format("--set \"{}\": must be KEY=VALUE, such as bias.slope=2", assignment));
     }
     set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
 }

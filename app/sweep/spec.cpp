@@ -64,7 +64,7 @@ Shard parse_shard(std::string_view text) {
     const auto second = has_slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
     const bool whole = has_slash && second.ec == std::errc() && second.ptr == end;
     if (!whole || shard.count < 1 || shard.count > kMaxShards || shard.index < 1 || shard.index > shard.count)
-        throw UsageError(fmt::format("--shard {}: I/N is wanted, I from 1 to N, such as 2/8", text));
+        throw UsageError(fmt::format("--shard {}: must be I/N, I from 1 to N, such as 2/8", text));
     return shard;
 }
 

@@ -1,4 +1,4 @@
-// The panel Advice: measured changes of settings that the scene can do with, and the autopilot.
+// The panel Advice: measured changes of settings that the scene allows, and the autopilot.
 #pragma once
 
 #include <optional>

@@ -191,7 +191,8 @@ void reference_column(const PixelDiagnosis& d) {
         amount_row("needed", d.least, "The window of biases that are right begins here");
         amount_row("have", d.has, "Equivalent depth bias of all bias, against acne");
         amount_row("shift towards the light", d.lifted, "Shift of the compared depth towards the light by bias");
-        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
+        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: this much bias loses its shadow",
+                   "none");
         ImGui::EndTable();
     }
     std::string reference = d.reference.lit ? "reference: lit" : "reference: in shadow";
