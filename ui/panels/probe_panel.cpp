@@ -249,13 +249,13 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// Draws all numbers that the verdict depends on. @param fixes draws the fixes of the pixel
+/// Draws all numbers that the verdict depends on. @param fixes_button, fixes_table draw the search for fixes
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
-             Button&& draw_fixes_button, Table&& draw_fixes_table) {
-    if (draw_fixes_button()) si::same_line_if_fits(button_width("Hide stored-depth quads"));
+             Button&& fixes_button, Table&& fixes_table) {
+    if (fixes_button()) si::same_line_if_fits(button_width("Hide stored-depth quads"));
     slabs_button(settings, p, resolution);
-    draw_fixes_table();
+    fixes_table();
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
