@@ -52,7 +52,7 @@ TEST(Shortcuts, NoKeyDoesTwoThings) {
 TEST(Shortcuts, EveryCommandHasARow) {
     std::set<Command> found;
     for (const Shortcut& row : shortcuts()) found.insert(row.command);
-    for (int i = 0; i <= Command::CloseOverview; ++i) EXPECT_TRUE(found.contains(Command(i))) << i;
+    for (int i = 0; i <= int(Command::CloseOverview); ++i) EXPECT_TRUE(found.contains(Command(i))) << i;
 }
 
 TEST(Shortcuts, OnlyHeldKeysAndGesturesHaveNoAction) {
