@@ -3,7 +3,8 @@
 
 namespace si {
 
-/// Scope in which the first SIGINT or SIGTERM requests a stop instead of ending the program. The second one ends it.
+/// Scope in which the first SIGINT or SIGTERM requests a stop instead of ending the program. The second signal ends the
+/// program.
 class InterruptGuard {
 public:
     InterruptGuard();

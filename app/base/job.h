@@ -43,7 +43,7 @@ public:
     /// context of its own.
     using Work = std::function<T(const Workers&, const Report&)>;
 
-    /// Result of work that has ended: a value, an exception, or cancelled.
+    /// Outcome of a background job that has ended: a value, an exception, or cancelled.
     struct Outcome {
         std::optional<T> value;      ///< none: it failed or was cancelled
         std::exception_ptr problem;  ///< why it failed
@@ -95,7 +95,7 @@ public:
     void drop() {
         const std::lock_guard lock(shared_->mutex);
         shared_->stop.request_stop();
-        shared_->stop = {};  // what is under way is not the one that is heard of
+        shared_->stop = {};  // the running work keeps the old source, so that its outcome is dropped
         shared_->next = nullptr;
         shared_->outcome.reset();
         shared_->wanted = shared_->moved = false;
@@ -141,6 +141,7 @@ public:
     }
 
 private:
+    /// State that the job and its thread share.
     struct Shared {
         std::mutex mutex;
         std::condition_variable changed;

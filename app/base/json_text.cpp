@@ -24,7 +24,7 @@ std::string line_and_column(std::string_view text, std::size_t byte) {
     return fmt::format("line {}, column {}", line, column);
 }
 
-/// The library's message without its own prefix and place, which count differently.
+/// Returns the JSON library's message without its prefix and its own place, which counts columns differently.
 std::string plain_message(std::string message) {
     if (const auto at = message.find("] "); at != std::string::npos) message.erase(0, at + 2);
     if (const auto at = message.find(": "); message.starts_with("parse error at") && at != std::string::npos) {
@@ -33,14 +33,14 @@ std::string plain_message(std::string message) {
     return printable(message, 300);
 }
 
-/// Builds the tree from the library's events. Its own builders look every new member up among those before it, one by
-/// one.
+/// Builder of a JSON tree from the library's parse events. The library's own builders search all earlier members for
+/// each new one, which takes quadratic time.
 class TreeBuilder {
 public:
     Json tree;
-    std::string duplicate;  ///< the first member that stood there twice
+    std::string duplicate;  ///< first member that occurs twice
     std::size_t problem_byte = 0;
-    std::string problem;  ///< the library's words; empty: none
+    std::string problem;  ///< the library's message; empty: none
 
     bool null() { return put(nullptr); }
     bool boolean(bool v) { return put(v); }
@@ -48,7 +48,7 @@ public:
     bool number_unsigned(Json::number_unsigned_t v) { return put(v); }
     bool number_float(Json::number_float_t v, const std::string&) { return put(v); }
     bool string(std::string& v) { return put(std::move(v)); }
-    bool binary(Json::binary_t&) { return false; }  // no JSON text has any
+    bool binary(Json::binary_t&) { return false; }  // JSON text holds no binary values
     bool start_object(std::size_t) { return open(Json::object()); }
     bool start_array(std::size_t) { return open(Json::array()); }
     bool end_object() { return close(); }
@@ -68,7 +68,7 @@ public:
 
 private:
     struct Level {
-        Json* node;  ///< stays where it is: only the innermost open one grows
+        Json* node;  ///< stable pointer: only the innermost open node grows
         std::unordered_set<std::string> keys;
     };
     Json* place(Json value) {
@@ -97,7 +97,7 @@ private:
 
 Json parse_json_text(std::string_view text, const std::string& name) {
     const auto refuse = [&](const std::string& why) { throw Error(fmt::format("{}: {}", name, why)); };
-    if (const auto nul = text.find('\0'); nul != std::string_view::npos)  // the library takes it for the end
+    if (const auto nul = text.find('\0'); nul != std::string_view::npos)  // the library would end there
         refuse(fmt::format("{}: not JSON: a NUL character", line_and_column(text, nul + 1)));
     if (const int depth = json_shape(text).depth; depth > kMaxJsonDepth)
         refuse(fmt::format("it nests {} levels deep, at most {} are read", depth, kMaxJsonDepth));
@@ -106,7 +106,7 @@ Json parse_json_text(std::string_view text, const std::string& name) {
         const std::string message = plain_message(builder.problem);
         if (!builder.problem.starts_with("[json.exception.out_of_range"))
             refuse(fmt::format("{}: not JSON: {}", line_and_column(text, builder.problem_byte), message));
-        // A number beyond all range; the message quotes it, and the place is where it ends.
+        // A number out of range: the message quotes it, and its end is the place.
         const auto quote = message.find('\'');
         const std::string number =
             quote == std::string::npos ? "" : message.substr(quote + 1, message.size() - quote - 2);
@@ -114,7 +114,7 @@ Json parse_json_text(std::string_view text, const std::string& name) {
                            number.empty() ? "a number" : number));
     }
     if (!builder.duplicate.empty())
-        refuse(fmt::format("\"{}\" stands there twice; keep one", printable(builder.duplicate, kQuotedBytes)));
+        refuse(fmt::format("\"{}\" occurs twice; keep one", printable(builder.duplicate, kQuotedBytes)));
     return std::move(builder.tree);
 }
 

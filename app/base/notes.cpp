@@ -56,7 +56,7 @@ void survive_file_limits() {
 }
 
 void open_standard_descriptors() {
-    // The lowest free number is taken, so they come in order.
+    // open() returns the lowest free descriptor, so that they are filled in order.
     for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
         if (::fcntl(descriptor, F_GETFD) < 0 && errno == EBADF)
             (void)::open("/dev/null", descriptor == STDERR_FILENO ? O_WRONLY : O_RDONLY);

@@ -16,7 +16,8 @@ void print_to_stderr(std::string_view text) noexcept;
 /// Prints notes to stderr, one a line.
 void print_notes(const std::vector<std::string>& notes);
 
-/// Returns workers for ray tracing that print their progress to stderr if it is a terminal. @param threads 0: all cores
+/// Returns worker threads for ray tracing that print their progress to stderr if stderr is a terminal. @param threads
+/// number of threads; 0: all cores
 Workers tracing_workers(int threads = 0);
 
 /// Puts text on one line: line breaks become "; ", tabs spaces, other control characters visible escapes.
@@ -25,8 +26,8 @@ std::string one_line(const std::string& text);
 /// Prints "wrote FILE" to stdout, with control characters in the name escaped.
 void print_wrote(const std::filesystem::path& file);
 
-/// Opens the null device for each closed standard descriptor (0 to 2). Otherwise a file opened later would take that
-/// number and receive the program's messages. Writing to a stdout that was closed still fails.
+/// Opens the null device for each closed standard descriptor (0 to 2). Otherwise a file opened later would get that
+/// descriptor and receive the program's messages. Writing to a stdout that was closed still fails.
 void open_standard_descriptors();
 
 /// Ignores SIGXFSZ: writing a file beyond the size limit (`ulimit -f`) becomes an error instead of ending the program.

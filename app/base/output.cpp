@@ -34,7 +34,7 @@ bool is_special(const fs::path& path) {
     return !error && fs::exists(status) && !fs::is_regular_file(status);
 }
 
-/// Of what is no file, and so has no other to take its place.
+/// Writes bytes directly to a device or pipe, which cannot be replaced atomically.
 void write_special(const fs::path& path, std::string_view bytes) {
     std::FILE* file = std::fopen(path.c_str(), "wb");
     if (!file) throw Error(fmt::format("{}: cannot be written: {}", path.string(), reason()));
@@ -137,7 +137,7 @@ std::string read_text_file(const fs::path& path) {
     errno = 0;
     std::ifstream in(path, std::ios::binary);
     if (!in) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
-    std::ostringstream text;  // whose iterators would throw where reading fails
+    std::ostringstream text;  // stream iterators would throw on a read error
     if (in.peek() != std::ifstream::traits_type::eof()) text << in.rdbuf();
     if (in.bad() || text.fail()) throw Error(fmt::format("{}: cannot be read: {}", path.string(), reason()));
     return text.str();

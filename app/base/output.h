@@ -13,8 +13,8 @@ namespace si {
 /// permission
 void require_writable(const std::filesystem::path& path);
 
-/// Checks that two output paths name different files, links resolved. Empty paths are ignored. @param one, other the
-/// options that gave them, for the message @throws UsageError
+/// Checks that two output paths name different files, links resolved. Empty paths are ignored. @param one, other names
+/// of the options that gave the paths, for the message @throws UsageError
 void require_distinct(const std::filesystem::path& a, std::string_view one, const std::filesystem::path& b,
                       std::string_view other);
 

@@ -26,7 +26,7 @@ namespace {
 
 constexpr const char* kSceneHelp = "A .gltf or .glb file, or a built-in scene (`list scenes`)";
 
-/// Everything that the options of all commands are written to.
+/// Variables that the options of all commands are parsed into.
 struct Options {
     SessionOptions session;
     std::string size, output, file, other_file;
@@ -82,8 +82,8 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
     add_size(*c, o, "1280x720");
     auto* against =
         c->add_option("--against", o.render.against,
-                      "Compare the picture with another one of the same frame, right of it: truth (traced by "
-                      "rays), or a preset (its light, maps, bias, filter and shading)")
+                      "Draw another picture of the same frame right of the picture, to compare: truth (the ray-traced "
+                      "reference), or a preset (its light, maps, bias, filter and shading)")
             ->type_name("WHAT");
     auto* swipe = c->add_option("--swipe", o.render.swipe,
                                 "With --against: one picture, this left of a line at X (0 to 1), the other right of it")
@@ -94,8 +94,8 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
         ->needs(against)
         ->excludes(swipe);
     c->add_option("--fit-camera", o.render.fit_camera,
-                  "Make maps that follow a camera, cascades too, for the camera of this preset instead of the "
-                  "picture's: what it would not see may lack its shadow")
+                  "Fit view-dependent maps and cascades to the camera of this preset instead of the picture's; "
+                  "shadows outside its view frustum may be missing")
         ->type_name("F");
     add_numeric_option(*c, o.render.check_numeric);
     c->add_option("--report", o.render.report, "Write facts of the frame as JSON: fit, settings, passes and times")
@@ -112,7 +112,7 @@ void add_render(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_reference(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("truth", "Trace rays for what is true about a light's shadows, into a file");
+    auto* c = app.add_subcommand("truth", "Trace the ray-traced reference of a light's shadows into a file");
     add_session_options(*c, o.session, true);
     c->add_option("-o,--output", o.output, "The file: .png (8 bit) or .pfm (float); 1 lit to 0 in shadow")
         ->required()
@@ -152,16 +152,15 @@ void add_reference(CLI::App& app, Options& o, std::function<void()>& run) {
 
 void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand(
-        "measure", "Compare a light's shadows with the ray-traced truth, and say what they cost, in numbers");
+        "measure", "Measure the error of a light's shadows against the ray-traced reference, their time and memory");
     add_session_options(*c, o.session, true);
     c->add_flag("--area", o.area,
                 "Compare with an area light (light.size), not a point or direction. As --set truth.area=true");
     c->add_flag("!--no-time", o.measure.time, "Take no times");
     add_cost_option(*c, o.measure.cost);
     add_numeric_option(*c, o.measure.check_numeric);
-    c->add_flag(
-        "--cures", o.measure.fixes,
-        "Draw and judge what may put wrong pixels right: pixels cured and broken, time and bytes of each change");
+    c->add_flag("--cures", o.measure.fixes,
+                "Try fixes for wrong pixels and measure each: pixels cured and broken, time and bytes");
     add_size(*c, o, "1280x720");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
@@ -176,14 +175,14 @@ void add_measure(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("probe", "Write out the shadow test of one pixel, step by step");
+    auto* c = app.add_subcommand("probe", "Print the shadow test of one pixel, step by step");
     add_session_options(*c, o.session, true);
     c->add_option("--pixel", o.probe.pixel, "The pixel, counted from the top left")->required()->type_name("X,Y");
     add_size(*c, o, "1280x720");
     add_numeric_option(*c, o.probe.check_numeric);
-    c->add_flag("!--no-truth", o.probe.reference, "Trace no rays: only what the map says, no verdict on it");
+    c->add_flag("!--no-truth", o.probe.reference, "Trace no rays: print only the map's result, without a verdict");
     c->add_option("-o,--output", o.probe.section,
-                  "Draw the test under view.light as a cross-section along the light's ray; cures are not looked for")
+                  "Draw the shadow test of view.light as a cross-section along the light's ray; fixes are not searched")
         ->type_name("F.svg");
     c->add_flag("--json", o.json, "All numbers as JSON");
     c->callback([&o, &run] {
@@ -197,7 +196,7 @@ void add_probe(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("list", "List what there is, with explanations");
+    auto* c = app.add_subcommand("list", "List settings, presets, filters and other tables, with explanations");
     c->add_option("WHAT", o.list.kind, fmt::format("{}", fmt::join(list_kinds(), ", ")))->required();
     c->add_option("KEY", o.list.prefix,
                   "Only keys that start with this, such as bias or bias.slope; of settings, where none does, those "
@@ -214,22 +213,23 @@ void add_list(CLI::App& app, Options& o, std::function<void()>& run) {
 void add_presets(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("preset", "Check, show and write presets");
     c->require_subcommand(1);
-    auto* check = c->add_subcommand("check", "Say whether a preset can be loaded, and if not, what is wrong where");
+    auto* check =
+        c->add_subcommand("check", "Check whether a preset can be loaded; print the first fault and its place");
     check->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
     check->callback([&o, &run] { run = [&o] { run_preset_check(o.file); }; });
     auto* show = c->add_subcommand("show", "List what a preset changes");
     show->add_option("FILE", o.file, "A preset file, or a built-in preset")->required();
     show->callback([&o, &run] { run = [&o] { run_preset_show(o.file); }; });
-    auto* save = c->add_subcommand("save", "Write what SCENE, --preset and --set amount to as a preset");
+    auto* save = c->add_subcommand("save", "Write the settings of SCENE, --preset and --set as a preset");
     add_session_options(*save, o.session, true);
     save->add_option("-o,--output", o.output, "The preset file, .json")->required()->type_name("FILE");
     save->add_option("--about", o.texts.about, "A sentence on what to look at")->type_name("TEXT");
-    save->add_option("--title", o.texts.title, "A few words to list it by")->type_name("TEXT");
-    save->add_option("--topic", o.texts.topic, "What to list it under")->type_name("TEXT");
+    save->add_option("--title", o.texts.title, "A few words, its name in lists")->type_name("TEXT");
+    save->add_option("--topic", o.texts.topic, "Its heading in lists")->type_name("TEXT");
     save->callback([&o, &run] { run = [&o] { run_preset_save(o.session, o.texts, o.output); }; });
-    auto* diff = c->add_subcommand("diff", "Say in words what differs between two presets");
+    auto* diff = c->add_subcommand("diff", "Print the differences of two presets in words");
     diff->add_option("A", o.file, "A preset file, a built-in preset, or default")->required();
-    diff->add_option("B", o.other_file, "What to compare it with: the same")->required();
+    diff->add_option("B", o.other_file, "The other preset: a file, a built-in preset, or default")->required();
     diff->add_flag("--json", o.json, "All differences as JSON");
     diff->callback([&o, &run] { run = [&o] { run_preset_diff(o.file, o.other_file, o.json); }; });
 }
@@ -267,20 +267,20 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
     auto* c = app.add_subcommand("edit", "Open the editor, or draw it into a file");
     add_session_options(*c, o.session, false);
     c->add_flag("--headless", o.editor.headless, "Draw the editor through EGL, without a display");
-    c->add_option("--screenshot", o.editor.screenshot, "Where --headless writes the picture")->type_name("F.png");
+    c->add_option("--screenshot", o.editor.screenshot, "The picture that --headless writes")->type_name("F.png");
     add_size(*c, o, "1600x900");
     c->add_option("--probe", o.probe.pixel, "Probe this pixel of the scene's picture at the start")->type_name("X,Y");
     c->add_option("--tab", o.editor.tab,
                   "The tab in front at the start: effects, probe, error, objects, compare, frontier, advice, lab, "
                   "numbers or log");
-    c->add_option("--theme", o.editor.theme, "dark or light; else as it was chosen last under View")
+    c->add_option("--theme", o.editor.theme, "dark or light (default: the theme chosen last)")
         ->type_name("T")
         ->check(CLI::IsMember({"dark", "light"}));
     c->add_option("--sweep", o.editor.sweep, "Show the sweep in this folder in the tab frontier")->type_name("DIR");
     add_numeric_option(*c, o.editor.check_numeric);
     c->add_option("--report", o.editor.report,
-                  "Write what became of the session as JSON, every few seconds: complaints of the driver, errors, "
-                  "unsound numbers, and memory by its holders over time")
+                  "Write a report of the session as JSON, every few seconds: driver messages, errors, unsound numbers, "
+                  "and memory by owner over time")
         ->type_name("F.json");
     c->add_flag("--no-state", o.no_state,
                 "Neither read nor keep layout, recent files and autosaves "
@@ -289,21 +289,24 @@ void add_edit(CLI::App& app, Options& o, std::function<void()>& run) {
 }
 
 void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
-    auto* info = app.add_subcommand("info", "Say which driver draws, what it can do, and how time is measured");
+    auto* info = app.add_subcommand("info", "Print the OpenGL driver, its limits, and the clock that measures times");
     info->add_flag("--json", o.json, "As JSON");
     info->callback([&o, &run] { run = [&o] { run_info(o.json); }; });
 
-    auto* scene = app.add_subcommand("scene", "Say what is in a scene, and what of its file was dropped and why");
+    auto* scene = app.add_subcommand(
+        "scene", "Print the contents of a scene, and the parts of its file that were dropped and why");
     scene->add_option("SCENE", o.session.scene, kSceneHelp)->required();
-    scene->add_option("--index", o.file_scene, "Which scene of a glTF file, from 0 (default: the file's own default)")
+    scene
+        ->add_option("--index", o.file_scene,
+                     "Index of the scene in a glTF file, from 0 (default: the file's own default)")
         ->check(CLI::Range(0, 9999))
         ->type_name("N");
     scene->add_flag("--json", o.json, "As JSON");
     scene->callback([&o, &run] { run = [&o] { run_scene(o.session.scene, o.file_scene, o.json); }; });
 
     auto* sheet = app.add_subcommand("contact-sheet", "Draw every model below a folder into one picture");
-    sheet->add_option("FOLDER", o.sheet.folder, "Where to look for .gltf and .glb files")->required();
-    sheet->add_option("-o,--output", o.sheet.output, "The sheet, .png; its index is written beside it as .txt")
+    sheet->add_option("FOLDER", o.sheet.folder, "The folder to search for .gltf and .glb files")->required();
+    sheet->add_option("-o,--output", o.sheet.output, "The sheet, .png; its index is written next to it as .txt")
         ->required()
         ->type_name("SHEET");
     sheet->add_option("--columns", o.sheet.columns, "Tiles in a row (default 8)")->check(CLI::Range(1, 1000));
@@ -317,8 +320,8 @@ void add_others(CLI::App& app, Options& o, std::function<void()>& run) {
     });
 
     auto* out = app.add_subcommand("export",
-                                   "Write a scene as glTF: the pose and the scene of the file that the settings "
-                                   "choose, and what else --preset and --set choose as its suggested settings");
+                                   "Write a scene as glTF, in the pose that the settings choose; other settings of "
+                                   "--preset and --set become its suggested settings");
     add_session_options(*out, o.session, true);
     out->add_option("-o,--output", o.output, "The file: .gltf (one file, buffers inside) or .glb")
         ->required()
@@ -360,7 +363,7 @@ bool has_display() {
     return set("DISPLAY") || set("WAYLAND_DISPLAY");
 }
 
-/// Without a command: the editor where there is a display, else pictures of everything.
+/// Runs the program without a command: the editor if there is a display, else `overview`.
 void run_default(Options& o) {
     if (has_display()) {
         start_editor(o);
@@ -379,7 +382,7 @@ int fail(int code, const std::string& message) {
     return code;
 }
 
-/// What CLI11 says, with the nearest command where a command is unknown.
+/// Returns the parser's error message, with the nearest name for an unknown command or option.
 std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int argc, const char* const* argv) {
     std::string message = e.what();
     std::string path = "shadow-inspector";
@@ -399,7 +402,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int arg
         command = next;
         path += " " + command->get_name();
     }
-    // A word that is not known is why another seems to be missing.
+    // An unknown word comes first: it is the reason why the parser misses another one.
     const auto rest = command->remaining();
     const auto unknown = std::ranges::find_if(rest, [](const std::string& word) { return word.starts_with("--"); });
     if (unknown != rest.end()) {
@@ -412,7 +415,7 @@ std::string usage_message(const CLI::App& app, const CLI::ParseError& e, int arg
     return fmt::format("{} (see {} --help)", message, path);
 }
 
-/// The option or argument that was given as "", which is never "not given"; empty where there is none.
+/// Returns the name of an option or argument that was given as an empty word; empty: none was.
 std::string given_empty(const CLI::App& command) {
     static constexpr std::string_view kTexts[] = {"--about", "--title", "--topic"};  // a preset may have none
     for (const CLI::Option* option : command.get_options()) {
@@ -429,7 +432,7 @@ std::string given_empty(const CLI::App& command) {
 
 int run_cli(int argc, const char* const* argv) {
     CLI::App app(
-        "Shadow Inspector: a scene beside its live shadow map.\n"
+        "Shadow Inspector: a scene next to its live shadow map.\n"
         "Without a command: opens the editor, or, without a display, draws everything into out/.",
         "shadow-inspector");
     app.set_version_flag("--version", std::string("shadow-inspector ") + SI_VERSION);

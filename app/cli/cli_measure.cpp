@@ -20,7 +20,7 @@ std::optional<double> finite_number(const std::string& text) {
     return value;
 }
 
-/// A finite number above 0; what says otherwise names no largest double.
+/// Makes a validator for a finite number above 0. Its message does not name the largest double, as CLI11's does.
 CLI::Validator above_zero() {
     return {[](std::string& text) -> std::string {
                 if (const auto value = finite_number(text); value && *value > 0) return {};
@@ -29,7 +29,7 @@ CLI::Validator above_zero() {
             "NUMBER > 0"};
 }
 
-/// One of these words, or those that it may be.
+/// Makes a validator for one of these words; its message lists them.
 CLI::Validator one_of(const std::vector<std::string_view>& words) {
     return {[words](std::string& text) -> std::string {
                 if (std::find(words.begin(), words.end(), text) != words.end()) return {};
@@ -56,7 +56,7 @@ void add_numeric_option(CLI::App& command, bool& check) {
     command.add_flag(
         "--check-numeric", check,
         "Search every map, visibility and matrix for NaN, infinite values, depths outside 0 to 1, negative "
-        "variances and overflow; where there is one, say where and exit with 1");
+        "variances and overflow; print the place of a fault and exit with 1");
 }
 
 void add_cost_option(CLI::App& command, CostCase& cost) {
@@ -70,7 +70,7 @@ void add_cost_option(CLI::App& command, CostCase& cost) {
                     throw CLI::ValidationError("--" + std::string(e.what()));
                 }
             },
-            fmt::format("Of which frames times are: {} (default: {})", cost_keys(), cost_row(kDefaultCost).key))
+            fmt::format("Kind of frames to time: {} (default: {})", cost_keys(), cost_row(kDefaultCost).key))
         ->type_name("FRAMES");
 }
 
@@ -87,24 +87,23 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
     c->add_option("-o,--output", o.sweep.folder,
-                  "The folder of the results; made if missing. The same command goes on "
-                  "where it was interrupted")
+                  "The folder of the results; made if missing. The same command continues an interrupted sweep")
         ->required()
         ->type_name("DIR");
     c->add_option("--size", o.size, "Size of the picture in pixels (default 640x360)")->type_name("WxH");
     c->add_option("--rounds", o.sweep.timing.rounds,
-                  "Most rounds of timed frames (default 10); fewer when every case's time has settled")
+                  "Largest number of rounds of timed frames (default 10); fewer if every case's time has settled")
         ->check(CLI::Range(1, 10'000));
     c->add_option("--frames", o.sweep.timing.frames, "Timed frames of a case in a round (default 3)")
         ->check(CLI::Range(1, 1'000));
     c->add_flag("--area", o.area, kAreaHelp);
     add_cost_option(*c, o.sweep.timing.cost);
     c->add_flag("--no-time", o.no_time, "Measure errors and costs only");
-    c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` puts parts together)")
+    c->add_option("--shard", o.sweep.shard, "Measure only part I of N, without times (`merge` joins the parts)")
         ->type_name("I/N");
     add_numeric_option(*c, o.sweep.check_numeric);
     c->add_flag("--retry", o.sweep.retry, "Measure failed cases again");
-    c->add_flag("--fresh", o.sweep.fresh, "Begin anew: remove what an earlier sweep left in the folder");
+    c->add_flag("--fresh", o.sweep.fresh, "Start again: remove the files of an earlier sweep from the folder");
     c->callback([&o, &run] {
         run = [&o] {
             if (!o.size.empty()) o.sweep.size = parse_size(o.size);
@@ -116,19 +115,19 @@ void add_sweep(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, 
 }
 
 void add_merge(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run) {
-    auto* c = app.add_subcommand("merge", "Put the shards of a sweep together");
+    auto* c = app.add_subcommand("merge", "Join the shards of a sweep");
     c->add_option("DIR", o.merge.parts, "Folders of shards")->required();
-    c->add_option("-o,--output", o.merge.folder, "The folder of the whole; made if missing")
+    c->add_option("-o,--output", o.merge.folder, "The folder of the joined sweep; made if missing")
         ->required()
         ->type_name("DIR");
-    c->add_flag("--fresh", o.merge.fresh, "Begin anew: remove what an earlier sweep left in the folder");
+    c->add_flag("--fresh", o.merge.fresh, "Start again: remove the files of an earlier sweep from the folder");
     c->callback([&o, &run] { run = [&o] { run_merge(o.merge); }; });
 }
 
 void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
     auto* c = app.add_subcommand("tune",
-                                 "Find the least bias that leaves no acne, and write it as a preset; with limits, the "
-                                 "kernel and resolution that suit them, too");
+                                 "Find the least bias that leaves no acne, and write it as a preset; with limits, "
+                                 "search kernel and resolution, too");
     add_session(*c, o.tune.session);
     c->add_option("-o,--output", o.tune.output, "The preset, .json")->required()->type_name("PRESET");
     c->add_option("--max-error", o.tune.max_error,
@@ -141,15 +140,15 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
         ->type_name("MS");
     c->add_option(
          "--error", o.tune.error,
-         fmt::format("What --max-error bounds, as `measure --json` names it, or how far it is from 1 where more is "
-                     "better: {} (default: the first)",
+         fmt::format("Error that --max-error limits, named as in `measure --json` (1 minus the value if more is "
+                     "better): {} (default: the first)",
                      fmt::join(tuned_errors(), ", ")))
         ->type_name("NAME");
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
     add_cost_option(*c, o.tune.cost);
     add_numeric_option(*c, o.tune.check_numeric);
-    c->add_flag("--json", o.tune.json, "What was tried and found as JSON");
+    c->add_flag("--json", o.tune.json, "Attempts and result as JSON");
     c->callback([&o, &run] {
         run = [&o] {
             if (!o.size.empty()) o.tune.size = parse_size(o.size);
@@ -161,17 +160,18 @@ void add_tune(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
 
 void add_plan(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
     auto* c = app.add_subcommand("plan",
-                                 "Say what a frame simulates, what not, and why; measured, what each saving is worth");
+                                 "Print what a frame draws, caches and skips, and why; with --measure the time that "
+                                 "each optimisation saves");
     add_session(*c, o.plan.session);
     auto* measure = c->add_flag("--measure", o.plan.measure,
-                                "Draw frames that make a saving and frames that do not in turns, and tell the "
+                                "Time frames with and without each optimisation alternately, and print the "
                                 "difference in milliseconds");
-    c->add_option("--rounds", o.plan.rounds, "With --measure: of these turns (default 15)")
+    c->add_option("--rounds", o.plan.rounds, "With --measure: number of rounds (default 15)")
         ->check(CLI::Range(3, 10'000))
         ->needs(measure);
     add_numeric_option(*c, o.plan.check_numeric);
     c->add_flag("--waste", o.plan.waste,
-                "Leave out each map, face and cascade in turn: what changes no byte of the picture is waste");
+                "Leave out each map, face and cascade in turn; list those that change no byte of the picture");
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
     c->add_flag("--json", o.plan.json, "As JSON");
     c->callback([&o, &run] {
@@ -184,8 +184,8 @@ void add_plan(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, c
 
 void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run, const AddSessionOptions& add_session) {
     auto* c = app.add_subcommand("advise",
-                                 "Say what may be changed at no loss, or at which, each measured with truth and clock; "
-                                 "with a bound, find the cheapest effects that hold it (autopilot)");
+                                 "Print changes of settings that save time at no or little loss, each measured; with a "
+                                 "limit, find the best effects within it (autopilot)");
     AdviseOptions& a = o.advise;
     add_session(*c, a.session);
     c->add_option("--max-error", a.max_error, "Autopilot: the cheapest effects whose error (--error) is at most this")
@@ -196,22 +196,22 @@ void add_advise(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
         ->check(above_zero())
         ->type_name("MS");
     c->add_option("--error", a.error,
-                  fmt::format("Which error, as `measure --json` names it: {} (default: the first)",
+                  fmt::format("Error to limit, named as in `measure --json`: {} (default: the first)",
                               fmt::join(tuned_errors(), ", ")))
         ->type_name("NAME");
     c->add_option("--vary", a.vary,
-                  "What the autopilot chooses among, as in `sweep`; may be repeated (default: what the scene leaves "
-                  "open)")
+                  "Setting and values that the autopilot tries, as in `sweep`; may be repeated (default: chosen from "
+                  "the scene)")
         ->type_name("KEY=VALUES")
         ->allow_extra_args(false);
-    c->add_option("--seconds", a.max_seconds, "After which the autopilot tries nothing more (default 100)")
+    c->add_option("--seconds", a.max_seconds, "Time limit of the autopilot in seconds (default 100)")
         ->check(number_between(1, 1e6));
     c->add_option("-o,--output", a.output, "The preset that the autopilot writes, .json")->type_name("PRESET");
     add_cost_option(*c, a.cost);
     add_numeric_option(*c, a.check_numeric);
     c->add_flag("--area", o.area, kAreaHelp);
     c->add_option("--size", o.size, "Size of the picture in pixels (default 1280x720)")->type_name("WxH");
-    c->add_flag("--json", a.json, "All that was found and tried as JSON");
+    c->add_flag("--json", a.json, "All results and attempts as JSON");
     c->callback([&o, &run] {
         run = [&o] {
             if (!o.size.empty()) o.advise.size = parse_size(o.size);
@@ -225,12 +225,12 @@ void add_precision(CLI::App& app, MeasureCliOptions& o, std::function<void()>& r
                    const AddSessionOptions& add_session) {
     auto* c =
         app.add_subcommand("precision",
-                           "Say how far places in the map and depths by single precision are off those by double, "
-                           "by each way of computing them (map.origin, map.transform)");
+                           "Print the error of single against double precision in map coordinates and depths, for "
+                           "each way to compute them (map.origin, map.transform)");
     add_session(*c, o.precision.session);
     c->add_option(
          "--over", o.precision.over,
-         fmt::format("As the scene moves away, grows, or its depths stretch: {}", fmt::join(precision_series(), ", ")))
+         fmt::format("Series of scenes farther away, larger, or deeper: {}", fmt::join(precision_series(), ", ")))
         ->check(one_of(precision_series()))
         ->type_name("WHAT");
     c->add_option("--size", o.size, "Size of the picture in pixels (default 640x360)")->type_name("WxH");
@@ -246,8 +246,8 @@ void add_precision(CLI::App& app, MeasureCliOptions& o, std::function<void()>& r
 void add_shimmer(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run,
                  const AddSessionOptions& add_session) {
     auto* c = app.add_subcommand("shimmer",
-                                 "Say how much edges of shadows crawl while camera or light move by parts of a texel, "
-                                 "with maps in whole texels and without");
+                                 "Measure how much shadow edges shimmer while camera or light move by parts of a "
+                                 "texel, with and without snapping to whole texels");
     ShimmerCommandOptions& s = o.shimmer;
     add_session(*c, s.session);
     std::vector<std::string_view> motions;
@@ -258,11 +258,13 @@ void add_shimmer(CLI::App& app, MeasureCliOptions& o, std::function<void()>& run
              for (const ShimmerMotionRow& row : shimmer_motions())
                  if (row.key == key) s.shimmer.motion = row.motion;
          },
-         fmt::format("What moves: {} (default camera)", fmt::join(motions, ", ")))
+         fmt::format("Moving part: {} (default camera)", fmt::join(motions, ", ")))
         ->check(one_of(motions))
         ->type_name("WHAT");
-    c->add_option("--steps", s.shimmer.steps, "How many (default 32)")->check(CLI::Range(1, 10'000))->type_name("N");
-    c->add_option("--step-texels", s.shimmer.step_texels, "Texels of the map that a step moves by (default 0.3)")
+    c->add_option("--steps", s.shimmer.steps, "Number of steps (default 32)")
+        ->check(CLI::Range(1, 10'000))
+        ->type_name("N");
+    c->add_option("--step-texels", s.shimmer.step_texels, "Length of a step in texels of the map (default 0.3)")
         ->check(number_between(1e-3, 100))
         ->type_name("T");
     c->add_option("-o,--output", s.output, "A picture of the share of steps in which each pixel flips: .png or .pfm")

@@ -143,7 +143,7 @@ public:
         numbers_.require_sound();
     }
 
-    void fly(const Metric& error) {
+    void run_autopilot(const Metric& error) {
         std::vector<SweepAxis> axes;
         for (const std::string& axis : o_.vary) axes.push_back(parse_axis(axis));
         const AutopilotGoals goals{.max_error = o_.max_error,
@@ -188,14 +188,14 @@ private:
 void run_advise(const AdviseOptions& options) {
     const bool flies = options.max_error || options.max_ms;
     if (!flies && !(options.output.empty() && options.vary.empty()))
-        throw UsageError("--output and --vary are of the autopilot: give it --max-error or --max-ms");
+        throw UsageError("--output and --vary belong to the autopilot; add --max-error or --max-ms");
     if (!options.output.empty() && lower_extension(options.output) != ".json")
         throw UsageError(fmt::format("{}: a preset must end in .json", options.output));
     const Metric& error = tuned_error(options.error);
     if (!options.output.empty()) require_writable(options.output);
     Advisor advisor(options);
     if (flies)
-        advisor.fly(error);
+        advisor.run_autopilot(error);
     else
         advisor.advise(error);
 }

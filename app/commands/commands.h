@@ -20,7 +20,7 @@ struct PictureSize {
     int width = 1280, height = 720;
 };
 
-/// Parses the value of --size, "1280x720". @throws UsageError
+/// Parses the value of --size, such as "1280x720". @throws UsageError
 PictureSize parse_size(const std::string& text);
 
 /// Parses a pixel "X,Y" (from the top left) within a picture of `size`. @param option name of the option, for the
@@ -39,7 +39,7 @@ struct RenderOptions {
     bool check_numeric = false;  ///< fail on NaN, infinite and out-of-range numbers
     std::string fit_camera;      ///< preset whose camera view-dependent maps are fitted to; empty: the picture's camera
 };
-/// Runs `render`: draws one view of a scene into a picture or float file.
+/// Runs the command `render`: draws one view of a scene into a picture or float file.
 void run_render(const RenderOptions& options);
 
 /// Options of the command `truth`.
@@ -51,7 +51,7 @@ struct ReferenceCommandOptions {
     int threads = 0;  ///< 0: all
     bool check_numeric = false;
 };
-/// Runs `truth`: writes the ray-traced visibility of the light `view.light` as a picture or float file.
+/// Runs the command `truth`: writes the ray-traced visibility of the light `view.light` as a picture or float file.
 void run_reference(const ReferenceCommandOptions& options);
 
 /// Options of the command `measure`.
@@ -63,7 +63,8 @@ struct MeasureOptions {
     bool fixes = false;  ///< also try fixes and measure each
     CostCase cost = kDefaultCost;
 };
-/// Runs `measure`: prints the error of the shadows of `view.light` against the reference, and their time and memory.
+/// Runs the command `measure`: prints the error of the shadows of `view.light` against the reference, and their time
+/// and memory.
 void run_measure(const MeasureOptions& options);
 
 /// Options of the command `plan`.
@@ -76,7 +77,7 @@ struct PlanOptions {
     bool waste = false;  ///< list work that changes no pixel when it is left out
     bool json = false;
 };
-/// Runs `plan`: prints which passes and effects a frame draws, which it skips, and why.
+/// Runs the command `plan`: prints which passes and effects a frame draws, which it skips, and why.
 void run_plan(const PlanOptions& options);
 
 /// Options of the command `precision`.
@@ -86,9 +87,10 @@ struct PrecisionOptions {
     std::string over;  ///< one of precision_series(); empty: one measurement with the given settings
     bool json = false;
 };
-/// Runs `precision`: prints the error of single against double precision for each way to compute map coordinates.
+/// Runs the command `precision`: prints the error of single against double precision for each way to compute map
+/// coordinates.
 void run_precision(const PrecisionOptions& options);
-/// Keys of the series that `precision --over` accepts (distance, scale, ...).
+/// Returns the keys of the series that `precision --over` accepts (distance, scale, ...).
 std::vector<std::string_view> precision_series();
 
 /// Options of the command `shimmer`.
@@ -99,7 +101,7 @@ struct ShimmerCommandOptions {
     std::string output;  ///< picture of flips per pixel and step, .png or .pfm; empty: none
     bool json = false;
 };
-/// Runs `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
+/// Runs the command `shimmer`: prints how many pixels flip while camera or light move by fractions of a texel.
 void run_shimmer(const ShimmerCommandOptions& options);
 
 /// Options of the command `tune`.
@@ -112,10 +114,10 @@ struct TuneOptions {
     bool json = false;
     bool check_numeric = false;
 };
-/// Runs `tune`: writes a preset with the least bias that leaves no acne. With limits it also picks kernel and
-/// resolution.
+/// Runs the command `tune`: writes a preset with the least bias that leaves no acne. With limits the search also picks
+/// kernel and resolution.
 void run_tune(const TuneOptions& options);
-/// Keys of the metrics that `tune --error` accepts.
+/// Returns the keys of the metrics that `tune --error` accepts.
 std::vector<std::string_view> tuned_errors();
 
 /// Finds a metric that `tune --error` accepts. @param key empty: the first one @throws UsageError listing the known
@@ -134,7 +136,8 @@ struct AdviseOptions {
     bool json = false;
     bool check_numeric = false;
 };
-/// Runs `advise`: prints settings that the scene allows to change, each measured. With a limit it runs the autopilot.
+/// Runs the command `advise`: prints changes of settings that the scene allows, each measured. With a limit the
+/// autopilot runs instead.
 void run_advise(const AdviseOptions& options);
 
 /// Options of the command `probe`.
@@ -145,7 +148,7 @@ struct ProbeOptions {
     std::filesystem::path section;  ///< file for the cross-section of the shadow test of view.light, .svg; empty: none
     bool json = false, reference = true, check_numeric = false;
 };
-/// Runs `probe`: prints the shadow test of one pixel step by step, its verdict and its fixes.
+/// Runs the command `probe`: prints the shadow test of one pixel step by step, its verdict and its fixes.
 void run_probe(const ProbeOptions& options);
 
 /// Options of the command `list`.
@@ -154,14 +157,15 @@ struct ListOptions {
     std::string prefix;  ///< lists only keys that begin with it
     bool json = false;
 };
-/// Runs `list`: prints the rows of one table (settings, filters, presets, ...).
+/// Runs the command `list`: prints the rows of one table (settings, filters, presets, ...).
 void run_list(const ListOptions& options);
-/// Tables that `list` knows: settings, filters, fits, views, overlays, scenes, presets, ...
+/// Returns the names of the tables that `list` prints: settings, filters, fits, views, overlays, scenes, presets, ...
 const std::vector<std::string>& list_kinds();
 
-/// Runs `info`: prints the OpenGL driver, its limits and the program's version.
+/// Runs the command `info`: prints the OpenGL driver, its limits and the program's version.
 void run_info(bool json);
-/// Runs `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and why.
+/// Runs the command `scene`: prints what a scene holds, and which parts of its file were dropped or approximated and
+/// why.
 /// @param file_scene index of the scene in a glTF file; -1: its default
 void run_scene(const std::string& scene, int file_scene, bool json);
 
@@ -172,24 +176,24 @@ struct ContactSheetOptions {
     PictureSize size{256, 192};  ///< size of each tile
     bool check_numeric = false;
 };
-/// Runs `contact-sheet`: draws every .gltf and .glb file below a folder into one picture, and writes an index (.txt)
-/// next to it.
+/// Runs the command `contact-sheet`: draws every .gltf and .glb file below a folder into one picture, and writes an
+/// index (.txt) next to it.
 void run_contact_sheet(const ContactSheetOptions& options);
 
-/// Runs `preset check`: reads a preset file and reports the first fault.
+/// Runs the command `preset check`: reads a preset file and reports the first fault.
 void run_preset_check(const std::string& file);
-/// Runs `preset show`: prints a preset's settings that differ from the defaults.
+/// Runs the command `preset show`: prints a preset's settings that differ from the defaults.
 void run_preset_show(const std::string& file);
-/// Runs `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in preset, or
-/// "default".
+/// Runs the command `preset diff`: prints the differences of two presets in words. Each is a preset file, a built-in
+/// preset, or "default".
 void run_preset_diff(const std::string& before, const std::string& after, bool json);
-/// Title, topic and description of a preset.
+/// Title, topic and description of a preset to be saved.
 struct PresetTexts {
     std::string title, topic, about;
 };
-/// Runs `preset save`: writes the session's settings as a preset.
+/// Runs the command `preset save`: writes the session's settings as a preset.
 void run_preset_save(const SessionOptions& session, const PresetTexts& texts, const std::string& output);
-/// Runs `export`: writes the session's scene as a glTF file.
+/// Runs the command `export`: writes the session's scene as a glTF file.
 void run_export(const SessionOptions& session, const std::string& output);
 
 /// Options of the command `docs`.
@@ -199,8 +203,8 @@ struct DocsOptions {
     std::string only;               ///< "filter.kernel=pcf": only that row of docs/techniques.md; empty: the whole page
     bool check = false;             ///< compares with the file instead of writing it
 };
-/// Runs `docs`: generates a page of docs/ from the program's tables. @throws Error where the file differs under
-/// `check` @throws UsageError for unknown pages and rows
+/// Runs the command `docs`: generates a page of docs/ from the program's tables. @throws Error where the file differs
+/// under `check` @throws UsageError for unknown pages and rows
 void run_docs(const DocsOptions& options);
 /// Draws and measures all techniques, or one, for docs/techniques.md and its folder of pictures. The whole page takes a
 /// minute. The same program on the same driver writes the same bytes.
@@ -228,7 +232,7 @@ struct SweepOptions {
     bool fresh = false, retry = false;
     bool check_numeric = false;  ///< fail on unsound numbers in the cases measured in this run
 };
-/// Runs `sweep`: measures error, cost and time of every combination of settings, and writes a report.
+/// Runs the command `sweep`: measures error, cost and time of every combination of settings, and writes a report.
 void run_sweep(const SweepOptions& options);
 
 /// Options of the command `merge`.
@@ -237,7 +241,7 @@ struct MergeOptions {
     std::string folder;
     bool fresh = false;
 };
-/// Runs `merge`: joins the shards of a sweep into one folder with one report.
+/// Runs the command `merge`: joins the shards of a sweep into one folder with one report.
 void run_merge(const MergeOptions& options);
 
 /// Options of the command `overview`.
@@ -247,8 +251,8 @@ struct OverviewOptions {
     PictureSize size;
     bool check_numeric = false;
 };
-/// Runs `overview`: writes pictures of the editor, the scene, its shadow map and visibility, and prints a table of
-/// passes and times.
+/// Runs the command `overview`: writes pictures of the editor, the scene, its shadow map and visibility, and prints a
+/// table of passes and times.
 void run_overview(const OverviewOptions& options);
 
 }  // namespace si

@@ -1,4 +1,4 @@
-// Every model below a folder in one picture, with an index of what stands where.
+// Contact sheet: every model below a folder in one picture, with an index of the tiles.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -31,7 +31,7 @@ using Colour = std::array<std::uint8_t, 3>;
 
 std::vector<fs::path> models_below(const fs::path& folder) {
     std::error_code error;
-    if (!fs::is_directory(folder, error)) throw Error(fmt::format("{}: this is no folder", folder.string()));
+    if (!fs::is_directory(folder, error)) throw Error(fmt::format("{}: not a folder", folder.string()));
     std::vector<fs::path> out;
     for (auto it = fs::recursive_directory_iterator(folder, fs::directory_options::skip_permission_denied, error);
          it != fs::recursive_directory_iterator() && !error; it.increment(error)) {
@@ -39,12 +39,12 @@ std::vector<fs::path> models_below(const fs::path& folder) {
         if (it->is_regular_file() && (extension == ".gltf" || extension == ".glb")) out.push_back(it->path());
     }
     if (error) throw Error(fmt::format("{}: {}", folder.string(), error.message()));
-    if (out.empty()) throw Error(fmt::format("{}: there is no .gltf or .glb file in it or below", folder.string()));
+    if (out.empty()) throw Error(fmt::format("{}: no .gltf or .glb file in this folder or below it", folder.string()));
     std::sort(out.begin(), out.end());
     return out;
 }
 
-/// The editor's font without OpenGL.
+/// Font atlas of the editor, drawn into images without OpenGL.
 class Letters {
 public:
     Letters() {
@@ -55,16 +55,16 @@ public:
         } else {
             ImFontConfig config;
             config.FontDataOwnedByAtlas = false;
-            config.OversampleH = 1;  // letters are copied, a texel a pixel
+            config.OversampleH = 1;  // letters are copied, one texel to one pixel
             config.PixelSnapH = true;
             void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer and only reads
             font_ = atlas_.AddFontFromMemoryTTF(bytes, int(data.size()), kLineHeight, &config, kEvery);
         }
-        font_->FallbackChar = 0x25a1;  // a box, as fonts draw what they lack; ImGui cannot reach their own
+        font_->FallbackChar = 0x25a1;  // a box for missing letters; ImGui cannot reach the font's own
         atlas_.GetTexDataAsAlpha8(&coverage_, &width_, &height_);
     }
     const ImFont& font() const { return *font_; }
-    /// Of a glyph's pixel, counted from its upper left corner; 0 to 255.
+    /// Returns the coverage of a glyph's pixel, counted from the glyph's upper left corner; 0 to 255.
     int coverage(const ImFontGlyph& glyph, int x, int y) const {
         const long column = std::lround(glyph.U0 * float(width_)) + x, row = std::lround(glyph.V0 * float(height_)) + y;
         return coverage_[row * width_ + column];
@@ -74,7 +74,7 @@ private:
     ImFontAtlas atlas_;
     ImFont* font_ = nullptr;
     unsigned char* coverage_ = nullptr;
-    int width_ = 0, height_ = 0;  ///< of the atlas
+    int width_ = 0, height_ = 0;  ///< size of the atlas, pixels
 };
 
 class Sheet {
@@ -96,7 +96,7 @@ public:
             std::copy_n(picture.data.begin() + std::ptrdiff_t(row) * picture.width * 4, picture.width * 4,
                         at(x, y + row));
     }
-    /// One line of UTF-8, `y` its top. An ellipsis stands for what is beyond `width`.
+    /// Draws one line of UTF-8 text with its top at `y`, cut with an ellipsis beyond `width`.
     void write(const std::string& text, int x, int y, int width, const Colour& colour) {
         const ImFont& font = letters_.font();
         const std::string shown = beginning_that_fits(text, float(width), &font);
@@ -113,7 +113,7 @@ public:
 private:
     ByteImage image_;
     Letters letters_;
-    /// Cut at `right`, where not even an ellipsis fits.
+    /// Draws a glyph, cut at the column `right`.
     void write(const ImFontGlyph& glyph, int x, int y, int right, const Colour& colour) {
         const int left = x + int(std::lround(glyph.X0)), top = y + int(std::lround(glyph.Y0));
         const int width = int(std::lround(glyph.X1 - glyph.X0)), height = int(std::lround(glyph.Y1 - glyph.Y0));
@@ -131,12 +131,12 @@ private:
     }
 };
 
-/// What one tile shows, or why it shows nothing.
+/// Picture of one tile, or the reason why the tile is empty.
 struct Tile {
     ByteImage picture;
     std::string text;
     std::vector<std::string> notes;
-    std::string unsound;  ///< which of its numbers are none; empty: all are sound, or nobody asked
+    std::string unsound;  ///< faulty numbers of the picture; empty: none, or not searched
     bool failed = false;
 };
 
@@ -145,7 +145,7 @@ Tile draw_tile(Renderer& renderer, const fs::path& model, const PictureSize& siz
     try {
         const Session session = open_session({.scene = model.string()});
         FrameRequest request{.width = size.width, .height = size.height};
-        FrameRequest rested = request;  // as the editor shows it once the view rests
+        FrameRequest rested = request;  // smoothed, as the editor shows a static view
         if (session.settings.view.smooth) rested.smoothed = kMaxSmoothedShadings;
         const FrameResult frame = renderer.render(session.scene, session.settings, rested);
         tile.picture = renderer.read_colour(frame.smooth.texture != 0 ? frame.smooth : frame.colour);
@@ -209,7 +209,7 @@ void run_contact_sheet(const ContactSheetOptions& options) {
     }
     write_png(options.output, sheet.image());
     write_file(index_path, index);
-    fmt::print("{} models in {}, {} of them not shown; {} says which and why\n", models.size(), options.output,
+    fmt::print("{} models in {}, {} of them not shown; {} lists them with reasons\n", models.size(), options.output,
                failures, index_path.string());
     if (!unsound.empty()) throw Error(fmt::format("--check-numeric: {}", unsound));
 }

@@ -37,7 +37,7 @@ std::string allowed(const SettingRef& ref) {
 std::string setting_section(const Param& p) {
     static const std::map<Cost, std::string_view> kCosts = {{Cost::Uniform, ""},
                                                             {Cost::Program, " A change compiles shaders."},
-                                                            {Cost::Target, " A change allocates the maps anew."}};
+                                                            {Cost::Target, " A change allocates the maps again."}};
     const SettingRef ref{&p, 0, p.scope == Scope::Object ? "PATH" : ""};
     const std::string preset = value_text(p, default_value(ref));
     std::string text =
@@ -100,7 +100,7 @@ std::string settings_page() {
 void run_docs(const DocsOptions& options) {
     const auto& [what, output, only, check] = options;
     if (what == "techniques") {
-        if (output.empty()) throw UsageError("docs techniques: -o FILE says where page and pictures go");
+        if (output.empty()) throw UsageError("docs techniques: -o FILE is missing; pictures go next to it");
         return run_docs_techniques(options);
     }
     if (!only.empty()) throw UsageError(fmt::format("docs {} --only: only the page of techniques has rows", what));
@@ -111,7 +111,7 @@ void run_docs(const DocsOptions& options) {
     const auto wanted = pages.find(what);
     if (wanted == pages.end())
         throw UsageError(
-            fmt::format("docs {}: there are pages of settings, presets, metrics, hard-cases and techniques", what));
+            fmt::format("docs {}: the pages are settings, presets, metrics, hard-cases and techniques", what));
     const std::string page = wanted->second();
     if (check) {
         if (read_text_file(output) == page) return;

@@ -1,4 +1,4 @@
-// The tours of the guided presets (docs/presets.md) and of the hard cases (docs/hard-cases.md).
+// Pages of the guided presets (docs/presets.md) and of the hard cases (docs/hard-cases.md).
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
@@ -66,13 +66,13 @@ constexpr std::string_view kHardCasesIntro =
     "\n"
     "Nothing is tested where a double resolves less than a millionth of the radius.\n";
 
-/// Whether the setting only chooses where one stands.
+/// Returns true if the setting only changes the point of view.
 bool is_view_point(const SettingRef& ref) {
     const std::string key = setting_key(ref);
     return key.starts_with("camera.") || key == "view.frustum";
 }
 
-/// What the preset changes of other settings: "`bias.normal` 0 texels, …".
+/// Formats the other settings that the preset changes: "`bias.normal` 0 texels, …".
 std::string changes(const Preset& preset, const Settings& base) {
     std::string text;
     for (const SettingRef& ref : differing_settings(base, preset.settings)) {

@@ -48,7 +48,7 @@ constexpr std::string_view kTechniquesIntro =
     "Times differ between machines and are left out: `shadow-inspector sweep stage --vary filter.kernel='*' -o DIR` "
     "measures them.\n";
 
-/// One row of the page: a choice of a technique, and the settings that draw it.
+/// Row of the page: a choice of a technique, and the settings that draw it.
 struct Entry {
     std::string_view key;
     std::string label;
@@ -59,14 +59,14 @@ struct Entry {
     std::string shown_key() const { return sets.empty() ? std::string(key) : sets; }
 };
 
-/// One table of the page: the rows are the choices of `setting`.
+/// Table of the page: the rows are the choices of `setting`.
 struct PageSection {
     std::string_view title, setting, about;
     std::function<std::vector<Entry>()> make_entries;
     bool has_other_settings = false;  ///< some rows change another setting (Entry::sets)
 };
 
-/// Each choice of a row's table in turn.
+/// Returns an entry for each choice of a setting.
 template <typename Rows>
 std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::string_view setting) {
     std::vector<Entry> out;
@@ -77,7 +77,7 @@ std::vector<Entry> entries_of(const Rows& rows, const Settings& base, std::strin
     return out;
 }
 
-/// Each kernel at its own short list of sizes.
+/// Returns an entry for each kernel at each size of the kernel's own short list.
 std::vector<Entry> kernel_entries(const Settings& base) {
     std::vector<Entry> out;
     for (const std::string_view name : sweep_kernels()) {
@@ -89,7 +89,7 @@ std::vector<Entry> kernel_entries(const Settings& base) {
     return out;
 }
 
-/// Each bias at the least numbers that clear the picture's planes by its own account.
+/// Returns an entry for each kind of bias, with the least numbers that avoid acne on planes by its own formula.
 std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Settings& base) {
     ReferenceCache cache;
     const MeasuredError measured =
@@ -104,7 +104,7 @@ std::vector<Entry> bias_entries(Renderer& renderer, const Scene& scene, const Se
     return out;
 }
 
-/// Each choice of a setting that is no table of techniques.
+/// Returns an entry for each choice of a setting that has no table of techniques.
 std::vector<Entry> choices_of(const Settings& base, std::string_view setting) {
     std::vector<Entry> out;
     for (const Choice& c : find_setting(setting)->param->choices()) {
@@ -114,7 +114,7 @@ std::vector<Entry> choices_of(const Settings& base, std::string_view setting) {
     return out;
 }
 
-/// One setting at a value, as a row of its own: "map.reversed_z=true".
+/// Returns the entry of one setting at a value: "map.reversed_z=true".
 Entry with(const Settings& base, std::string_view setting, std::string_view value) {
     const Param& p = *find_setting(setting)->param;
     Entry e{{}, std::string(p.label), p.help, {}, base};

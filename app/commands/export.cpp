@@ -21,12 +21,12 @@ void run_export(const SessionOptions& options, const std::string& output) {
     if (!options.preset.empty() || !options.sets.empty()) {
         session.scene.suggested.clear();
         for (const SettingRef& ref : changed_settings(session.settings))
-            if (!ref.param->key.starts_with("scene."))  // the file holds that moment alone
+            if (!ref.param->key.starts_with("scene."))  // the file holds the pose at one time only
                 session.scene.suggested.emplace_back(setting_key(ref),
                                                      value_text(*ref.param, get_value(session.settings, ref)));
     }
-    hide_objects(session.scene, {});  // what is hidden comes back by its setting
-    remove_ground(session.scene);     // which is no part of it
+    hide_objects(session.scene, {});  // hidden objects are exported, and hidden again by their setting
+    remove_ground(session.scene);     // the ground is not part of the scene
     save_gltf(session.scene, output);
     print_notes(session.notes);
 }

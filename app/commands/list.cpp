@@ -31,7 +31,7 @@ Json row(std::string_view key, std::string_view label, std::string_view help) {
     return {{"key", key}, {"label", label}, {"help", help}};
 }
 
-/// As which a list names it: of light 0, of no object that there is.
+/// Returns a reference to a setting as lists name it: of light 0, or of an object PATH.
 SettingRef listed(const Param& p) {
     return {&p, 0, p.scope == Scope::Object ? "PATH" : ""};
 }
@@ -49,7 +49,7 @@ Json setting_rows() {
         json["type"] = type;
         json["unit"] = p.unit;
         json["min"] = number ? Json(p.min) : Json();
-        json["max"] = number || type == "text" ? Json(p.max) : Json();  // of a text bytes
+        json["max"] = number || type == "text" ? Json(p.max) : Json();  // for texts the largest number of bytes
         json["default"] = setting_to_json(ref, default_value(ref));
         json["choices"] = Json::array();
         if (p.choices) {
@@ -63,7 +63,7 @@ Json setting_rows() {
     return list;
 }
 
-/// The rows of a table of techniques. @param more adds what only this table knows: (Json&, const Row&)
+/// Converts the rows of a table of techniques to JSON. @param more adds members of this table only: (Json&, const Row&)
 template <typename Row>
 Json technique_rows(std::span<const Row> rows, auto&& more) {
     Json list = Json::array();
@@ -196,7 +196,7 @@ std::string plain(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// Presets under their topics, each with its title, its scene and what to look at.
+/// Prints presets under their topics, each with title, scene and description.
 void print_presets(const Json& list) {
     std::string topic;
     std::size_t widest = 0;
@@ -240,7 +240,7 @@ const std::vector<ListKind>& kinds_of_lists() {
     return kinds;
 }
 
-/// The key, or its beginning, as rows have it: they speak of all lights and all objects.
+/// Returns a key, or its beginning, in the form of the table's rows, which stand for all lights and all objects.
 std::string row_key(const std::string& asked) {
     if (const auto ref = find_setting(asked)) return setting_key(listed(*ref->param));
     constexpr std::string_view kLight = "light.";
@@ -278,7 +278,7 @@ void run_list(const ListOptions& options) {
         if (r["key"].get<std::string>().starts_with(prefix)) chosen.push_back(std::move(r));
     }
     if (chosen.empty() && kind == "settings") {
-        // Words, then: the list has a row for each of the table's.
+        // Not a key but words to search for.
         for (std::size_t i = 0; i < list.size(); ++i)
             if (setting_matches(listed(params()[i]), options.prefix)) chosen.push_back(std::move(list[i]));
     }

@@ -36,8 +36,8 @@ void print_error(const ErrorMetrics& m, const Reference& reference) {
     const std::string noise = noise_text(reference);
     const std::string ground =
         m.ground_pixels > 0 ? fmt::format(", {} of them on the ground under the model", m.ground_pixels) : "";
-    fmt::print("{} pixels compared with the ray-traced truth{}{}\n", m.counted, noise.empty() ? "" : " (" + noise + ")",
-               ground);
+    fmt::print("{} pixels compared with the ray-traced reference{}{}\n", m.counted,
+               noise.empty() ? "" : " (" + noise + ")", ground);
     for (const Metric& metric : metrics()) {
         if (!metric.part_of.empty() || metric.unit != kShareOfPixels) continue;
         print_metric(metric, m, metric.label);

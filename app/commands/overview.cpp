@@ -36,7 +36,7 @@ void draw_editor(const OverviewOptions& options, const std::string& path) {
     editor.headless = true;
     editor.screenshot = path;
     if (lower_extension(options.session.preset) == ".json") editor.preset = options.session.preset;
-    run_editor(editor);  // its notes are those of the session
+    run_editor(editor);  // its notes are those of the session, printed later
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void run_overview(const OverviewOptions& options) {
             write_view(renderer, session.scene, session.settings, request, find_view(view), path);
             print_wrote(path);
         }
-        // All of it once more, now that programs are compiled, for the clock.
+        // The second frame is timed, because the first one compiles shaders.
         request.outputs = {.colour = true, .shadow_map = true, .visibility = true};
         ReferenceCache references;
         trace_sources(renderer, session.scene, session.settings, request, references);
@@ -72,7 +72,7 @@ void run_overview(const OverviewOptions& options) {
         map = map_report(renderer, session.scene, session.settings, request);
         if (options.check_numeric) health = search_numbers(renderer, session.scene, session.settings, request);
     }
-    // The editor has a context of its own, so this one has to be gone.
+    // The editor makes its own OpenGL context, so that this one must have ended.
     draw_editor(options, file("editor.png"));
     print_wrote(file("editor.png"));
     print_passes(frame, driver);

@@ -23,16 +23,16 @@ bool shows_reference(const Settings& s) {
     return any_pane_shows(s.view, &Overlay::reads_reference);
 }
 
-/// What is traced before the frame, for pictures that need it.
+/// Traces the references that the frame needs, and returns the row of the plan for their rays.
 Effect trace_for(const Session& session, FrameRequest& request, const Workers& workers) {
-    Effect effect{.name = "rays of the truth"};
+    Effect effect{.name = "rays of the reference"};
     const bool sources = any_source_needs(session.settings, &SourceNeeds::reference) ||
                          any_source_needs(session.settings, &SourceNeeds::light_map);
     if (!sources && !shows_reference(session.settings)) {
-        effect.reason = "No light's source needs rays, and no overlay shows what is true.";
+        effect.reason = "No light's source needs rays, and no overlay shows the reference.";
         return effect;
     }
-    Renderer renderer;  // of its own: the frame that is told about finds nothing drawn before
+    Renderer renderer;  // a new one: nothing is cached, so that the plan shows a first frame
     ReferenceCache cache;
     if (shows_reference(session.settings))
         render_with_reference(renderer, session.scene, session.settings, request, cache, workers);
@@ -40,7 +40,7 @@ Effect trace_for(const Session& session, FrameRequest& request, const Workers& w
         trace_sources(renderer, session.scene, session.settings, request, cache, workers);
     effect.state = EffectState::Drawn;
     effect.reason = sources ? "A light's source is traced or baked, before the frame."
-                            : "An overlay shows what is true: its rays are traced before the frame.";
+                            : "An overlay shows the reference: its rays are traced before the frame.";
     return effect;
 }
 
@@ -68,12 +68,12 @@ Planned plan_of(const Session& session, const PlanOptions& options, Renderer& re
     if (options.measure)
         plan.saved =
             measure_saved_times(renderer, session.scene, session.settings, request, optimisations_of(plan.effects),
-                                options.rounds, workers, [&](double share) { report(share, "frames in turns"); });
-    request.outputs.health = false;  // the search reads maps whole: what the picture needs of them would not show
+                                options.rounds, workers, [&](double share) { report(share, "alternating frames"); });
+    request.outputs.health = false;  // the search reads whole maps, so that no part could be skipped
     request.timing = options.measure;
     if (options.waste)
         plan.waste = find_waste(renderer, session.scene, session.settings, request, workers,
-                                [&](double share) { report(share, "left out in turn"); });
+                                [&](double share) { report(share, "left out one at a time"); });
     return plan;
 }
 
@@ -109,7 +109,7 @@ void run_plan(const PlanOptions& options) {
         print_effects(plan.effects, plan.saved ? &*plan.saved : nullptr);
         if (plan.saved)
             fmt::print(
-                "\n{} ms a frame with all its passes; medians of {} rounds in turns, with their 95 % "
+                "\n{} ms a frame with all its passes; medians of {} alternating rounds, with their 95 % "
                 "intervals; {}\n",
                 digits_text(plan.saved->frame.total_ms.median), plan.saved->rounds, plan.saved->frame.clock);
         if (plan.waste) print_waste(*plan.waste);

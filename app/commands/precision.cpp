@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What a series turns, with the values it takes.
+/// Series of `precision --over`: a setting with the values it takes.
 struct SeriesRow {
     std::string_view name, key;
     std::vector<double> values;

@@ -22,7 +22,7 @@ void run_preset_check(const std::string& file) {
     if (!preset.scene.empty()) {
         try {
             notes = compose_session(plan, load_scene(plan.scene_name, scene_options(plan))).notes;
-        } catch (const Error& e) {  // what is wrong with the scene stands in the file, not on the command line
+        } catch (const Error& e) {  // a fault of the preset's scene is a fault of the file, not of the command line
             throw Error(fmt::format("{}: its scene: {}", file, e.what()));
         }
     }
@@ -33,7 +33,7 @@ void run_preset_check(const std::string& file) {
 
 void run_preset_show(const std::string& file) {
     const Preset preset = load_preset(file);
-    // What a file says goes to a terminal: its escapes are shown, not obeyed.
+    // The file's text goes to a terminal: control characters are escaped.
     const auto shown = [](const std::string& text) { return printable(text, std::string::npos); };
     if (!preset.title.empty())
         fmt::print("{}{}\n", preset.topic.empty() ? "" : shown(preset.topic) + ": ", shown(preset.title));

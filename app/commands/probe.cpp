@@ -29,7 +29,7 @@
 namespace si {
 namespace {
 
-/// One letter a tap, the map's top row first.
+/// Formats the kernel as a grid with one letter a tap, the map's top row first.
 void print_taps(const Probe::PerLight& p) {
     if (p.taps.size() < 2) return;
     std::vector<std::string> rows(std::size_t(p.taps_size.y), std::string(2 * std::size_t(p.taps_size.x), ' '));
@@ -42,7 +42,7 @@ void print_taps(const Probe::PerLight& p) {
     }
 }
 
-/// The lectures' lit/shadow test, one step a line.
+/// Prints the shadow test of a pixel, one step a line.
 void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("\nlight {}", p.light);
     if (!p.casts) {
@@ -80,7 +80,7 @@ void print_light(const Probe::PerLight& p, const Settings& s) {
     fmt::print("  {}\n", p.verdict);
 }
 
-/// @param endless what an infinite amount is called
+/// Prints an amount of bias in texels, depth units and metres. @param endless text for an infinite amount
 void print_amount(const char* name, const DepthShift& a, const char* about = "", const char* endless = "infinite") {
     if (std::isfinite(a.depth))
         fmt::print("    {:<23} {:>10.4g} texels {:>11.4g} m {:>12.5g} of depth   {}\n", name, a.texels, a.metres,
@@ -100,7 +100,7 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     print_amount("constant", a.amount(a.constant));
     print_amount("slope", a.amount(a.slope));
     if (a.bias_of_kind != 0)
-        print_amount("of itself", a.amount(a.bias_of_kind), "what bias.kind gives whatever the numbers are");
+        print_amount("of itself", a.amount(a.bias_of_kind), "bias that bias.kind itself adds, at any numbers");
     print_amount("normal offset", a.amount(a.normal));
     if (a.raster != 0)
         print_amount("while drawing", a.amount(a.raster), "bias.raster_*, the least that a driver may add");
@@ -111,8 +111,8 @@ void print_diagnosis(const Probe::PerLight& p, const PixelDiagnosis& d, const Se
     print_amount("  sub-pixel grid", a.amount(a.least.snapping));
     print_amount("  rounding", a.amount(a.least.rounding));
     print_amount("shift towards the light", d.shift, "a surface nearer than this is lost");
-    print_amount("occluder", d.occluder, "the surface nearest the light: as much bias loses it", "none");
-    fmt::print("  truth: {}", d.reference.lit ? "lit" : "in shadow");
+    print_amount("occluder", d.occluder, "the surface nearest the light: this much bias loses its shadow", "none");
+    fmt::print("  reference: {}", d.reference.lit ? "lit" : "in shadow");
     if (d.reference.share > 0 && d.reference.share < 1)
         fmt::print(", {:.1f} % of the light seen (light.size)", 100 * d.reference.share);
     if (!std::isfinite(d.least.depth))
@@ -133,7 +133,7 @@ std::pair<int, int> parse_pixel(const std::string& text, const PictureSize& size
     const bool has_comma = first.ec == std::errc() && first.ptr != end && *first.ptr == ',';
     const auto second = has_comma ? std::from_chars(first.ptr + 1, end, y) : first;
     if (!has_comma || second.ec != std::errc() || second.ptr != end) {
-        throw UsageError(fmt::format("{} {}: X,Y from the top left is wanted, such as 640,360", option, text));
+        throw UsageError(fmt::format("{} {}: must be X,Y from the top left, such as 640,360", option, text));
     }
     if (x < 0 || y < 0 || x >= size.width || y >= size.height) {
         throw UsageError(fmt::format("{} {}: outside of the picture of {} x {} pixels (0,0 to {},{})", option, text,
@@ -154,7 +154,7 @@ std::vector<PixelDiagnosis> diagnoses(const Probe& probe, const Scene& scene, co
     return out;
 }
 
-/// What puts the pixel right under view.light, when it is wrong.
+/// Searches fixes of the probed pixel under view.light, if the pixel is wrong.
 std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const Probe& probe,
                               const std::vector<PixelDiagnosis>& found) {
     const auto light = std::size_t(std::max(session.settings.view.light, 0));
@@ -165,7 +165,7 @@ std::optional<FixTable> fixes(Renderer& renderer, const Session& session, const 
     return find_fixes(renderer, session.scene, session.settings, probe.width, probe.height, options, cache);
 }
 
-/// The test under view.light, as a picture.
+/// Returns the cross-section of the shadow test under view.light as SVG text.
 std::string drawing_of(const Session& session, const Probe& probe, const std::vector<PixelDiagnosis>& found,
                        const ReferenceScene* casters) {
     const auto i = std::size_t(std::max(session.settings.view.light, 0));
@@ -202,12 +202,12 @@ void run_probe(const ProbeOptions& options) {
         casters = ray_scenes().get(ray_scenes().geometry(session.scene, session.settings));
         found = diagnoses(probe, session.scene, session.settings, renderer.driver(), *casters);
     }
-    const auto find_fixes = [&] {  // with the probe as it was made: the pixel of a pane
+    const auto find_fixes = [&] {  // uses the pixel within the pane
         if (options.reference && probe.hit && options.section.empty()) table = fixes(renderer, session, probe, found);
     };
     Probe shown = probe;
     shown.x = x;
-    shown.y = y;  // of the picture asked for, of which this pane is a part
+    shown.y = y;  // pixel of the whole picture, as on the command line
     if (options.json) {
         find_fixes();
         nlohmann::ordered_json json = probe_json(shown, found);
@@ -224,7 +224,7 @@ void run_probe(const ProbeOptions& options) {
             print_light(probe.lights[i], session.settings);
             if (i < found.size()) print_diagnosis(probe.lights[i], found[i], session.settings);
         }
-        std::fflush(stdout);  // cures take a while
+        std::fflush(stdout);  // the search for fixes takes seconds
         find_fixes();
         if (table) print_fixes(*table, 8);
     }

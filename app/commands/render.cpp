@@ -31,14 +31,14 @@ PictureSize parse_size(const std::string& text) {
     const bool in_range = size.width >= 1 && size.height >= 1 && size.width <= 16384 && size.height <= 16384;
     if (!has_x || height.ec != std::errc() || height.ptr != end || !in_range) {
         throw UsageError(
-            fmt::format("--size {}: WIDTHxHEIGHT in pixels is wanted, each 1 to 16384, such as 1280x720", text));
+            fmt::format("--size {}: must be WIDTHxHEIGHT in pixels, each 1 to 16384, such as 1280x720", text));
     }
     return size;
 }
 
 namespace {
 
-/// The camera of a preset, and what it sees.
+/// Returns the camera of a preset with its near and far distances, for --fit-camera.
 MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settings& preset, FrameRequest request) {
     Settings seen = session.settings;
     seen.camera = preset.camera;
@@ -48,8 +48,8 @@ MapCamera map_camera_of(Renderer& renderer, const Session& session, const Settin
     return {frame.camera, frame.seen_m};
 }
 
-/// Draws the frame and the one that it is held against into one picture. Returns the mean difference of the two.
-/// @param preset of the other one; null: it is the truth
+/// Draws the frame and the one that it is compared with into one picture. Returns the mean difference of both.
+/// @param preset preset of the other picture; null: the reference
 double write_against(Renderer& renderer, const Session& session, FrameRequest request, const RenderOptions& options,
                      const Settings* preset, FrameResult& frame) {
     ReferenceCache references;
@@ -60,16 +60,16 @@ double write_against(Renderer& renderer, const Session& session, FrameRequest re
     const ByteImage a = renderer.read_colour(frame.colour);
     ByteImage b;
     if (!preset) {
-        if (!frame.true_colour.texture) throw Error("--against truth: there is no light to trace the truth of");
+        if (!frame.true_colour.texture) throw Error("--against truth: there is no light to trace a reference of");
         b = renderer.read_colour(frame.true_colour);
     } else {
-        Settings other = other_settings(settings, *preset);
+        Settings other = settings_with_shadows_of(settings, *preset);
         check_objects(session.scene, other, options.against, nullptr);
         request.outputs.true_colour = false;
         b = renderer.read_colour(
             render_with_reference(renderer, session.scene, other, request, references, tracing_workers()).colour);
     }
-    write_png(options.output, options.difference   ? difference(a, b)
+    write_png(options.output, options.difference   ? difference_image(a, b)
                               : options.swipe >= 0 ? swipe_image(a, b, options.swipe)
                                                    : side_by_side_image(a, b));
     return mean_difference(a, b);
@@ -84,7 +84,7 @@ void run_render(const RenderOptions& options) {
     const bool against = !options.against.empty();
     if (against && view.key != "shaded")
         throw UsageError(
-            fmt::format("--against: it holds the picture itself against another, not the view '{}'; leave out "
+            fmt::format("--against compares the shaded picture, not the view '{}'; leave out "
                         "--view",
                         view.key));
     if (!options.report.empty()) require_writable(options.report);
@@ -98,13 +98,13 @@ void run_render(const RenderOptions& options) {
             const std::string meant = nearest_name(options.against, kWords);
             if (meant.empty()) throw;
             throw UsageError(
-                fmt::format("--against {}: truth is wanted, or a preset{}", options.against, did_you_mean(meant)));
+                fmt::format("--against {}: allowed are truth and presets{}", options.against, did_you_mean(meant)));
         }
     }
     std::optional<Settings> fit_camera;
     if (!options.fit_camera.empty()) fit_camera = load_preset(options.fit_camera).settings;
     Session session = open_session(options.session);
-    // Asked for by name, the plain picture is plain; else the settings decide on overlays, panes and slabs.
+    // --view shaded draws the plain picture; without --view the settings decide on overlays, panes and slabs.
     if (options.view_given && view.key == "shaded") {
         session.settings.view.overlay = 0;
         session.settings.view.panes = Panes::One;

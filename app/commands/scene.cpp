@@ -1,4 +1,4 @@
-// What is in a scene, and what of its file was dropped or approximated.
+// Command `scene`: contents of a scene, and parts of its file that were dropped or approximated.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +19,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kAlpha[] = {"opaque", "mask", "blend"};
 constexpr const char* kLights[] = {"directional", "spot", "point"};
 
-/// A number in the list of textures.
+/// Returns the index of a texture in the printed list.
 Json texture_number(int index) {
     return index < 0 ? Json() : Json(index);
 }
@@ -123,13 +123,13 @@ std::string name_or(const Json& named) {
     return label(named["name"]);
 }
 
-/// One heading with its number, and a line for each thing.
+/// Prints a heading with a count, and a line for each item.
 void print_list(const char* heading, const Json& list, const std::function<std::string(const Json&)>& line) {
     fmt::print("{:<12} {}\n", heading, list.size());
     for (const Json& thing : list) fmt::print("  {}\n", line(thing));
 }
 
-/// The same where settings choose by number.
+/// Prints a heading and numbered lines, for things that settings choose by index.
 void print_choices(const char* heading, const Json& list, const std::function<std::string(const Json&)>& line) {
     std::size_t i = 0;
     print_list(heading, list, [&](const Json& thing) { return fmt::format("{} {}", i++, line(thing)); });

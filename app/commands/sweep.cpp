@@ -23,7 +23,7 @@ using namespace std::chrono_literals;
 constexpr auto kCheckpoint = 10s;
 constexpr double kBusyLoad = 0.5;  // running processes per core
 
-/// Steps until all is done or a person has had enough, and writes results from time to time.
+/// Runs all steps of a sweep until its end or Ctrl+C, and writes results at intervals.
 void run_steps(RunningSweep& sweep, const InterruptGuard& interrupt) {
     ProgressLine line;
     auto checkpoint = std::chrono::steady_clock::now() + kCheckpoint;
@@ -80,12 +80,12 @@ void run_sweep(const SweepOptions& options) {
     CaseSessions sessions(std::move(opened));
     sessions.add_scene(std::move(session.scene), session.settings.scene);
     sessions.check(spec.axes);
-    if (options.fresh) forget_sweep(folder);
+    if (options.fresh) remove_sweep_files(folder);
     std::vector<std::string> notes = session.notes;
     notes.insert(notes.end(), plan.notes.begin(), plan.notes.end());
 
     SweepTiming timing = options.timing;
-    // Shards run beside each other, on machines that differ.
+    // Shards run at the same time on different machines, so that their times are not comparable.
     timing.on = timing.on && shard.count == 1;
     const HeadlessContext context;
     Renderer renderer;
@@ -97,7 +97,7 @@ void run_sweep(const SweepOptions& options) {
     const SweepResults results = write_sweep_files(folder, sweep.state(), sweep.inputs().plan);
     if (interrupt.stop_requested()) {
         print_to_stderr(fmt::format(
-            "shadow-inspector: interrupted after {} of {} cases; what is done is in {}, the same command goes on "
+            "shadow-inspector: interrupted after {} of {} cases; results so far are in {}; the same command goes on "
             "from there\n",
             results.finished + results.failed, sweep.inputs().plan.cases.size(), folder.string()));
         interrupt.end();
@@ -115,8 +115,7 @@ void run_merge(const MergeOptions& options) {
     for (const std::string& part : options.parts) {
         std::error_code ignored;
         if (fs::equivalent(part, folder, ignored))
-            throw UsageError(fmt::format("{}: is a part, and would be the whole, too; name another folder with -o",
-                                         folder.string()));
+            throw UsageError(fmt::format("{}: is one of the parts; name another folder with -o", folder.string()));
         parts.emplace_back(part, read_journal(part));
     }
     SweepState merged = merge_sweeps(parts);
@@ -126,9 +125,9 @@ void run_merge(const MergeOptions& options) {
         throw Error(fmt::format("{}: was made by a version of the program that orders cases differently",
                                 options.parts.front()));
     require_sweep_folder(folder);
-    if (options.fresh) forget_sweep(folder);
+    if (options.fresh) remove_sweep_files(folder);
     for (const std::string& part : options.parts) copy_pictures(part, folder);
-    // What the folder holds already stays: merging is a continuation, too.
+    // Results in the folder stay, because merging continues a sweep.
     Journal journal(folder, merged.spec, merged.plan);
     journal.add(missing_lines(journal.state(), merged));
     const SweepResults results = write_sweep_files(folder, journal.state(), plan);

@@ -56,8 +56,8 @@ nlohmann::ordered_json reference_json(const TracedReference& traced, const Refer
     return json;
 }
 
-/// @throws Error that names the first pixel whose visibility is no share of a light
-void require_true_shares(const FloatImage& visibility) {
+/// Checks that all visibilities are within 0..1. @throws Error that names the first faulty pixel
+void require_valid_visibility(const FloatImage& visibility) {
     for (std::size_t i = 0; i < visibility.data.size(); ++i)
         if (const float v = visibility.data[i]; !(v >= 0 && v <= 1)) {
             const auto width = std::size_t(visibility.width);
@@ -89,7 +89,7 @@ void run_reference(const ReferenceCommandOptions& options) {
     if (!options.report.empty()) write_file(options.report, json_text(reference_json(traced, task, light)));
     print_notes(session.notes);
     if (options.check_numeric) {
-        require_true_shares(picture);
+        require_valid_visibility(picture);
         require_sound(*search_numbers(renderer, session.scene, session.settings, request));
     }
 }

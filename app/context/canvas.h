@@ -16,7 +16,7 @@ public:
     Canvas(const Canvas&) = delete;
     Canvas& operator=(const Canvas&) = delete;
 
-    /// Binds the canvas as the framebuffer to draw into.
+    /// Binds the canvas's framebuffer as the one to draw into.
     void bind() const;
     /// Reads back the canvas as an opaque image, top row first.
     ByteImage read_picture() const;

@@ -52,7 +52,7 @@ std::string failed(std::string_view call) {
     return fmt::format("{} failed ({})", call, egl_error_name(eglGetError()));
 }
 
-/// Whole-word search in a space separated list of extensions.
+/// Returns true if a space-separated list of extensions contains the name as a whole word.
 bool listed(const char* extensions, std::string_view name) {
     std::string_view rest = extensions ? extensions : "";
     while (!rest.empty()) {
@@ -64,7 +64,7 @@ bool listed(const char* extensions, std::string_view name) {
     return false;
 }
 
-/// A way to a display, in the order in which the ways are tried.
+/// Candidate for an EGL display, in the order in which they are tried.
 struct Candidate {
     EGLenum platform;
     void* native;
@@ -105,15 +105,15 @@ struct HeadlessContext::Impl {
     EGLDisplay display = EGL_NO_DISPLAY;
     EGLConfig config = nullptr;
     EGLContext context = EGL_NO_CONTEXT;
-    EGLSurface surface = EGL_NO_SURFACE;  ///< only where contexts without a surface are not supported
+    EGLSurface surface = EGL_NO_SURFACE;  ///< needed only if EGL lacks surfaceless contexts
     std::string description;
-    bool offers_older = false;  ///< there is a driver, of an OpenGL before 4.5
+    bool offers_older = false;  ///< a driver exists, but for an OpenGL before 4.5
 
     Impl() = default;
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
-    /// The display is left initialised: EGL gives every caller the same one, so terminating it would pull it from
-    /// under a second context of this process. It is a single object per device for the life of the process.
+    /// Destroys context and surface, but keeps the display initialised: EGL shares one display per device in a process,
+    /// so that terminating it would break a second context.
     ~Impl() {
         if (context == EGL_NO_CONTEXT) return;
         if (eglGetCurrentContext() == context) eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -121,11 +121,11 @@ struct HeadlessContext::Impl {
         if (surface != EGL_NO_SURFACE) eglDestroySurface(display, surface);
     }
 
-    /// Empty on success, else what failed.
+    /// Opens the candidate's EGL display and makes a context. Returns an empty text on success, else the failure.
     std::string open(const Candidate& candidate);
-    /// On the display and config that are set. The same.
-    std::string make_context(EGLContext beside);
-    /// What the driver calls the OpenGL that it has, where that is an older one; else empty.
+    /// Makes a context on the chosen display and configuration. Returns an empty text on success, else the failure.
+    std::string make_context(EGLContext shared);
+    /// Returns the driver's version text if its OpenGL is older than 4.5; else empty.
     std::string older_version();
 };
 
@@ -148,9 +148,9 @@ std::string HeadlessContext::Impl::open(const Candidate& candidate) {
     return {};
 }
 
-std::string HeadlessContext::Impl::make_context(EGLContext beside) {
+std::string HeadlessContext::Impl::make_context(EGLContext shared) {
     const bool surfaceless = listed(eglQueryString(display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context");
-    // A driver that resets says so where it is asked to; one that cannot is asked without.
+    // Robust contexts report a reset of the driver; drivers without them get a plain context.
     for (const bool tells_of_resets : {true, false}) {
         const EGLint end = tells_of_resets ? EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY : EGL_NONE;
         const std::array<EGLint, 11> context_attributes{EGL_CONTEXT_MAJOR_VERSION,
@@ -164,7 +164,7 @@ std::string HeadlessContext::Impl::make_context(EGLContext beside) {
                                                         end,
                                                         EGL_LOSE_CONTEXT_ON_RESET,
                                                         EGL_NONE};
-        context = eglCreateContext(display, config, beside, context_attributes.data());
+        context = eglCreateContext(display, config, shared, context_attributes.data());
         if (context != EGL_NO_CONTEXT) break;
     }
     if (context == EGL_NO_CONTEXT) {
@@ -237,12 +237,13 @@ ThreadContextMaker HeadlessContext::sharing() const {
         Impl impl;
     };
     return [this]() -> std::unique_ptr<ThreadContext> {
-        if (!eglBindAPI(EGL_OPENGL_API)) throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));  // of this thread
+        if (!eglBindAPI(EGL_OPENGL_API))
+            throw Error(failed("eglBindAPI(EGL_OPENGL_API)"));  // the bound API is a state of the thread
         auto made = std::make_unique<Beside>();
         made->impl.display = impl_->display;
         made->impl.config = impl_->config;
         if (const std::string problem = made->impl.make_context(impl_->context); !problem.empty())
-            throw Error("no second OpenGL context beside the first: " + problem);
+            throw Error("no second OpenGL context that shares with the first: " + problem);
         return made;
     };
 }

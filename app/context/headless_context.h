@@ -13,17 +13,18 @@ namespace si {
 /// Contexts may follow one another; each owns its EGL resources. Needs neither a display server nor GLFW.
 class HeadlessContext {
 public:
-    /// @throws Error naming every EGL call that failed and what to try.
+    /// Makes the context. @throws Error naming every EGL call that failed and what to try
     HeadlessContext();
     ~HeadlessContext();
     HeadlessContext(const HeadlessContext&) = delete;
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
-    /// Makes the context current on this thread. @throws Error when EGL refuses.
+    /// Makes this OpenGL context current on the calling thread. @throws Error when EGL refuses
     void make_current();
-    /// Describes the EGL device or display in use: "EGL device 0 (/dev/dri/card0), no surface".
+    /// Returns a text about the EGL device or display in use: "EGL device 0 (/dev/dri/card0), no surface".
     std::string description() const;
-    /// Returns a function that makes contexts which share objects with this one. This one must outlive them.
+    /// Returns a function that makes OpenGL contexts for other threads. They share objects with this context, which
+    /// must outlive them.
     ThreadContextMaker sharing() const;
 
 private:

@@ -2,7 +2,7 @@
 
 #include <epoxy/gl.h>
 #include <imgui.h>
-// The backends are the app's business: ui/ draws without them.
+// Backends are included here only: ui/ draws without them.
 #include <backends/imgui_impl_opengl3.h>
 
 #include "app/context/canvas.h"
@@ -15,7 +15,7 @@ ImGuiSession::ImGuiSession(float scale) {
     ImGui::CreateContext();
     ImGui::GetIO().IniFilename = nullptr;
     theme::load_fonts(scale);
-    theme::apply(scale);
+    theme::apply_style(scale);
     if (!ImGui_ImplOpenGL3_Init("#version 450 core")) {
         ImGui::DestroyContext();
         throw Error("the editor cannot draw: ImGui found no OpenGL functions; is libGL installed?");
@@ -30,7 +30,7 @@ ImGuiSession::~ImGuiSession() {
 namespace {
 
 void draw_data(ImDrawData* data, int width, int height) {
-    // The backend leaves these as the renderer's last pass set them.
+    // The backend does not set these states, which the renderer's last pass may have changed.
     glViewport(0, 0, width, height);
     glDisable(GL_FRAMEBUFFER_SRGB);
     glDisable(GL_SCISSOR_TEST);

@@ -11,7 +11,8 @@ namespace si {
 /// from construction to destruction.
 class ImGuiSession {
 public:
-    /// @param scale of text and widgets; 1 at about 96 dots per inch @throws Error when ImGui finds no OpenGL functions
+    /// Makes the ImGui context. @param scale scale of text and widgets; 1 at about 96 dots per inch @throws Error when
+    /// ImGui finds no OpenGL functions
     explicit ImGuiSession(float scale);
     ~ImGuiSession();
     ImGuiSession(const ImGuiSession&) = delete;
@@ -19,8 +20,8 @@ public:
 
     /// Draws the output of ImGui::Render() into the bound framebuffer of this size in pixels.
     void draw(int width, int height);
-    /// Renders one draw list into an image of its own; coordinates are pixels from the upper left, top row first.
-    /// Leaves the default framebuffer bound.
+    /// Renders one ImGui draw list into an image of its own, top row first. The list's coordinates are pixels from the
+    /// upper left. Leaves the default framebuffer bound.
     ByteImage render_list(ImDrawList& list, int width, int height);
 };
 

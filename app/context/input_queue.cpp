@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The GLFW_MOD_* that a key holds; 0: it holds none.
+/// Returns the GLFW_MOD_* bit of a modifier key; 0 for other keys.
 int modifier_of(int key) {
     switch (key) {
         case GLFW_KEY_LEFT_SHIFT:
@@ -58,7 +58,7 @@ void InputQueue::character(unsigned code) {
     waiting_.push_back({.kind = Kind::Character, .at = mouse_.last_position(), .character = code});
 }
 
-/// Whether it does nothing but write into a field.
+/// Returns true if the event only types a character into the focused text field.
 bool InputQueue::is_text(const Event& event) const {
     return event.kind == Kind::Character || (typing_ && event.character);
 }
@@ -66,21 +66,22 @@ bool InputQueue::is_text(const Event& event) const {
 bool InputQueue::key_can_join(const Run& run, const Event& event) const {
     const auto& [key, mods, down] = event.key;
     const int modifier = modifier_of(key);
-    if (modifier == GLFW_MOD_SHIFT && typing_ && !run.pressed && !run.wheeled) return true;  // characters have it
+    if (modifier == GLFW_MOD_SHIFT && typing_ && !run.pressed && !run.wheeled)
+        return true;  // typed characters include Shift
     if (!down) {
         if (modifier == 0) return true;
-        // What was pressed shows Ctrl and Shift by itself. One that went down for nothing else is to be seen, too.
+        // A press carries its Ctrl and Shift; a modifier pressed alone needs a step of its own.
         if (run.pressed) return (modifier & (GLFW_MOD_CONTROL | GLFW_MOD_SHIFT) & run.mods) != 0;
         return !run.typed && !run.wheeled && !run.down[std::size_t(key)];
     }
     if (run.pressed || run.typed || run.wheeled) return false;
-    return !shown_[std::size_t(key)] || held_[std::size_t(key)];  // else it is seen to be up first
+    return !shown_[std::size_t(key)] || held_[std::size_t(key)];  // a pressed key must be shown as up first
 }
 
 bool InputQueue::can_join(const Run& run, const Event& event) const {
     if (event.kind == Kind::Button) return false;
     if (is_text(event)) return !run.pressed && !run.wheeled && !run.command && !run.left_alt;
-    const bool points = !typing_ || event.kind == Kind::Wheel;  // keys are for the field, wherever the mouse is
+    const bool points = !typing_ || event.kind == Kind::Wheel;  // keys go to the text field, wherever the mouse is
     if (points && event.at != run.at) return false;
     if (event.kind == Kind::Wheel) return !run.pressed && !run.typed;
     return key_can_join(run, event);
@@ -127,7 +128,7 @@ MouseQueue::Step InputQueue::next() {
         waiting_.pop_front();
     }
     shown_ = held_ | run.down;
-    return mouse_.stay(run.at);
+    return mouse_.step_without_change(run.at);
 }
 
 InputQueue::Strokes InputQueue::take_strokes() {

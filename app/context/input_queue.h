@@ -37,18 +37,18 @@ public:
     void move(glm::dvec2 to) { mouse_.move(to); }
     /// Adds that the mouse entered or left the window.
     void enter(bool inside) { mouse_.enter(inside); }
-    /// Adds a turn of the mouse wheel.
+    /// Adds a turn of the mouse wheel to the queue. @param by notches, horizontal and vertical
     void wheel(glm::dvec2 by);
-    /// Adds a press or release of a key.
+    /// Adds a press or release of a key to the queue.
     void key(const Key& key);
-    /// Adds a typed character (Unicode). It belongs to the text key that was pressed right before.
+    /// Adds a typed character (Unicode) to the queue. The character belongs to the text key pressed right before.
     void character(unsigned code);
     /// Sets whether a text field has the focus. Text keys then only type, and any number of them fits into one step.
     void typing(bool typing) { typing_ = typing; }
 
-    /// Begins the next step. @returns the mouse in it
+    /// Begins the queue's next step, for the next ImGui frame. @returns the mouse in that step
     MouseQueue::Step next();
-    /// Returns keys, characters and wheel of the step that next() began; empty when called again.
+    /// Returns keys, characters and wheel movement of the step that next() began; empty when called again.
     Strokes take_strokes();
     /// Returns true if no event waits.
     bool empty() const { return waiting_.empty(); }
@@ -57,6 +57,7 @@ public:
 
 private:
     enum class Kind { Button, Key, Character, Wheel };
+    /// Input event that waits in the queue.
     struct Event {
         Kind kind = Kind::Button;           ///< Button: the change is the next one in the mouse's queue
         std::optional<glm::dvec2> at;       ///< place of the mouse
@@ -64,7 +65,7 @@ private:
         std::optional<unsigned> character;  ///< for Kind::Character, and for a text key
         glm::dvec2 wheel{0};
     };
-    /// Events that the present step holds so far.
+    /// Summary of the events that the present step holds so far.
     struct Run {
         std::optional<glm::dvec2> at;  ///< the mouse
         bool pressed = false, typed = false, wheeled = false;
@@ -75,11 +76,11 @@ private:
     };
     /// Returns true for a key event that types a character into the focused text field.
     bool is_text(const Event& event) const;
-    /// Returns true if the event may share a step with the events of `run`.
+    /// Returns true if an input event may share one ImGui frame with the events of `run`.
     bool can_join(const Run& run, const Event& event) const;
-    /// Returns true if the key event may share a step with the events of `run`.
+    /// Returns true if a key event may share one ImGui frame with the events of `run`.
     bool key_can_join(const Run& run, const Event& event) const;
-    /// Adds the event to the step.
+    /// Adds an input event to the present step.
     void add_to_step(Run& run, const Event& event);
 
     MouseQueue mouse_;

@@ -34,7 +34,7 @@ MouseQueue::Step MouseQueue::next() {
     return step;
 }
 
-MouseQueue::Step MouseQueue::stay(std::optional<glm::dvec2> at) {
+MouseQueue::Step MouseQueue::step_without_change(std::optional<glm::dvec2> at) {
     shown_ = at;
     return {.down = down_, .at = at};
 }

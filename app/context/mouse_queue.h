@@ -17,11 +17,11 @@ public:
     static constexpr int kButtons = 5;
     static constexpr double kDoubleClickSeconds = 0.3;  ///< between presses
 
-    /// Interval in which an event happened. Events that wait until the window polls have no exact time.
+    /// Time interval in which a mouse event happened. Events that wait until the window polls have no exact time.
     struct When {
         double earliest_s = 0, latest_s = 0;
     };
-    /// Adds a press or release of a button. @param mods modifiers that are held (GLFW_MOD_*)
+    /// Adds a press or release of a mouse button to the queue. @param mods modifiers that are held (GLFW_MOD_*)
     void button(int button, bool down, int mods, const When& when);
     /// Adds a move of the mouse to a place in the window, in screen coordinates.
     void move(glm::dvec2 to) { at_ = to; }
@@ -35,10 +35,11 @@ public:
         std::optional<int> mods;       ///< modifiers held at that press or release; none: the present ones
         bool doubles = false;          ///< the press completes a double click
     };
-    /// Returns the mouse for the next frame. A press or release at a new place is preceded by a frame that moves there.
+    /// Returns the state of the mouse for the next frame. A press or release at a new place is preceded by a frame that
+    /// moves the mouse there.
     Step next();
-    /// Returns a frame without a press or release, with the mouse at the given place.
-    Step stay(std::optional<glm::dvec2> at);
+    /// Returns the state of the mouse for a frame without a new press or release, with the mouse at `at`.
+    Step step_without_change(std::optional<glm::dvec2> at);
     /// Returns the place of the mouse after all waiting events; none: not known.
     std::optional<glm::dvec2> last_position() const;
     /// Returns the number of presses and releases that wait.
@@ -47,6 +48,7 @@ public:
     bool empty() const { return waiting_.empty(); }
 
 private:
+    /// Press or release of a button that waits in the queue.
     struct Change {
         int button = 0, mods = 0;
         bool down = false, doubles = false;
@@ -58,7 +60,7 @@ private:
         never.fill(-std::numeric_limits<double>::infinity());
         return never;
     }();
-    std::array<bool, kButtons> down_{};     ///< as the last frame showed them
+    std::array<bool, kButtons> down_{};     ///< buttons in the last frame
     std::optional<glm::dvec2> at_, shown_;  ///< place at the last event; place in the last frame
     bool inside_ = true;
 };

@@ -38,7 +38,7 @@ bool WindowContext::display_available() {
 }
 
 std::string WindowContext::portal_name() const {
-    // Looked up, as a GLFW made for Wayland alone lacks it.
+    // The function is looked up at run time, because a GLFW built for Wayland only lacks it.
     using IdOf = unsigned long (*)(GLFWwindow*);
     const auto id_of = reinterpret_cast<IdOf>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
     const unsigned long id = id_of ? id_of(window_) : 0;
@@ -52,7 +52,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, GLFW_TRUE);
-    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where the driver can tell
+    glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // for drivers that report a reset
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
     glfwWindowHint(GLFW_MAXIMIZED, maximised ? GLFW_TRUE : GLFW_FALSE);
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
@@ -60,7 +60,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     if (GLFWmonitor* monitor = glfwGetPrimaryMonitor()) {
         int x = 0, y = 0, w = 0, h = 0;
         glfwGetMonitorWorkarea(monitor, &x, &y, &w, &h);
-        float across = 1, down = 1;  // by which GLFW enlarges what is asked for
+        float across = 1, down = 1;  // factors by which GLFW enlarges the requested size
         glfwGetMonitorContentScale(monitor, &across, &down);
         if (w > 0 && h > 0) {
             width = std::min(width, int(float(w) / std::max(across, 0.5f)));
@@ -80,7 +80,7 @@ WindowContext::WindowContext(const std::string& title, int width, int height, bo
     }
     float scale_x = 1, scale_y = 1;
     glfwGetWindowContentScale(window_, &scale_x, &scale_y);
-    glfwSetWindowSizeLimits(window_, int(kLeastWidth * scale_x), int(kLeastHeight * scale_y), GLFW_DONT_CARE,
+    glfwSetWindowSizeLimits(window_, int(kMinWindowWidth * scale_x), int(kMinWindowHeight * scale_y), GLFW_DONT_CARE,
                             GLFW_DONT_CARE);
     glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
     glfwWindowHint(GLFW_MAXIMIZED, GLFW_FALSE);
@@ -98,7 +98,7 @@ WindowContext::~WindowContext() {
     glfwTerminate();
 }
 
-// ImGui's backend is installed afterwards and calls these in turn.
+// ImGui's backend is installed later and calls these callbacks after its own.
 void WindowContext::install_callbacks() {
     glfwSetMouseButtonCallback(window_, [](GLFWwindow* w, int button, int action, int mods) {
         note_input(w);
@@ -124,7 +124,7 @@ void WindowContext::install_callbacks() {
     });
 }
 
-// The backend would show the next frame all of it at once, and calls what it found when it was installed: not these.
+// The backend would pass all events to the next frame at once, so that these callbacks replace the backend's.
 void WindowContext::intercept_backend() {
     const auto stand = [](auto before, auto mine, auto& behind) {
         if (before != mine) behind = before;
@@ -136,7 +136,7 @@ void WindowContext::intercept_backend() {
 
 void WindowContext::on_key(GLFWwindow* window, int key, int, int action, int mods) {
     note_input(window);
-    // ImGui repeats keys by itself.
+    // ImGui makes key repeats itself.
     if (action != GLFW_REPEAT) queue_of(window).key({.key = key, .mods = mods, .down = action == GLFW_PRESS});
 }
 void WindowContext::on_character(GLFWwindow* window, unsigned code) {
@@ -176,7 +176,7 @@ void WindowContext::set_title(const std::string& title) {
     glfwSetWindowTitle(window_, title.c_str());
 }
 void WindowContext::wait_events(double seconds) {
-    poll_events();  // what arrived before is older than what is waited for
+    poll_events();  // events that have arrived already come first
     if (events_.input) return;
     events_.waiting = true;
     glfwWaitEventsTimeout(seconds);
@@ -191,10 +191,10 @@ void WindowContext::poll_events() {
 }
 void WindowContext::hold_cursor(bool held) {
     const int wanted = held ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL;
-    // ImGui chooses the cursor's shape, and hides it by itself.
+    // ImGui sets the cursor's shape and hides it.
     if (held == (glfwGetInputMode(window_, GLFW_CURSOR) == GLFW_CURSOR_DISABLED)) return;
     glfwSetInputMode(window_, GLFW_CURSOR, wanted);
-    glm::dvec2 at(0);  // no event tells that it is elsewhere now
+    glm::dvec2 at(0);  // GLFW sends no event about the cursor's new place
     glfwGetCursorPos(window_, &at.x, &at.y);
     events_.queue.move(at);
 }

@@ -16,7 +16,7 @@ namespace si {
 /// Window with an OpenGL 4.5 core debug context and vsync, current on the constructing thread. Only one may exist.
 class WindowContext {
 public:
-    /// @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area.
+    /// Opens the window. @param width, height in screen coordinates at scale 1; shrunk to fit the monitor's work area
     /// @throws Error when there is no display or no OpenGL 4.5.
     WindowContext(const std::string& title, int width, int height, bool maximised = false);
     ~WindowContext();
@@ -26,9 +26,9 @@ public:
     /// Returns the GLFW handle of the window.
     GLFWwindow* handle() const { return window_; }
     /// Returns a function that makes one context sharing objects with the window's; empty if the driver offers none.
-    /// The window must outlive it.
+    /// The window must outlive that context.
     ThreadContextMaker sharing() const;
-    /// Ends wait_events(). Callable from any thread.
+    /// Wakes the thread that sleeps in wait_events(). Callable from any thread.
     static void wake();
     /// Returns true once the user has closed the window.
     bool should_close() const;
@@ -38,19 +38,19 @@ public:
     void wait_events(double seconds);
     /// Handles waiting window events without sleeping.
     void poll_events();
-    /// Shows the frame that was drawn (swaps the buffers).
+    /// Shows the drawn frame in the window (swaps the buffers).
     void swap();
     /// Hides the cursor and lets it move without limits (true), or shows it again where it was (false).
     void hold_cursor(bool held);
-    /// Width of the window's framebuffer in pixels.
+    /// Returns the width of the window's framebuffer in pixels.
     int framebuffer_width() const;
-    /// Height of the window's framebuffer in pixels.
+    /// Returns the height of the window's framebuffer in pixels.
     int framebuffer_height() const;
-    /// Width and height of the window in screen coordinates at scale 1, as the constructor takes them.
+    /// Returns width and height of the window in screen coordinates at scale 1, as the constructor takes them.
     std::pair<int, int> size() const;
     /// Returns true if the window fills the work area (maximised).
     bool maximised() const;
-    /// Scale of the window's monitor for text and widgets; 1 at about 96 dots per inch.
+    /// Returns the scale of the window's monitor for text and widgets; 1 at about 96 dots per inch.
     float content_scale() const;
     /// Returns true if input, a resize or an uncovered window arrived since the last call.
     bool take_input();
@@ -69,13 +69,14 @@ public:
     /// Returns the files dropped on the window since the last call.
     std::vector<std::filesystem::path> take_dropped();
 
-    /// Name of the window for the desktop's portals (XDG): "x11:" and its id; empty elsewhere.
+    /// Returns the name of the window for the desktop's portals (XDG): "x11:" and the window's id; empty elsewhere.
     std::string portal_name() const;
 
     /// Returns true if the environment names a display (DISPLAY or WAYLAND_DISPLAY).
     static bool display_available();
 
 private:
+    /// Input events and dropped files of the window that no frame has used yet.
     struct Events {
         bool input = true;
         bool waiting = false;  ///< inside wait_events(): callbacks run as events arrive
@@ -93,10 +94,15 @@ private:
     void install_callbacks();
     /// Replaces ImGui's GLFW callbacks by ones that fill the queue, and keeps ImGui's for take_keys().
     void intercept_backend();
+    /// GLFW callback: queues a press or release of a key.
     static void on_key(GLFWwindow* window, int key, int scancode, int action, int mods);
+    /// GLFW callback: queues a typed character (Unicode).
     static void on_character(GLFWwindow* window, unsigned code);
+    /// GLFW callback: queues a turn of the mouse wheel.
     static void on_scroll(GLFWwindow* window, double x, double y);
+    /// Records that the window has received input, so that the next frame is drawn.
     static void note_input(GLFWwindow* window);
+    /// Returns the input queue of the WindowContext that owns a GLFW window.
     static InputQueue& queue_of(GLFWwindow* window);
 
     GLFWwindow* window_ = nullptr;

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "app/base/notes.h"
-// Last: it defines macros.
+// Xlib.h is the last include, because it defines macros.
 #include <X11/Xlib.h>
 
 namespace si {

@@ -14,15 +14,15 @@ void EditorAdvice::start(const Scene& scene, const Settings& settings, int width
             const HeadlessContext context;
             Renderer renderer;
             ReferenceCache cache;
-            const auto tell = [&](double share, const std::string& what) { report({what, share}); };
+            const auto report_progress = [&](double share, const std::string& what) { report({what, share}); };
             if (!request.max_error && !request.max_ms) {
                 out.what = find_advice(renderer, *copy, out.settings, out.width, out.height, {.cost = request.cost},
-                                       cache, workers, tell);
+                                       cache, workers, report_progress);
                 return out;
             }
             const AutopilotGoals goals{.max_error = request.max_error, .max_ms = request.max_ms, .cost = request.cost};
             AutopilotResult flight = run_rendered_autopilot(renderer, *copy, out.settings, out.width, out.height, goals,
-                                                            {}, cache, workers, tell);
+                                                            {}, cache, workers, report_progress);
             out.changes = setting_changes(measured_settings(out.settings), flight.best.settings);
             out.what = std::move(flight);
             return out;

@@ -5,7 +5,7 @@
 namespace si {
 namespace {
 
-constexpr std::size_t kMostSpots = 100;  ///< nobody goes through more
+constexpr std::size_t kMaxSpots = 100;  ///< number of clusters in a tour
 
 }  // namespace
 
@@ -20,7 +20,7 @@ ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const 
     const int step = request.reference->step;
     ArtefactSpots out{.number = wanted.number, .spots = {}, .camera = frame.camera, .height = request.height};
     for (const ArtefactCluster& found :
-         artefact_clusters(measured.classified, receivers.width, wanted.cause, kMostSpots)) {
+         artefact_clusters(measured.classified, receivers.width, wanted.cause, kMaxSpots)) {
         ArtefactSpot spot{found};
         const Receiver& middle = receivers.at(found.pixel.x, found.pixel.y);
         spot.position_ws = middle.position_ws;

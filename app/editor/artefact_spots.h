@@ -6,8 +6,9 @@
 
 namespace si {
 
-/// Finds the clusters of the wanted cause in the frame of `request`, which holds its ray-traced reference. Draws that
-/// frame again: the renderer no longer holds the images of other frames (Renderer::has_images_of()). @throws Error
+/// Finds clusters of wrong pixels of one cause in the editor's picture. Draws the frame of `request` once more, so that
+/// the renderer drops the images of other frames (Renderer::has_images_of()). @param request frame with its ray-traced
+/// reference @param wanted cause to look for @throws Error
 ArtefactSpots find_artefact_spots(Renderer& renderer, const Scene& scene, const Settings& settings,
                                   const FrameRequest& request, const ArtefactRequest& wanted);
 

@@ -31,7 +31,7 @@ bool BackgroundWork::fulfil_optimisation_times(const SceneLoader& scenes, const 
 }
 
 bool BackgroundWork::poll_tuning(const Scene* scene) {
-    const auto outcome = bias_search_.end();
+    const auto outcome = bias_search_.poll();
     if (!outcome) return false;
     if (!outcome->families.empty()) tuning_ = *outcome;
     if (!outcome->found) {
@@ -41,7 +41,7 @@ bool BackgroundWork::poll_tuning(const Scene* scene) {
             state_.log.add(LogKind::Info, outcome->text);
         return true;
     }
-    // The result holds for that scene, camera and light only.
+    // The result is valid for its scene, camera and light only.
     Settings now = state_.settings;
     apply_tuning(now, outcome->settings);
     now.view = outcome->settings.view;
@@ -78,7 +78,7 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
     const auto request = [&](bool requested, const auto& what) {
         if (requested) changed |= attempt(state_, what);
     };
-    // A kernel must be drawn to be judged: a picture that is not shown has no size.
+    // A measurement needs a size, which a hidden picture does not have.
     request(requests.tune.has_value(),
             [&] { bias_search_.start(scenes.require(), state_.settings, size.x, size.y, *requests.tune); });
     if (requests.cancel_tune) bias_search_.cancel();
@@ -107,9 +107,9 @@ bool BackgroundWork::fulfil(const SceneLoader& scenes, glm::ivec2 size, std::spa
     return changed;
 }
 
-bool BackgroundWork::follow(const Scene* scene, const EditorRequests& requests) {
+bool BackgroundWork::update(const Scene* scene, const EditorRequests& requests) {
     if (requests.want_present && scene)
-        sweep_.follow(*scene, state_.scene_name, state_.settings, state_.sweep);
+        sweep_.measure_present(*scene, state_.scene_name, state_.settings, state_.sweep);
     else
         sweep_.stop_measuring_present();
     const bool had_problem = !sweep_.facts().problem.empty();

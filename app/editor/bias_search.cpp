@@ -38,7 +38,7 @@ bool BiasSearchResult::is_about(const Settings& now, int now_width, int now_heig
     Settings then = settings;
     if (found) apply_tuning(then, *found);
     then.bias = now.bias;
-    then.truth.area = now.truth.area;  // a search has its own
+    then.truth.area = now.truth.area;  // a search sets its own
     return width == now_width && height == now_height && measured_settings(then) == measured_settings(now);
 }
 
@@ -63,7 +63,7 @@ void EditorBiasSearch::start(const Scene& scene, const Settings& settings, int w
         {"the present bias", 0});
 }
 
-std::optional<BiasSearchResult> EditorBiasSearch::end() {
+std::optional<BiasSearchResult> EditorBiasSearch::poll() {
     auto outcome = job_.poll();
     if (!outcome) return {};
     if (outcome->value) return std::move(outcome->value);

@@ -16,7 +16,7 @@ namespace {
 
 enum class Drawn { Well, Badly, NotThere };
 
-/// Runs a program with a file as its input and waits until it has read it.
+/// Runs a program with a file as its standard input and waits until the program has read the file.
 Drawn run(std::vector<std::string> words, const std::filesystem::path& input) {
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());

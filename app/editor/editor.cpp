@@ -29,12 +29,12 @@
 namespace si {
 namespace {
 
-constexpr int kStillLooks = 3;                ///< without anything to do: a person has paused
-constexpr double kPollSeconds = 0.4;          ///< between looks at shader files and blinks of a text cursor
-constexpr double kLoadingPollSeconds = 0.05;  ///< between looks at what is being read, measured or traced
+constexpr int kStillLooks = 3;                ///< idle polls after which the editor counts as idle
+constexpr double kPollSeconds = 0.4;          ///< between polls of shader files and blinks of a text cursor
+constexpr double kLoadingPollSeconds = 0.05;  ///< between polls of background work
 constexpr int kSettleFrames = 3;              ///< frames that ImGui takes to settle after input
 
-/// ImGui's hold on the window's callbacks.
+/// Scope in which ImGui's GLFW backend is installed on the window.
 struct WindowInput {
     explicit WindowInput(const WindowContext& window) { ImGui_ImplGlfw_InitForOpenGL(window.handle(), true); }
     ~WindowInput() { ImGui_ImplGlfw_Shutdown(); }
@@ -42,15 +42,15 @@ struct WindowInput {
     WindowInput& operator=(const WindowInput&) = delete;
 };
 
-/// Shows ImGui Ctrl and Shift as they are now.
+/// Passes the present state of Ctrl and Shift to ImGui.
 void show_held_modifiers(const WindowContext& window) {
     const auto held = [&](int left, int right) { return window.is_down(left) || window.is_down(right); };
     ImGui::GetIO().KeyCtrl = held(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL);
     ImGui::GetIO().KeyShift = held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT);
 }
 
-/// Shows ImGui the next thing that the mouse did. The backend has it as it is now: of what happened while a frame was
-/// drawn it would show one press, at the place where the mouse has come to since.
+/// Passes the next step of the mouse queue to ImGui. The backend would pass only the present state: of all presses
+/// during a slow frame one, at the mouse's latest place.
 class MouseStep {
 public:
     explicit MouseStep(WindowContext& window) : window_(window), step_(window.input().next()) {
@@ -73,7 +73,7 @@ private:
     MouseQueue::Step step_;
 };
 
-/// The window's picture that is drawn but not shown yet, top row first.
+/// Reads back the window's picture before it is shown, top row first.
 ByteImage read_window(int width, int height) {
     ByteImage image{width, height, {}};
     image.data.resize(std::size_t(width) * std::size_t(height) * 4);
@@ -84,8 +84,8 @@ ByteImage read_window(int width, int height) {
     return image;
 }
 
-/// Shows ImGui the keys that were pressed since its last frame as held during the next one, so that a short press is
-/// not lost when frames are long.
+/// Passes keys pressed since the last frame to ImGui as held during the next one, so that a short press is not lost
+/// during a slow frame.
 class PressedKeys {
 public:
     explicit PressedKeys(WindowContext& window) : window_(window), keys_(window.take_keys()) {
@@ -108,7 +108,7 @@ private:
     std::vector<WindowContext::KeyPress> keys_;
 };
 
-/// @throws Error that names what numbers were none, where they were searched
+/// Checks that no faulty numbers were found (--check-numeric). @throws Error naming the first fault
 void require_sound_session(EditorModel& model) {
     if (const std::string& what = model.session().unsound(); !what.empty()) throw Error("--check-numeric: " + what);
 }
@@ -119,7 +119,7 @@ bool take_file(FilePortal& portal, EditorModel& model) {
     if (!answer) return false;
     if (answer->kind == FilePortal::Answer::Kind::NoDialog) {
         model.has_desktop_dialog = false;
-        model.state.files.dialog.asked = true;  // the editor's own
+        model.state.files.dialog.asked = true;  // opens the editor's own dialog
     } else if (answer->kind == FilePortal::Answer::Kind::Chosen) {
         if (answer->job == FileDialog::Job::Open)
             model.open(answer->file);
@@ -141,9 +141,9 @@ std::vector<std::string> run_window(const EditorOptions& options) {
     FilePortal portal(WindowContext::wake);
     model.has_desktop_dialog = true;
     std::string titled;
-    const InterruptGuard interrupt;  // a batch system's end is an end like any other
-    int due = kSettleFrames;         // frames still to draw before the editor may sleep
-    int still = 0;                   // looks in a row that found nothing to do
+    const InterruptGuard interrupt;  // SIGTERM ends the editor cleanly
+    int due = kSettleFrames;         // frames to draw before the editor may sleep
+    int still = 0;                   // consecutive polls without work
     while (!window.should_close() && !interrupt.stop_requested()) {
         if (due > 0)
             window.poll_events();
@@ -158,10 +158,10 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         if (model.poll_shaders() || ImGui::GetIO().WantTextInput) due = std::max(due, 1);
         if (model.loading_moved() || model.drawing_moved() || model.measuring_moved() || model.tracing_moved())
             due = std::max(due, 1);
-        model.keep();
+        model.write_when_due();
         const int width = window.framebuffer_width(), height = window.framebuffer_height();
         still = due == 0 && !model.busy() ? still + 1 : 0;
-        if (still == kStillLooks) model.rest();
+        if (still == kStillLooks) model.release_unused_memory();
         if (due == 0 || width == 0 || height == 0) {
             if (due > 0) window.wait_events(kPollSeconds);  // minimised
             continue;
@@ -186,12 +186,12 @@ std::vector<std::string> run_window(const EditorOptions& options) {
         try {
             gl::check_context_alive();
         } catch (const gl::ContextLost&) {
-            model.save_autosave_now();  // the next start offers it
+            model.save_autosave_now();  // the next start offers the session
             throw;
         }
         window.hold_cursor(requests.hold_cursor);
         if (model.fulfil(requests)) due = std::max(due, 2);
-        if (requests.open_desktop_dialog) portal.ask(*requests.open_desktop_dialog, window.portal_name());
+        if (requests.open_desktop_dialog) portal.open_dialog(*requests.open_desktop_dialog, window.portal_name());
         if (!window.input().empty()) due = std::max(due, kSettleFrames);
         if (requests.redraw) due = std::max(due, 1);
         if (requests.quit) break;
@@ -213,7 +213,7 @@ std::vector<std::string> run_editor(const EditorOptions& options) {
     if (!options.headless) return run_window(options);
     HeadlessEditor editor(options);
     editor.settle();
-    editor.smooth();
+    editor.add_all_samples();
     editor.model().require_scene();
     write_png(options.screenshot, editor.picture());
     editor.model().end();

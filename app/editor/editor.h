@@ -34,12 +34,11 @@ struct EditorOptions {
     std::optional<std::chrono::milliseconds> frame_patience;
 };
 
-/// Returns the tab with this name. @throws UsageError that lists the names
+/// Parses the name of a bottom tab, as --tab gives it ("probe"). @throws UsageError that lists the names
 BottomTab tab_named(const std::string& name);
 
-/// Runs the editor until the window is closed, or the screenshot is written. Returns remarks about the first scene.
-/// @throws Error when there is no display, no OpenGL 4.5, the screenshot's scene cannot be read, or a file cannot be
-/// written.
+/// Runs the editor until its window is closed, or (headless) its screenshot is written. Returns remarks about the first
+/// scene. @throws Error without display or OpenGL 4.5, or when the screenshot's scene or an output file fails
 std::vector<std::string> run_editor(const EditorOptions& options);
 
 }  // namespace si

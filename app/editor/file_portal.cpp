@@ -21,13 +21,13 @@ namespace {
 constexpr const char *kService = "org.freedesktop.portal.Desktop", *kObject = "/org/freedesktop/portal/desktop",
                      *kChooser = "org.freedesktop.portal.FileChooser", *kRequest = "org.freedesktop.portal.Request",
                      *kToken = "shadow_inspector";
-constexpr std::chrono::seconds kStart{20};  // a portal may have to be started first
+constexpr std::chrono::seconds kStart{20};  // the portal may have to start first
 
 using VariantMap = std::map<std::string, sdbus::Variant>;
 using Patterns = std::vector<sdbus::Struct<std::uint32_t, std::string>>;
 using Filter = sdbus::Struct<std::string, Patterns>;
 
-/// A glob in which letters stand for themselves in either case.
+/// Makes a glob pattern that ignores the case of letters.
 std::string in_either_case(const std::string& extension) {
     std::string glob = "*.";
     for (const char c : extension) {
@@ -61,7 +61,7 @@ VariantMap options_of(const DesktopFileDialog& dialog) {
     return options;
 }
 
-/// The object that tells of the answer, as the portal makes its path from who asks.
+/// Returns the path of the bus object that will send the answer; the portal derives it from the sender.
 std::string request_path(std::string unique_name) {
     unique_name.erase(0, 1);
     std::ranges::replace(unique_name, '.', '_');
@@ -70,7 +70,7 @@ std::string request_path(std::string unique_name) {
 
 }  // namespace
 
-/// One that is open, or about to be. Lives on a thread of its own, as each step may wait for another process.
+/// Dialog that is open or opening. Runs on a thread of its own, because each step may wait for another process.
 class FilePortal::Dialog {
 public:
     Dialog(const DesktopFileDialog& dialog, const std::string& parent_window, std::function<void()> wake)
@@ -91,7 +91,7 @@ public:
     }
 
 private:
-    /// Until its end others may leave the connection's loop; also where the bus breaks off.
+    /// Scope in which other threads may leave the connection's loop, also if the bus breaks off.
     struct Leavable {
         Dialog& dialog;
         ~Leavable() {
@@ -126,7 +126,7 @@ private:
             connection_ = connection.get();
         }
         const Leavable leavable{*this};
-        // Heard before the question is put, so that no answer is missed.
+        // The handler is registered before the request, so that no answer is missed.
         const auto request = sdbus::createProxy(*connection, kService, request_path(connection->getUniqueName()));
         request->uponSignal("Response")
             .onInterface(kRequest)
@@ -165,17 +165,17 @@ private:
     const std::string parent_window_;
     const std::function<void()> wake_;
     std::mutex mutex_;
-    sdbus::IConnection* connection_ = nullptr;  ///< while it may be left
+    sdbus::IConnection* connection_ = nullptr;  ///< null: the loop must not be left
     bool closed_ = false, answered_ = false;
     std::optional<Answer> answer_;
-    std::thread thread_;  // last: it uses all of the above
+    std::thread thread_;  // last: uses all members above
 };
 
 FilePortal::FilePortal(std::function<void()> wake) : wake_(std::move(wake)) {}
 FilePortal::~FilePortal() = default;
 
-void FilePortal::ask(const DesktopFileDialog& dialog, const std::string& parent_window) {
-    dialog_.reset();  // one at a time: both would have the same name on the bus
+void FilePortal::open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window) {
+    dialog_.reset();  // one dialog at a time: two would have the same name on the bus
     dialog_ = std::make_unique<Dialog>(dialog, parent_window, wake_);
 }
 

@@ -11,12 +11,13 @@
 
 namespace si {
 
-/// Client of org.freedesktop.portal.FileChooser (https://flatpak.github.io/xdg-desktop-portal). Calls do not wait: the
-/// chosen file, or the lack of a dialog, is an answer to be taken later.
+/// Client of the desktop's file dialog, org.freedesktop.portal.FileChooser
+/// (https://flatpak.github.io/xdg-desktop-portal). Calls do not wait; take_answer() returns the chosen file later.
 class FilePortal {
 public:
-    /// End of a dialog.
+    /// Outcome of one file dialog: a chosen file, dismissal, or the reason why no dialog opened.
     struct Answer {
+        /// Kind of outcome of a file dialog.
         enum class Kind { Chosen, Dismissed, NoDialog };
         Kind kind = Kind::NoDialog;
         FileDialog::Job job = FileDialog::Job::Open;
@@ -24,17 +25,17 @@ public:
         std::string problem;         ///< why there is no dialog
     };
 
-    /// @param wake called from another thread when there is an answer
+    /// Makes a client without a dialog. @param wake called from another thread when there is an answer
     explicit FilePortal(std::function<void()> wake);
     /// Closes the dialog.
     ~FilePortal();
     FilePortal(const FilePortal&) = delete;
     FilePortal& operator=(const FilePortal&) = delete;
 
-    /// Opens the dialog; one that is open is closed, and gives no answer any more.
-    /// @param parent_window "x11:" and the window's id in hexadecimal digits, or "" where that is not known
-    void ask(const DesktopFileDialog& dialog, const std::string& parent_window);
-    /// Returns the answer once; nothing before there is one.
+    /// Opens the desktop's file dialog, and closes one that is open without an answer.
+    /// @param parent_window "x11:" and the window's id in hexadecimal digits; empty: unknown
+    void open_dialog(const DesktopFileDialog& dialog, const std::string& parent_window);
+    /// Returns the answer of the file dialog, once; nothing while the dialog is open.
     std::optional<Answer> take_answer();
 
 private:
@@ -43,7 +44,7 @@ private:
     std::unique_ptr<Dialog> dialog_;
 };
 
-/// Returns the path of a file:// URI with %-escapes resolved; empty if it names no file of this machine.
+/// Converts a file:// URI to a path, with %-escapes resolved; empty if the URI names no file on this machine.
 std::filesystem::path path_of_file_uri(const std::string& uri);
 
 }  // namespace si

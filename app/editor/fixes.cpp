@@ -10,7 +10,7 @@ void EditorFixes::start(const Scene& scene, const Settings& settings, int width,
                         std::optional<glm::ivec2> pixel, std::vector<FixCandidate> own) {
     found_.reset();
     FixOptions options{.pixel = pixel, .time = true, .more = std::move(own)};
-    if (!pixel) options.reference = reference_options(settings);  // a dossier speaks of a light without size
+    if (!pixel) options.reference = reference_options(settings);  // a pixel diagnosis uses a light without size
     about_ = {.table = {},
               .problem = {},
               .scene = scene.id,

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Result of a finished search.
+/// Result of a finished search for fixes, with the settings and pixel that it is about.
 struct FixesFound {
     FixTable table;
     std::string problem;      ///< why there is no table
@@ -17,17 +17,19 @@ struct FixesFound {
     std::optional<glm::ivec2> pixel;  ///< none: the whole picture
 };
 
-/// One search for fixes at a time, on a thread of its own.
+/// Background search for fixes of wrong pixels: one at a time, on a thread of its own.
 class EditorFixes : public EditorSearch<FixesFound> {
 public:
     EditorFixes() : EditorSearch("The search for fixes was cancelled") {}
-    /// Starts a search and cancels the one under way. @param pixel to make right; none: the whole picture
-    /// @param own changes to try besides the usual ones, such as the fix of a pixel diagnosis
+    /// Starts a search for fixes and cancels the search under way. @param width, height picture, pixels
+    /// @param pixel pixel to make right; none: the whole picture
+    /// @param own changes to try in addition to the usual ones, such as the fix of a pixel diagnosis
     void start(const Scene& scene, const Settings& settings, int width, int height, std::optional<glm::ivec2> pixel,
                std::vector<FixCandidate> own);
-    /// Drops the last result.
+    /// Drops the last table of fixes.
     void forget() { found_.reset(); }
-    /// Returns progress and result, marked as current only if it is about these arguments. @param scene Scene::id
+    /// Returns progress and result of the search for fixes. The result is marked as current only if it belongs to this
+    /// scene, these settings and this size. @param scene Scene::id @param width, height pixels
     FixSearch facts(std::uint64_t scene, const Settings& settings, int width, int height) const;
 
 private:

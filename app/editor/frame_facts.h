@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Numbers read back from the frame, each only while a panel shows it.
+/// Numbers read back from the GPU after a frame, each only while a panel shows it.
 struct ReadBackFacts {
     std::shared_ptr<const Probe> probe;
     AnchorPlace anchor_place = AnchorPlace::Seen;
@@ -29,7 +29,7 @@ struct ReadBackFacts {
     std::vector<LostCaster> lost_casters;
 };
 
-/// Facts about the frame, from the thread that drew it.
+/// Facts about one drawn frame of the editor, copied from the thread that drew it.
 struct FrameFacts {
     std::optional<DriverInfo> driver;  ///< nothing: there is no picture
     FrameResult result;
@@ -39,12 +39,13 @@ struct FrameFacts {
     std::optional<PictureComparisonFacts> picture_comparison;
     std::vector<Effect> effects;                  ///< empty unless requested
     std::shared_ptr<const NumericHealth> health;  ///< null: not requested, or not there yet
-    ArtefactSpots artefacts;                      ///< as EditorFrame has them
+    ArtefactSpots artefacts;                      ///< clusters of the last fulfilled request
     std::string shader_log;
     std::string problem;        ///< why there is no picture; empty: nothing is wrong
-    bool driver_reset = false;  ///< as EditorFrame has it
+    bool driver_reset = false;  ///< the driver has lost the context
 
-    /// Writes these facts into the editor's. Its pointers are valid as long as this object, unchanged.
+    /// Writes these facts of a drawn frame into the facts that panels read. Pointers in `frame` stay valid as long as
+    /// this object is unchanged.
     void fill(EditorFrame& frame) const;
 };
 

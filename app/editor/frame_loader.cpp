@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Runs one piece of work at a time: on its thread, or at once if it has none.
+/// Drawing thread: runs one function at a time, on the calling thread if there is no context.
 class FrameLoader::DrawThread {
 public:
     explicit DrawThread(FrameThread thread) : wake_(std::move(thread.wake)) {
@@ -77,7 +77,7 @@ public:
         changed_.wait_for(lock, most, [&] { return !work_; });
         awaited_ = false;
     }
-    /// @throws what the work threw
+    /// Waits for the work. @throws the work's exception
     void take() {
         std::exception_ptr problem;
         {
@@ -92,7 +92,7 @@ private:
     std::function<void()> next(const std::stop_token& end) {
         std::unique_lock lock(mutex_);
         changed_.wait(lock, end, [&] { return bool(work_); });
-        return work_;  // empty at the end
+        return work_;  // empty: the thread ends
     }
     void finish(std::exception_ptr problem) {
         bool awaited = false;
@@ -110,7 +110,7 @@ private:
     std::function<void()> wake_;
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::function<void()> work_;  ///< until it is done
+    std::function<void()> work_;  ///< empty: no work is under way
     std::exception_ptr problem_;
     bool done_ = false;
     mutable bool awaited_ = false;  ///< a caller waits, so that wake_ is not called
@@ -165,7 +165,7 @@ FrameLoader::FrameLoader(EditorState& state, FrameThread thread, SessionReport& 
     call([&] {
         if (draw_thread_->has_thread()) gl::set_background_drawing();
         loop_ = std::make_unique<FrameLoop>(draw_thread_->has_thread());
-        if (draw_thread_->has_thread()) copies_ = std::make_unique<Copies>();
+        if (draw_thread_->has_thread()) frame_copies_ = std::make_unique<Copies>();
     });
 }
 
@@ -173,7 +173,7 @@ FrameLoader::~FrameLoader() {
     wait();
     if (draw_thread_->done()) draw_thread_->take();
     call([&] {
-        copies_.reset();
+        frame_copies_.reset();
         loop_.reset();
     });
 }
@@ -220,7 +220,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
     EditorRequests requested = requests;
     requested.cancel_reference = std::exchange(missed_.cancel_reference, false);
     requested.save_error = std::exchange(missed_.save_error, {});
-    const GLsync shown = copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
+    const GLsync shown = frame_copies_ ? glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0) : nullptr;
     if (shown) glFlush();
     progress_.set({}, 0, 0);
     draw_thread_->start([this, &scene, shown, requested = std::move(requested), state = PictureState(state_),
@@ -228,7 +228,7 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
         const PassProgressScope watch(progress_);
         news_ = loop_->update(scene, state, requested, known ? &*known : nullptr);
         next_facts_ = loop_->facts();
-        if (copies_) show_copies(shown);
+        if (frame_copies_) show_copies(shown);
     });
     draw_thread_->wait_for(patience_);
     return poll() || changed;
@@ -236,9 +236,9 @@ bool FrameLoader::update(const Scene& scene, const EditorRequests& requests, con
 
 void FrameLoader::show_copies(GLsync shown) {
     try {
-        copies_->show_copies(next_facts_, news_.changed, shown);
+        frame_copies_->show_copies(next_facts_, news_.changed, shown);
     } catch (const std::exception& e) {
-        // Without its copies there is no picture; settings stay, and the next frame may find memory.
+        // Without copies there is no picture; the next frame may succeed.
         news_.remarks.push_back({.kind = LogKind::Error, .text = e.what()});
         next_facts_ = {};
         next_facts_.problem = e.what();
@@ -265,8 +265,8 @@ void FrameLoader::clear() {
     facts_ = {};
 }
 
-void FrameLoader::rest() {
-    if (!busy()) call([&] { loop_->rest(); });
+void FrameLoader::release_unused_memory() {
+    if (!busy()) call([&] { loop_->release_unused_memory(); });
 }
 
 void FrameLoader::save_map(const Scene& scene, const std::string& path) {

@@ -21,7 +21,7 @@ namespace si {
 /// Time that the editor waits for a frame. Frames that take less are shown at once.
 inline constexpr std::chrono::milliseconds kFramePatience{40};
 
-/// Thread that draws frames. Without a context there is none, and the calling thread draws.
+/// Options of the thread that draws the editor's frames. Without a context the calling thread draws them.
 struct FrameThread {
     ThreadContextMaker context;  ///< shares objects with the context that is current at construction
     std::function<void()> wake =
@@ -29,53 +29,54 @@ struct FrameThread {
     std::chrono::milliseconds patience = kFramePatience;
 };
 
-/// Scheduler of the editor's frames. All calls come from one thread, whose OpenGL context stays the same.
+/// Scheduler of the editor's frames on a drawing thread. All calls come from one thread with one OpenGL context.
 class FrameLoader {
 public:
     /// @param state, session of the editor; outlive this object @throws Error if the thread gets no OpenGL context
     FrameLoader(EditorState& state, FrameThread thread, SessionReport& session);
     ~FrameLoader();
 
-    /// Returns true while a frame is being drawn. The scene must not change, and facts() are of the frame before.
+    /// Returns true while the drawing thread draws a frame. The scene must not change, and facts() are of the frame
+    /// before.
     bool under_way() const;
-    /// Returns true while a frame is being drawn, or is done and waits for poll().
+    /// Returns true while a frame is drawn, or a finished frame waits for poll().
     bool busy() const;
-    /// Takes the facts of a frame that is done; its remarks go to the log. Returns true if the editor now shows
-    /// something else.
+    /// Fetches the facts of a finished frame from the drawing thread; its remarks go to the log. Returns true if the
+    /// editor has to be drawn again.
     bool poll();
-    /// Draws a frame if anything has changed, unless one is under way. Returns as poll() does.
-    /// @param scene must not change while under_way() @param comparison settings that state.compare names; null: not
-    /// known
+    /// Starts to draw a frame if anything has changed and no frame is under way. Returns true if the editor has to be
+    /// drawn again. @param scene must not change while under_way() @param comparison settings that state.compare
+    /// names; null: not known
     bool update(const Scene& scene, const EditorRequests& requests, const ComparisonFacts* comparison);
-    /// Waits until no frame is under way.
+    /// Waits until the drawing thread draws no frame.
     void wait() const;
-    /// Drops the frame and its facts, when there is no scene.
+    /// Drops the drawn frame and its facts. Call when there is no scene.
     void clear();
-    /// Releases memory that only further drawing would need, unless a frame is under way.
-    void rest();
+    /// Releases memory that only further drawing needs, unless a frame is under way. Call when the editor is idle.
+    void release_unused_memory();
 
     const FrameFacts& facts() const { return facts_; }
-    /// Returns the progress of the first picture; nothing if there is a picture, or none is being drawn.
+    /// Returns the progress of a scene's first picture; nothing if a picture is shown already, or none is being drawn.
     std::optional<DrawingFacts> first_picture() const;
-    /// Returns true if first_picture() has changed since the last call.
+    /// Returns true if the progress of the first picture has changed since the last call.
     bool first_picture_moved();
-    /// Writes the shown shadow map into a file. @throws Error
+    /// Writes the shown shadow map into a file, in the format of its extension. @throws Error
     void save_map(const Scene& scene, const std::string& path);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return !under_way() && loop_->poll_shaders(); }
 
     /// Returns true while a frame is drawn, or rays of the picture are traced.
     bool tracing() const { return busy() || loop_->tracing(); }
-    /// Returns true if poll() or update() has news of that work.
+    /// Returns true if poll() or update() has new results of tracing.
     bool tracing_moved() const { return !under_way() && (busy() || loop_->tracing_moved()); }
-    /// Waits for that work.
+    /// Waits until frame and rays are finished.
     void finish_tracing() const {
         wait();
         loop_->finish_tracing();
     }
     /// Returns true if update() has the diagnosis of the probed pixel.
     bool probe_moved() const { return !under_way() && loop_->probe_moved(); }
-    /// Waits for that diagnosis.
+    /// Waits for the diagnosis of the probed pixel.
     void finish_probe() const {
         wait();
         loop_->finish_probe();
@@ -86,9 +87,10 @@ public:
 private:
     class DrawThread;
     class Copies;
-    /// Runs `work` on the drawing thread and waits for it. @throws what the work throws
+    /// Runs a function on the drawing thread and waits for its end. @throws the function's exceptions
     void call(const std::function<void()>& work);
-    /// Replaces the images of the next facts by copies. On a failure the facts hold the reason instead.
+    /// Replaces the images in the next facts by copies, so that the next frame can overwrite the originals. On a
+    /// failure the facts hold the reason instead. @param shown fence after the editor's last use of older copies
     void show_copies(GLsync shown);
 
     EditorState& state_;
@@ -99,7 +101,7 @@ private:
     PassProgress::State seen_progress_;
     // Used by the drawing thread only, while a frame is under way.
     std::unique_ptr<FrameLoop> loop_;
-    std::unique_ptr<Copies> copies_;
+    std::unique_ptr<Copies> frame_copies_;
     FrameFacts next_facts_;
     FrameNews news_;
     EditorRequests missed_;                    ///< one-time requests that came while a frame was under way

@@ -20,7 +20,8 @@ FrameFacts FrameLoop::facts() const {
     if (drawn_) {
         f.driver = renderer_.driver();
         f.result = result_;
-        if (result_.smooth.texture != 0 && !picture_comparison_.facts() && !pinned_)  // the other side is not smooth
+        if (result_.smooth.texture != 0 && !picture_comparison_.facts() &&
+            !pinned_)  // the other side of a comparison is not smoothed
             for (Pane& pane : f.result.panes)
                 if (pane.overlay == 0) pane.picture = result_.smooth;
         f.reference = reference_.facts(result_, drawn_settings_.view.light);
@@ -59,7 +60,7 @@ FrameNews FrameLoop::update(const Scene& scene, const PictureState& state, const
     }
     const bool drawn = draw(scene, state, requests);
     news_.changed |= drawn;
-    if (!drawn) news_.changed |= smooth(scene, state, requests);
+    if (!drawn) news_.changed |= add_sample(scene, state, requests);
     news_.changed |= follow_read_back(scene, state, requests, drawn);
     try {
         news_.changed |= follow_reference(scene, state, requests, drawn, comparison);
@@ -106,14 +107,14 @@ bool FrameLoop::follow_effects(const Scene& scene, const PictureState& state, co
 
 bool FrameLoop::draw(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     FrameRequest wanted;
-    // A map that fills the window belongs to the picture that is behind it.
+    // A map that fills the window belongs to the hidden picture's size.
     const bool scene_shown = requests.scene_width >= 1;
     wanted.width = scene_shown ? requests.scene_width : request_.width;
     wanted.height = scene_shown ? std::max(1, requests.scene_height) : request_.height;
     wanted.outputs.colour = true;
     wanted.outputs.shadow_map = requests.want_map;
     wanted.outputs.overlay = true;
-    wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // of the probed pixel the probe knows it
+    wanted.outputs.visibility = state.loupe == LoupeMode::Mouse;  // the probe already has the probed pixel's visibility
     wanted.outputs.map_coordinates = requests.want_links;
     wanted.outputs.texels_read = requests.want_exact_texels;
     wanted.outputs.error = requests.want_error;
@@ -125,7 +126,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     wanted.reference = reference_.picture(state.settings.view.light);
     wanted.traced = reference_.pictures();
     wanted.light_maps = reference_.light_maps();
-    // Held against another, the picture is one pane.
+    // A compared picture has one pane.
     Settings settings = state.settings;
     if (state.comparison.view != ComparisonView::Off) settings.view.panes = Panes::One;
     const bool same =
@@ -137,7 +138,7 @@ bool FrameLoop::draw(const Scene& scene, const PictureState& state, const Editor
     if (same || (!scene_shown && !requests.want_map)) return false;
     if (warmup_ && (shaders_changed_ || (drawn_scene_ != scene.id && !(scene.rig && scene.rig == drawn_rig_)))) {
         warmup_->forget();
-        foreseen_.clear();
+        warmed_programs_.clear();
         drawn_rig_ = scene.rig;
     }
     request_ = wanted;
@@ -174,7 +175,7 @@ void FrameLoop::require_sound_numbers(const Scene& scene) {
     report(news_.unsound);
 }
 
-bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
+bool FrameLoop::add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests) {
     const ViewSettings& view = drawn_settings_.view;
     if (!drawn_ || !requests.at_rest || smoothed_ >= kMaxSmoothedShadings || !view.smooth) return false;
     if (view.slabs != Slabs::None || state.comparison.view != ComparisonView::Off || state.pinned) return false;
@@ -198,21 +199,21 @@ bool FrameLoop::smooth(const Scene& scene, const PictureState& state, const Edit
 
 void FrameLoop::report_smoothing(const FrameResult& more) {
     const PassInfo* const did = more.pass(kSmoothingPass);
-    const auto told = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
-    if (!did || told == result_.passes.end() || told->reason == did->reason) return;
-    // All other passes keep the states and times of the frame itself.
-    told->state = did->state, told->reason = did->reason;
+    const auto shown = std::ranges::find(result_.passes, kSmoothingPass, &PassInfo::name);
+    if (!did || shown == result_.passes.end() || shown->reason == did->reason) return;
+    // Other passes keep the states and times of the frame.
+    shown->state = did->state, shown->reason = did->reason;
     frame_effects_.clear();
 }
 
 void FrameLoop::queue_likely_shaders(const Scene& scene) {
     if (!warmup_) return;
-    if (!foreseen_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
-    // A hover asks for map coordinates, a click for a probe, the map viewer for its picture.
+    if (!warmed_programs_.insert(renderer_.programs_key(scene, drawn_settings_, request_)).second) return;
+    // A hover needs map coordinates, a click a probe, the map viewer its picture.
     WarmupFrame next{.scene = {}, .settings = drawn_settings_, .request = request_};
     next.request.outputs.shadow_map = next.request.outputs.map_coordinates = next.request.outputs.texels_read = true;
     next.scene = std::make_shared<const Scene>(stand_in(scene, drawn_settings_));
-    warmup_->foresee(std::move(next));
+    warmup_->enqueue(std::move(next));
 }
 
 bool FrameLoop::follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests,
@@ -241,7 +242,7 @@ bool FrameLoop::follow_reference(const Scene& scene, const PictureState& state, 
     bool changed = reference_.update(renderer_, scene, drawn_settings_, request_, result_, drawn, truth_requests);
     if (drawn) artefacts_found_ = false;
     if (state.artefacts.number != artefacts_.number && result_.error && result_.reference.met && request_.reference) {
-        artefacts_ = {.number = state.artefacts.number};  // where it cannot be told there are none
+        artefacts_ = {.number = state.artefacts.number};  // on an error there are no clusters
         artefacts_ = find_artefact_spots(renderer_, scene, drawn_settings_, request_, state.artefacts);
         artefacts_found_ = changed = true;
     }

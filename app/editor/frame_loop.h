@@ -17,7 +17,7 @@
 
 namespace si {
 
-/// Events of an update, besides the facts.
+/// Events of one update of the frame loop: changes, remarks for the log, driver messages, faulty numbers.
 struct FrameNews {
     bool changed = false;                ///< the editor now shows something else
     std::vector<LogLine> remarks;        ///< for the log
@@ -26,26 +26,27 @@ struct FrameNews {
     std::string unsound;  ///< faulty numbers (NaN, infinite, out of range) of the frame; empty: none, or not searched
 };
 
-/// Renderer of the editor with all that is read back from its frames. Needs the same current OpenGL context all its
+/// Renderer of the editor with everything that is read back from its frames. Needs one current OpenGL context all its
 /// life.
 class FrameLoop {
 public:
-    /// @param foresee compile shaders of likely next frames in the background
-    explicit FrameLoop(bool foresee) {
-        if (foresee) warmup_ = std::make_unique<ShaderWarmup>();
+    /// Makes the editor's renderer. @param warm_up_shaders compile shaders of likely next frames in the background
+    explicit FrameLoop(bool warm_up_shaders) {
+        if (warm_up_shaders) warmup_ = std::make_unique<ShaderWarmup>();
     }
 
-    /// Draws the scene if anything has changed, and updates all facts. Errors become remarks.
+    /// Draws the scene if anything has changed, and updates the facts that shown panels need. Errors become remarks.
     /// @param comparison settings that state.compare names; null: not known
     FrameNews update(const Scene& scene, const PictureState& state, const EditorRequests& requests,
                      const ComparisonFacts* comparison);
-    /// Drops the frame and its facts, when there is no scene.
+    /// Drops the drawn frame and its facts. Call when there is no scene.
     void clear();
-    /// Releases memory that only further drawing would need.
-    void rest() {
-        reference_.rest();
+    /// Releases memory that only further drawing needs.
+    void release_unused_memory() {
+        reference_.release_unused_memory();
         renderer_.release_unused_memory();
     }
+    /// Returns the facts about the last drawn frame.
     FrameFacts facts() const;
 
     /// Writes the shown shadow map into a file. @throws Error
@@ -55,35 +56,39 @@ public:
 
     /// Returns true if the next update() has the diagnosis of the probed pixel.
     bool probe_moved() const { return read_back_.has_news(); }
-    /// Waits for that diagnosis.
+    /// Waits for the diagnosis of the probed pixel.
     void finish_probe() const { read_back_.finish_tracing(); }
     /// Returns true while rays of the picture are traced, or errors are computed from them.
     bool tracing() const { return reference_.busy(); }
-    /// Returns true if update() has news of that work.
+    /// Returns true if update() has new results of tracing.
     bool tracing_moved() const { return reference_.moved(); }
-    /// Waits for that work.
+    /// Waits until the rays are traced.
     void finish_tracing() const { reference_.wait(); }
     /// Background compilation of shaders; null: switched off.
     const ShaderWarmup* warmup() const { return warmup_.get(); }
 
 private:
-    /// Draws a frame if it differs from the last one. Returns true if it has drawn.
+    /// Draws a frame if scene, settings or requests differ from those of the last frame. Returns true if it has drawn.
     bool draw(const Scene& scene, const PictureState& state, const EditorRequests& requests);
-    /// Adds one more sample per pixel to the picture of a static view. Returns true if there was one to add.
-    bool smooth(const Scene& scene, const PictureState& state, const EditorRequests& requests);
+    /// Adds one more sample per pixel to the picture of a static view (view.smooth). Returns true if a sample was
+    /// missing.
+    bool add_sample(const Scene& scene, const PictureState& state, const EditorRequests& requests);
+    /// Adds an error to the remarks for the log.
     void report(const std::string& error) { news_.remarks.push_back({.kind = LogKind::Error, .text = error}); }
     /// Copies the state of the smoothing pass into the shown frame's effects.
     void report_smoothing(const FrameResult& more);
-    /// Queues shaders that a hover, a click or the map viewer would need next.
+    /// Queues shaders for background compilation that a hover, a click or the map viewer would need next.
     void queue_likely_shaders(const Scene& scene);
-    /// Updates the numbers that panels show. Returns true if they have changed.
+    /// Reads back the numbers that panels show. Returns true if they have changed. @param drawn the frame is a new one
     bool follow_read_back(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
-    /// Traces the reference of the shown picture and compares with it. Returns true if facts have changed.
+    /// Traces the ray-traced reference of the shown picture and compares the picture with it. Returns true if the facts
+    /// have changed. @param drawn the frame is a new one @param comparison settings that state.compare names
     bool follow_reference(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn,
                           const ComparisonFacts* comparison);
-    /// Searches the frame for faulty numbers while a panel shows them. Returns true if the result has changed.
+    /// Searches the frame for faulty numbers (NaN, infinite, out of range) while a panel shows them. Returns true if
+    /// the result has changed.
     bool follow_health();
-    /// Searches the frame just drawn for faulty numbers, and waits for the result.
+    /// Searches the frame just drawn for faulty numbers (--check-numeric), and waits for the result.
     void require_sound_numbers(const Scene& scene);
     /// Lists the frame's effects while a panel shows them. Returns true if the list has changed.
     bool follow_effects(const Scene& scene, const PictureState& state, const EditorRequests& requests, bool drawn);
@@ -108,7 +113,7 @@ private:
     std::vector<Effect> frame_effects_;            ///< of the last frame; empty: not requested yet
     std::vector<Effect> effects_;                  ///< frame_effects_ and the work of panels
     std::uint64_t posed_scene_ = 0;                ///< Scene::id of the frame before
-    std::set<std::uint64_t> foreseen_;             ///< Renderer::programs_key() of frames whose next shaders are queued
+    std::set<std::uint64_t> warmed_programs_;      ///< Renderer::programs_key() of frames whose next shaders are queued
     std::unique_ptr<ShaderWarmup> warmup_;
 };
 

@@ -19,7 +19,7 @@ namespace si {
 
 namespace {
 
-/// A target for the whole editor.
+/// Makes the offscreen target of the whole editor. @throws Error if the size cannot be drawn
 std::unique_ptr<Canvas> make_canvas(int width, int height) {
     GLint most = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
@@ -29,7 +29,7 @@ std::unique_ptr<Canvas> make_canvas(int width, int height) {
     return std::make_unique<Canvas>(width, height);
 }
 
-/// A truth was asked for that is still to be traced.
+/// Returns true if a needed reference is not traced yet.
 bool lacks_reference(const EditorFrame& f) {
     if (!f.reference || !f.reference->wanted || !f.reference->problem.empty()) return false;
     return !f.reference->current;
@@ -53,7 +53,7 @@ HeadlessEditor::HeadlessEditor(const EditorOptions& options, SceneReader read)
     model_->smooths = false;
 }
 
-void HeadlessEditor::smooth() {
+void HeadlessEditor::add_all_samples() {
     model_->smooths = true;
     for (int i = 0; i <= kMaxSmoothedShadings; ++i) {
         frame();
@@ -91,7 +91,7 @@ void HeadlessEditor::settle() {
     do {
         model_->finish_loading();
         model_->finish_tracing();
-        // Sizes settle in two frames, the picture of that size is there in the next, numbers read from it in one more.
+        // Sizes settle in two frames; the picture follows in the next, numbers read from it in one more.
         for (int i = 0; i < 6; ++i) frame();
         if (model_->measuring()) {
             model_->finish_measuring();

@@ -13,7 +13,7 @@
 
 namespace si {
 
-/// The editor in a framebuffer, frame by frame.
+/// Editor without a window, drawn into a framebuffer frame by frame, for screenshots and tests.
 class HeadlessEditor {
 public:
     /// Starts to read the first scene. @throws Error if there is no OpenGL, or the size cannot be drawn
@@ -22,7 +22,7 @@ public:
 
     EditorModel& model() { return *model_; }
 
-    /// Mouse in the following frames.
+    /// Mouse position, buttons and wheel for the following frames of the editor.
     struct Mouse {
         std::optional<glm::vec2> at;  ///< pixels from the top left; none: outside
         bool left = false, right = false, middle = false, ctrl = false, shift = false;
@@ -30,14 +30,14 @@ public:
     };
     Mouse mouse;
 
-    /// Draws one frame of the editor, 1/60 s after the one before. Returns its requests.
+    /// Draws one frame of the editor, 1/60 s after the one before. Returns the panels' requests.
     EditorRequests frame();
-    /// Waits for a scene that is being read, draws frames until layout and pictures no longer change, and waits for
-    /// what they ask to be measured.
+    /// Draws frames until nothing changes any more: the scene is loaded, layout and pictures are final, and all
+    /// requested measurements have ended.
     void settle();
-    /// Adds all samples per pixel to the picture, if view.smooth is on, and draws it.
-    void smooth();
-    /// Returns the last frame, top row first.
+    /// Adds all samples per pixel to the scene picture, if view.smooth is on, and draws the editor once more.
+    void add_all_samples();
+    /// Returns the editor's last frame as an image, top row first.
     ByteImage picture() const;
 
 private:

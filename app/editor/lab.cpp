@@ -28,7 +28,7 @@ void EditorPipelines::fill(LabFacts& shown, const LabSubject& present) const {
     shown.comparing_pipelines = job_.progress();
     if (!found_) return;
     shown.pipelines = found_->errors;
-    // The ways compared are all there are, whichever is chosen.
+    // All pipelines are compared, so that the chosen one does not matter.
     LabSubject of = found_->of;
     of.settings.map.origin = present.settings.map.origin;
     of.settings.map.transform = present.settings.map.transform;

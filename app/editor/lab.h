@@ -6,7 +6,7 @@
 
 namespace si {
 
-/// Scene, settings and size that a measurement is about.
+/// Scene, settings and picture size that a measurement of the panel Lab is about.
 struct LabSubject {
     std::uint64_t scene = 0;  ///< Scene::id
     Settings settings;
@@ -14,34 +14,34 @@ struct LabSubject {
     int height = 0;  ///< pixels of the picture
 };
 
-/// Result of a comparison of pipelines.
+/// Errors of all single-precision matrix pipelines, with the scene and settings they belong to.
 struct PipelinesFound {
     std::vector<PipelineError> errors;
     LabSubject of;
 };
 
-/// One comparison of single-precision matrix pipelines at a time, on a thread of its own.
+/// Background comparison of single-precision matrix pipelines: one at a time, on a thread of its own.
 class EditorPipelines : public EditorSearch<PipelinesFound> {
 public:
     EditorPipelines() : EditorSearch("The comparison of precision was cancelled") {}
-    /// Starts a comparison and cancels the one under way.
+    /// Starts a comparison of matrix pipelines and cancels the one under way.
     void start(const Scene& scene, const LabSubject& of);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.
     void fill(LabFacts& shown, const LabSubject& present) const;
 };
 
-/// Result of a measurement of shimmer.
+/// Shimmer of shadow edges under each variant of the settings, with the scene and settings they belong to.
 struct ShimmerFound {
     std::vector<ShimmerShown> variants;
     ShimmerOptions options;
     LabSubject of;
 };
 
-/// One measurement of shimmer at a time, on a thread of its own.
+/// Background measurement of shimmering shadow edges: one at a time, on a thread of its own.
 class EditorShimmer : public EditorSearch<ShimmerFound> {
 public:
     EditorShimmer() : EditorSearch("The measurement of shimmer was cancelled") {}
-    /// Starts a measurement and cancels the one under way.
+    /// Starts a measurement of shimmer and cancels the one under way.
     void start(const Scene& scene, const LabSubject& of, const ShimmerOptions& options);
     /// Writes progress and results into `shown`, marked as current only if they are about `present`.
     void fill(LabFacts& shown, const LabSubject& present) const;

@@ -49,7 +49,7 @@ EditorModel::EditorModel(const EditorOptions& options, SceneReader read, FrameTh
       frames_(state, std::move(thread), session_),
       work_(state, options.state_folder) {
     SessionPlan plan = plan_session(options.session);
-    scenes_.begin(plan.settings);
+    scenes_.set_initial_settings(plan.settings);
     state.layout = persistence_.workspace().layout;
     if (!options.theme.empty()) state.layout.light_theme = options.theme == "light";
     state.window.show_welcome = options.welcome && !options.headless && !options.state_folder.empty() &&
@@ -101,7 +101,7 @@ void EditorModel::open(const std::filesystem::path& path) {
 }
 
 void EditorModel::save_as(const std::filesystem::path& path) {
-    attempt(state, [&] { presets_.save(preset_path(path).string(), state.files.dialog.about, false); });
+    attempt(state, [&] { presets_.save(with_preset_extension(path).string(), state.files.dialog.about, false); });
 }
 
 void EditorModel::save_shot(const ShotRequest& request, const ByteImage& window, float pixels) {
@@ -145,12 +145,12 @@ void EditorModel::copy_command_line() {
     state.log.add(LogKind::Info, "Copied: " + text);
 }
 
-void EditorModel::keep() {
-    persistence_.follow(state, steady_seconds());
+void EditorModel::write_when_due() {
+    persistence_.write_when_due(state, steady_seconds());
     try {
-        session_.follow(steady_seconds(), state.log);
+        session_.write_when_due(steady_seconds(), state.log);
     } catch (const std::exception& e) {
-        session_.give_up();
+        session_.stop_writing();
         report(state, e.what());
     }
 }
@@ -178,7 +178,7 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     };
     request(requests.cancel_load, [&] {
         scenes_.cancel_loading();
-        scenes_.keep_scene();
+        scenes_.reset_scene_index();
     });
     request(requests.load_scene.has_value(), [&] { scenes_.load({.scene_name = *requests.load_scene}); });
     request(requests.load_preset.has_value(), [&] { presets_.open(*requests.load_preset); });
@@ -188,14 +188,14 @@ bool EditorModel::fulfil(const EditorRequests& asked) {
     request(requests.restore_lost, [&] { presets_.restore_lost(); });
     request(requests.discard_lost, [&] { persistence_.forget_lost(); });
     request(requests.reset_all && scenes_.scene(), [&] { scenes_.reset(); });
-    request(scenes_.has_step(), [&] { scenes_.follow_step(); });
+    request(scenes_.undo_step_waits(), [&] { scenes_.show_undo_step(); });
     changed |= work_.fulfil(scenes_, picture_size(), frames_.facts().readings.diagnoses, requests);
     changed |= work_.fulfil_optimisation_times(scenes_, frames_.facts().request, requests);
     request(requests.save_map.has_value(), [&] { frames_.save_map(scenes_.require(), *requests.save_map); });
     request(requests.copy_command_line && scenes_.scene(), [&] { copy_command_line(); });
-    request(scenes_.has_moved() && !frames_.under_way(), [&] { scenes_.follow_settings(); });
+    request(scenes_.scene_settings_changed() && !frames_.under_way(), [&] { scenes_.follow_scene_settings(); });
     changed |= presets_.compare();
-    changed |= work_.follow(scenes_.scene(), requests);
+    changed |= work_.update(scenes_.scene(), requests);
     requests.at_rest &= smooths && !measuring();
     if (const Scene* scene = scenes_.scene())
         changed |= frames_.update(*scene, requests, presets_.comparison());

@@ -19,7 +19,7 @@
 
 namespace si {
 
-/// State of one editor, and the work behind its panels. Needs a current OpenGL context all its life.
+/// Editor without its window: state, scene, frames and background work. Needs a current OpenGL context all its life.
 class EditorModel {
 public:
     /// Starts to read the first scene. @param read makes scenes; empty: load_scene()
@@ -31,34 +31,34 @@ public:
         false;            ///< the caller can show the desktop's file dialog (EditorRequests::open_desktop_dialog)
     bool smooths = true;  ///< static pictures get more samples per pixel, if view.smooth is on
 
-    /// Returns the facts for draw_editor(). Its pointers are valid until the next fulfil().
+    /// Returns the facts that draw_editor() shows. Pointers in them stay valid until the next fulfil().
     EditorFrame facts() const;
-    /// Fulfils the panels' requests, and draws the scene if anything has changed. Returns true if the next frame of the
-    /// editor looks different. Errors go to the log.
+    /// Fulfils the requests that panels made in draw_editor(), and draws the scene if anything has changed. Returns
+    /// true if the editor has to be drawn again. Errors go to the log.
     bool fulfil(const EditorRequests& requests);
-    /// Opens a file that was dropped on the window: a preset (.json) or a scene. A scene is read in the background; a
+    /// Opens a file that was dropped on the window: a preset (.json) or a scene. Reads a scene in the background; a
     /// later fulfil() switches to it. Errors go to the log.
     void open(const std::filesystem::path& path);
     /// Saves the preset under a name from the desktop's dialog. A dialog asks first before a file is replaced that was
     /// neither opened nor saved here. Errors go to the log.
     void save_as(const std::filesystem::path& path);
-    /// Writes a screenshot. Errors go to the log.
-    /// @param window picture of the window, top row first @param pixels pixels of it per unit of the screen
+    /// Writes a screenshot of the window or a part of it into a file. Errors go to the log.
+    /// @param window picture of the window, top row first @param pixels its pixels per unit of the screen
     void save_shot(const ShotRequest& request, const ByteImage& window, float pixels);
-    /// Writes the probe's cross-section with verdict and legend, drawn again in a readable size. Returns false if the
-    /// request is for another picture.
+    /// Writes the probed pixel's cross-section with verdict and legend into a file, drawn in a readable size. Returns
+    /// false if the request is for another picture.
     bool save_drawing(const ShotRequest& request, ImGuiSession& imgui);
     /// Returns true if shader files have been saved since the last frame.
     bool poll_shaders() { return frames_.poll_shaders(); }
     /// Returns true while a scene is read, or the thread of a cancelled one has not ended.
     bool loading() const { return scenes_.loading().busy(); }
-    /// Returns true if the next fulfil() has news of that work, or its progress has changed.
+    /// Returns true if the next fulfil() has a loaded scene, or the progress of loading has changed.
     bool loading_moved() const { return scenes_.loading().moved(); }
     /// Returns true if the progress of the first picture has changed.
     bool drawing_moved() { return frames_.first_picture_moved(); }
     /// Returns true while something is measured in the background.
     bool measuring() const { return work_.busy() || frames_.facts().readings.tracing_probe; }
-    /// Returns true if the next fulfil() has news of that work.
+    /// Returns true if the next fulfil() has results of a background measurement.
     bool measuring_moved() const { return work_.moved() || frames_.probe_moved(); }
     /// Waits until nothing is being measured.
     void finish_measuring() const {
@@ -67,16 +67,16 @@ public:
     }
     /// Returns true while rays are traced, or errors are computed from them.
     bool tracing() const { return frames_.tracing(); }
-    /// Returns true if the next fulfil() has news of that work, or its progress has changed.
+    /// Returns true if the next fulfil() has traced rays, or the progress of tracing has changed.
     bool tracing_moved() const { return frames_.tracing_moved(); }
     void finish_tracing() const { frames_.finish_tracing(); }
     /// Releases memory that only further drawing would need. Call when nothing has happened for a while.
-    void rest() { frames_.rest(); }
+    void release_unused_memory() { frames_.release_unused_memory(); }
     /// Returns true while something is read, measured or traced in the background.
     bool busy() const { return loading() || measuring() || tracing(); }
     /// Returns true while a frame is drawn and the last picture is still shown.
     bool drawing() const { return frames_.busy(); }
-    /// Waits for that frame. Returns true if the next frame of the editor looks different.
+    /// Waits for the frame that is being drawn. Returns true if the editor has to be drawn again.
     bool finish_drawing() {
         frames_.wait();
         return frames_.poll();
@@ -92,10 +92,10 @@ public:
     void require_scene() const { scenes_.require(); }
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return scenes_.notes(); }
-    /// Writes the autosave and the session report, when they are due. Call regularly, also while nothing is drawn.
-    void keep();
+    /// Writes autosave, workspace and session report, each when it is due. Call regularly, also while nothing is drawn.
+    void write_when_due();
     /// Writes the autosave at once, before an unclean end.
-    void save_autosave_now() { persistence_.follow(state, std::numeric_limits<double>::infinity()); }
+    void save_autosave_now() { persistence_.write_when_due(state, std::numeric_limits<double>::infinity()); }
     /// Remembers the window's size (screen coordinates at scale 1).
     void note_window_size(int width, int height, bool maximised) { persistence_.note_window(width, height, maximised); }
     /// Writes workspace and report at the end. Settings that no preset holds are offered at the next start.
@@ -107,13 +107,14 @@ public:
     SessionReport& session() { return session_; }
 
 private:
+    /// Copies a command line that draws the present picture to the clipboard.
     void copy_command_line();
     /// Returns the probed pixel's cross-section for view.light; null: there is none.
     const Section* shown_section() const;
     /// Returns the size of the scene's picture, pixels.
     glm::ivec2 picture_size() const;
 
-    /// Samples the process's memory at intervals, while a panel shows it.
+    /// Samples the process's memory at intervals. @param wanted a panel shows the memory
     void follow_memory(bool wanted);
 
     const bool check_numeric_;

@@ -1,5 +1,5 @@
-// FilePortal of builds without SI_FILE_PORTAL: every request is answered by "no dialog", so that the editor's own
-// opens.
+// FilePortal of builds without SI_FILE_PORTAL: answers every request with "no dialog", so that the editor opens its
+// own.
 #include <utility>
 
 #include "app/editor/file_portal.h"
@@ -14,7 +14,7 @@ public:
 FilePortal::FilePortal(std::function<void()> wake) : wake_(std::move(wake)) {}
 FilePortal::~FilePortal() = default;
 
-void FilePortal::ask(const DesktopFileDialog& request, const std::string&) {
+void FilePortal::open_dialog(const DesktopFileDialog& request, const std::string&) {
     dialog_ = std::make_unique<Dialog>();
     dialog_->answer.job = request.job;
     dialog_->answer.problem = "this build does not ask the desktop for files (SI_FILE_PORTAL)";

@@ -12,7 +12,7 @@ void EditorOptimisationTimes::start(const Scene& scene, const Settings& settings
             const HeadlessContext context;
             Renderer renderer;
             FrameRequest unforced = request;
-            unforced.forced = {};  // what is forced is named by no effect
+            unforced.forced = {};  // a forced optimisation skips nothing that could be timed
             const FrameResult frame = renderer.render(*copy, settings, unforced);
             const std::vector<Effect> effects = frame_effects(*copy, settings, frame);
             const std::vector<Optimisation> named = optimisations_of(effects);

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Result of a finished measurement.
+/// Measured time that each optimisation saves, with the scene, settings and size it belongs to.
 struct OptimisationTimesFound {
     SavedTimes times;
     std::uint64_t scene = 0;  ///< Scene::id
@@ -15,13 +15,15 @@ struct OptimisationTimesFound {
     int width = 0, height = 0;
 };
 
-/// One measurement of optimisations at a time, on a thread of its own.
+/// Background measurement of the time that each optimisation saves: one at a time, on a thread of its own.
 class EditorOptimisationTimes : public EditorSearch<OptimisationTimesFound> {
 public:
     EditorOptimisationTimes() : EditorSearch("The measurement of optimisations was cancelled") {}
-    /// Starts a measurement and cancels the one under way. @param request of the frame that is shown
+    /// Starts to measure the time that each optimisation saves, and cancels the measurement under way.
+    /// @param request frame request of the shown frame
     void start(const Scene& scene, const Settings& settings, const FrameRequest& request);
-    /// Writes progress and this scene's results into `shown`, marked as current only if they are about these arguments.
+    /// Writes progress and saved times of this scene into `shown`. They are marked as current only if they belong to
+    /// these settings and this size. @param scene Scene::id @param width, height pixels
     void fill(EffectsFacts& shown, std::uint64_t scene, const Settings& settings, int width, int height) const;
 };
 

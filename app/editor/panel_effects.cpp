@@ -14,7 +14,7 @@ struct PanelRow {
     std::string_view name;
     bool (*wanted)(const PictureState&, const EditorRequests&);
     std::string_view why, why_not;
-    std::optional<Command> key = {};  ///< shows the panel; printed where it is hidden
+    std::optional<Command> key = {};  ///< command that shows the panel, named in the reason while the panel is hidden
 };
 
 constexpr PanelRow kPanels[] = {
@@ -102,7 +102,7 @@ Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& foun
 }
 
 Effect reference_effect(const ReferenceFacts& reference) {
-    Effect effect{.name = "rays of the truth"};
+    Effect effect{.name = "rays of the reference"};
     if (!reference.wanted)
         effect.reason = "Neither a panel, an overlay nor a light's source needs rays.";
     else if (!reference.doing.empty()) {

@@ -8,14 +8,14 @@
 
 namespace si {
 
-/// Returns a row for the work of each panel: drawn while needed, with the reason.
+/// Lists the work of the editor's panels as rows of the panel Effects: needed while the panel is shown, with a reason.
 std::vector<Effect> panel_effects(const PictureState& state, const EditorRequests& requests);
 
-/// Returns the row of the search for clusters of wrong pixels, which runs once a request.
-/// @param now it ran for the frame that is shown
+/// Returns the row of the panel Effects for the search for clusters of wrong pixels.
+/// @param now the search ran for the shown frame
 Effect artefact_effect(const ArtefactRequest& request, const ArtefactSpots& found, bool now);
 
-/// Returns the row of the rays that are traced in the background.
+/// Returns the row of the panel Effects for the reference rays that are traced in the background.
 Effect reference_effect(const ReferenceFacts& reference);
 
 }  // namespace si

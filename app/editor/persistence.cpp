@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-constexpr double kLayoutSeconds = 1;  ///< a splitter rests this long before its place is written
+constexpr double kLayoutSeconds = 1;  ///< time without changes before the layout is written
 
 std::string whole_path(const std::string& path) {
     std::error_code error;
@@ -45,7 +45,7 @@ void EditorPersistence::note_welcome() {
     if (!workspace().welcomed) workspace_.change([](WorkspaceData& d) { d.welcomed = true; });
 }
 
-void EditorPersistence::drop(const std::string& path) {
+void EditorPersistence::drop_recent(const std::string& path) {
     workspace_.change([&](WorkspaceData& d) {
         std::erase(d.recent_scenes, path);
         std::erase(d.recent_presets, path);
@@ -62,7 +62,7 @@ void EditorPersistence::note_window(int width, int height, bool maximised) {
     });
 }
 
-void EditorPersistence::follow(EditorState& state, double now_s) {
+void EditorPersistence::write_when_due(EditorState& state, double now_s) {
     if (!state.between_steps && !state.scene_name.empty()) autosave_.update(state.scene_name, state.settings, now_s);
     if (seen_layout_ != state.layout) {
         if (seen_layout_) layout_due_s_ = now_s + kLayoutSeconds;

@@ -13,29 +13,30 @@ namespace si {
 /// Reader and writer of the workspace and the autosave of one editor.
 class EditorPersistence {
 public:
-    /// @param folder of the program's state; empty: nothing is kept
+    /// Reads the workspace and looks for autosaves. @param folder state folder of the program; empty: nothing is kept
     explicit EditorPersistence(const std::filesystem::path& folder) : workspace_(folder), autosave_(folder) {}
 
     const WorkspaceData& workspace() const { return workspace_.data(); }
-    /// Adds a scene to the recent files.
+    /// Adds a scene to the workspace's recent files.
     void note_scene(const std::string& path);
-    /// Adds a preset to the recent files.
+    /// Adds a preset to the workspace's recent files.
     void note_preset(const std::string& path);
-    /// Remembers that the welcome was shown.
+    /// Records in the workspace that the welcome was shown.
     void note_welcome();
-    /// Removes a file that no longer exists from the recent files.
-    void drop(const std::string& path);
-    /// Remembers the window's size (screen coordinates at scale 1), unless it is maximised.
+    /// Removes a file that no longer exists from the workspace's recent files.
+    void drop_recent(const std::string& path);
+    /// Records the window's size in the workspace (screen coordinates at scale 1), unless the window is maximised.
     void note_window(int width, int height, bool maximised);
 
-    /// Writes what has changed, when it is due. Call once a frame, and regularly while the editor sleeps. Remarks go to
-    /// the log. @param now_s time of a steady clock, seconds
-    void follow(EditorState& state, double now_s);
-    /// Writes recent files and the lost session into `frame`. Its pointers are valid until the next non-const call.
+    /// Writes workspace and autosave if they have changed and are due. Call once a frame, and regularly while the
+    /// editor sleeps. Remarks go to the log. @param now_s time of a steady clock, seconds
+    void write_when_due(EditorState& state, double now_s);
+    /// Writes recent files and the session that a crash has left into `frame`. Pointers in it stay valid until the next
+    /// non-const call.
     void fill(EditorFrame& frame) const;
     /// Session that a crash has left; null: none.
     const Autosave::Lost* lost() const { return autosave_.lost(); }
-    /// Deletes that session.
+    /// Deletes the session that a crash has left.
     void forget_lost() { autosave_.forget_lost(); }
     /// Writes the workspace at the end. @param unsaved no preset holds the settings: the next start offers them
     void end(const EditorState& state, bool unsaved);
@@ -47,7 +48,7 @@ private:
     std::optional<EditorLayout> seen_layout_;
 };
 
-/// Returns the age of a file in words: "3 minutes ago".
+/// Formats the age of a file in words: "3 minutes ago". @param seconds age
 std::string age_text(double seconds);
 
 }  // namespace si

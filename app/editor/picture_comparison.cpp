@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// A picture on the GPU for the panels to show.
+/// Texture on the GPU with an image that panels show.
 struct EditorPictureComparison::Texture {
     GLuint id = 0;
     int width = 0, height = 0;
@@ -30,7 +30,7 @@ struct EditorPictureComparison::Texture {
         glTextureParameteri(id, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
         glTextureParameteri(id, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
         glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-        for (int y = 0; y < height; ++y)  // bottom row first, as the renderer's pictures
+        for (int y = 0; y < height; ++y)  // bottom row first, like the renderer's pictures
             glTextureSubImage2D(id, 0, 0, height - 1 - y, width, 1, GL_RGBA, GL_UNSIGNED_BYTE,
                                 &image.data[std::size_t(y) * std::size_t(width) * 4]);
     }
@@ -66,12 +66,12 @@ void EditorPictureComparison::hide() {
 
 void EditorPictureComparison::draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                                          const ComparisonFacts* comparison) {
-    if (!comparison || comparison->with != state.compare) return;  // read with the next frame
+    if (!comparison || comparison->with != state.compare) return;  // the settings are loaded with the next frame
     if (!comparison->problem.empty()) {
         facts_->problem = comparison->problem;
         return;
     }
-    Settings settings = other_settings(state.settings, comparison->settings);
+    Settings settings = settings_with_shadows_of(state.settings, comparison->settings);
     settings.view.panes = Panes::One;
     const bool same = other_ && other_drawn_ == settings && other_scene_ == scene.id && other_width_ == request.width &&
                       other_height_ == request.height && other_reference_ == request.reference &&
@@ -94,7 +94,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
     other_reference_ = request.reference;
     other_traced_ = request.traced;
     other_light_maps_ = request.light_maps;
-    facts_->picture = facts_->difference = {};  // what fails leaves none, not even the one before
+    facts_->picture = facts_->difference = {};  // a failure leaves no old picture either
     try {
         const FrameResult drawn = other_->render(scene, settings, wanted);
         const auto lacks = [](const auto& n) { return n.key != 0 && !n.met; };
@@ -102,7 +102,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
         other_problem_ = rays ? kLacksRays : "";
         if (!rays) facts_->picture = drawn.colour;
     } catch (const std::exception& e) {
-        other_problem_ = e.what();  // told once: the same is not tried again
+        other_problem_ = e.what();  // reported once; the same settings are not tried again
         facts_->problem = other_problem_;
         throw;
     }
@@ -112,7 +112,7 @@ void EditorPictureComparison::draw_other(const Scene& scene, const PictureState&
 void EditorPictureComparison::find_difference(Renderer& renderer, const FrameResult& frame) {
     const ByteImage a = renderer.read_colour(frame.colour), b = renderer.read_colour(facts_->picture);
     if (a.width != b.width || a.height != b.height) return;
-    difference_ = std::make_unique<Texture>(difference(a, b));
+    difference_ = std::make_unique<Texture>(difference_image(a, b));
     facts_->difference = {difference_->id, difference_->width, difference_->height};
     facts_->mae = mean_difference(a, b);
 }
@@ -122,7 +122,7 @@ bool EditorPictureComparison::update(Renderer& renderer, const Scene& scene, con
                                      const ComparisonFacts* comparison) {
     const bool had = facts_.has_value();
     if (state.comparison.view == ComparisonView::Off) {
-        // Maps of the pinned settings are kept, because they are shown again and again.
+        // Maps of the pinned settings stay cached, because they are shown repeatedly.
         if (state.pinned)
             hide();
         else

@@ -9,27 +9,29 @@
 
 namespace si {
 
-/// Draws the other picture and the difference of both.
+/// Painter of the other side of a picture comparison (reference, or other settings) and of the difference image.
 class EditorPictureComparison {
 public:
     EditorPictureComparison();
     ~EditorPictureComparison();
 
-    /// Draws the other picture if it is needed and has changed. Returns true if the facts have changed.
-    /// @param frame the picture that is shown @param drawn it is a new one
+    /// Draws the other picture of the comparison if it is needed and has changed. Returns true if the facts have
+    /// changed. @param frame shown frame @param drawn the frame is a new one
     /// @param comparison settings that state.compare names; null: not known @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const ComparisonFacts* comparison);
-    /// Drops both pictures, when there is no frame.
+    /// Drops the other picture and the difference image. Call when there is no frame.
     void clear();
     const std::optional<PictureComparisonFacts>& facts() const { return facts_; }
 
 private:
     struct Texture;
-    /// Drops the facts while nothing is compared. The other renderer keeps its maps.
+    /// Drops the facts while no pictures are compared. The second renderer keeps its maps.
     void hide();
+    /// Draws the other picture with the second renderer, if its settings, scene or size have changed.
     void draw_other(const Scene& scene, const PictureState& state, const FrameRequest& request,
                     const ComparisonFacts* comparison);
+    /// Computes the difference image of both pictures and its mean.
     void find_difference(Renderer& renderer, const FrameResult& frame);
 
     std::optional<PictureComparisonFacts> facts_;

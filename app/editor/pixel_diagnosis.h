@@ -12,15 +12,15 @@
 
 namespace si {
 
-/// Diagnoses and cross-sections of the probed pixel, one of each a light.
+/// Diagnoses and cross-sections of the probed pixel, for each light, against its ray-traced reference.
 class EditorPixelDiagnosis {
 public:
-    /// Brings the diagnoses up to date. Returns true if some came or went. @param probe null: no pixel is probed
-    /// @param fresh the probe differs from that of the last call @throws Error if the hierarchy cannot be built
+    /// Updates the diagnoses of the probed pixel. Returns true if their number has changed. @param probe null: no pixel
+    /// is probed @param fresh the probe differs from the last call's @throws Error if the ray hierarchy cannot be built
     bool update(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings, const DriverInfo& driver);
     std::span<const PixelDiagnosis> diagnoses() const { return diagnoses_; }
-    /// Lays out the cross-sections of the pixel's shadow tests, once while `shown`. Call after update(). Returns true
-    /// if they are new.
+    /// Lays out the cross-sections of the probed pixel's shadow tests, once, while a panel shows them. Call after
+    /// update(). Returns true if the cross-sections are new.
     bool update_sections(const Probe* probe, const Settings& settings, bool shown);
     const Sections& sections() const { return sections_; }
     /// Returns true while the hierarchy is being built. The next update() after ready() has the diagnoses.
@@ -31,6 +31,8 @@ public:
 private:
     using Casters = std::shared_ptr<const ReferenceScene>;
 
+    /// Builds the ray hierarchy in the background, then traces the probed pixel and diagnoses it. Returns true if the
+    /// diagnoses have changed.
     bool update_reference(const Probe* probe, bool fresh, const Scene& scene, const Settings& settings,
                           const DriverInfo& driver);
 

@@ -18,7 +18,8 @@ std::string whole_path(const fs::path& path) {
     return (error ? path : whole).lexically_normal().string();
 }
 
-/// The scene as the preset's folder finds it, wherever the program is started: below that folder by its relative path.
+/// Returns the scene's name to store in a preset file: a relative path if the scene is below the preset's folder, else
+/// an absolute one, so that the preset loads from any working directory.
 std::string scene_for(const fs::path& preset, const std::string& scene) {
     if (is_builtin_scene(scene)) return scene;
     const std::string file = whole_path(scene);
@@ -38,7 +39,7 @@ bool PresetLoader::is_built_in(const std::string& key) const {
     return std::ranges::any_of(entries_, named) || std::ranges::any_of(hard_cases_, named);
 }
 
-GuideNote PresetLoader::opened(const std::string& name_or_path, const Preset& preset) {
+GuideNote PresetLoader::register_opened(const std::string& name_or_path, const Preset& preset) {
     if (!is_built_in(name_or_path)) files_[whole_path(name_or_path)] = preset;
     return {name_or_path, preset.title, preset.about};
 }
@@ -53,17 +54,17 @@ bool PresetLoader::save(const fs::path& path, const std::string& scene, const Se
     preset.scene = scene_for(path, scene);
     preset.settings = settings;
     save_preset(preset, path);
-    preset.scene = scene;  // as the editor calls it
+    preset.scene = scene;  // under the editor's name for the scene
     files_[key] = preset;
     if (comparison_ && comparison_->with.kind == CompareKind::Preset) comparison_.reset();
     return true;
 }
 
-bool PresetLoader::knows(const std::string& path) const {
+bool PresetLoader::has_file(const std::string& path) const {
     return files_.contains(whole_path(path));
 }
 
-bool PresetLoader::holds(const std::string& path, const std::string& scene, const Settings& settings) const {
+bool PresetLoader::file_holds(const std::string& path, const std::string& scene, const Settings& settings) const {
     const auto it = files_.find(whole_path(path));
     return it != files_.end() && it->second.settings == settings &&
            (it->second.scene.empty() || it->second.scene == scene);

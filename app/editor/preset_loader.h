@@ -12,7 +12,7 @@
 
 namespace si {
 
-/// Reader and writer of presets.
+/// Reader and writer of presets, which knows the files that one editor has opened or saved.
 class PresetLoader {
 public:
     PresetLoader();
@@ -21,23 +21,26 @@ public:
     const std::vector<PresetEntry>& entries() const { return entries_; }
     /// Hard cases that ship with the program, by number.
     const std::vector<PresetEntry>& hard_cases() const { return hard_cases_; }
+    /// Returns true if the key names a guided preset or hard case that ships with the program.
     bool is_built_in(const std::string& key) const;
 
-    /// Registers an opened preset, so that its file may be saved to. Returns its note.
-    GuideNote opened(const std::string& name_or_path, const Preset& preset);
+    /// Registers an opened preset, so that saving may replace its file. Returns the note that the editor shows for the
+    /// preset.
+    GuideNote register_opened(const std::string& name_or_path, const Preset& preset);
 
-    /// Writes a preset. A file that was opened keeps its title, topic and sentence unless `about` is given. Returns
-    /// false without writing if `replace` is false and the file exists but was neither opened nor saved here. @throws
-    /// Error
+    /// Writes settings as a preset file. A file that was opened keeps its title, topic and sentence. Returns false
+    /// without writing if the file exists, was neither opened nor saved here, and `replace` is false.
+    /// @param about sentence to store instead; none: keeps the old one @throws Error
     bool save(const std::filesystem::path& path, const std::string& scene, const Settings& settings,
               const std::optional<std::string>& about, bool replace);
 
-    /// Returns true if the file was opened or saved here and holds exactly these settings.
-    bool holds(const std::string& path, const std::string& scene, const Settings& settings) const;
-    /// Returns true if the file was opened or saved here.
-    bool knows(const std::string& path) const;
+    /// Returns true if the preset file was opened or saved by this editor and holds exactly these settings.
+    bool file_holds(const std::string& path, const std::string& scene, const Settings& settings) const;
+    /// Returns true if the preset file was opened or saved by this editor.
+    bool has_file(const std::string& path) const;
 
-    /// Returns the settings to compare with. A preset's file is read at its first use, and again after save().
+    /// Returns the settings that the panel Compare compares with. Reads a preset's file at its first use, and again
+    /// after save(). @param with choice @param base the scene's own settings @param pinned settings pinned as A
     const ComparisonFacts& compare(const CompareWith& with, const Settings& base, const std::string& scene,
                                    const std::optional<PinnedSettings>& pinned);
 

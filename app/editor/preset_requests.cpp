@@ -35,8 +35,8 @@ void PresetRequestHandler::open(const std::string& name_or_path) {
     plan.scene_name = scenes_.known_name(plan.scene_name);
     const bool shown = scenes_.is_shown(plan.scene_name, plan.settings.scene.index);
     if (has_own_scene && !shown) return start(std::move(plan), remark);
-    if (has_own_scene) scenes_.cancel_loading();  // it belongs to the scene that is shown
-    const std::vector<std::string> left_out = scenes_.take(plan.settings, name_or_path);
+    if (has_own_scene) scenes_.cancel_loading();  // the preset belongs to the shown scene
+    const std::vector<std::string> left_out = scenes_.apply_settings(plan.settings, name_or_path);
     state_.files.guide = note(name_or_path, *plan.preset, plan.scene_name);
     state_.log.add(LogKind::Info, remark);
     for (const std::string& text : left_out) report(state_, text);
@@ -59,15 +59,16 @@ GuideNote PresetRequestHandler::note(const std::string& name_or_path, Preset pre
         state_.files.preset_path = name_or_path;
         persistence_.note_preset(name_or_path);
     }
-    if (!preset.scene.empty()) preset.scene = scene_name;  // as the editor calls it
-    return loader_.opened(name_or_path, preset);
+    if (!preset.scene.empty()) preset.scene = scene_name;  // under the editor's name for the scene
+    return loader_.register_opened(name_or_path, preset);
 }
 
 bool PresetRequestHandler::compare() {
     const Scene* scene = scenes_.scene();
-    const bool known = loader_.knows(state_.files.preset_path);
-    const bool unsaved = scene && (known ? !loader_.holds(state_.files.preset_path, state_.scene_name, state_.settings)
-                                         : state_.settings != scenes_.given());
+    const bool known = loader_.has_file(state_.files.preset_path);
+    const bool unsaved =
+        scene && (known ? !loader_.file_holds(state_.files.preset_path, state_.scene_name, state_.settings)
+                        : state_.settings != scenes_.original_settings());
     const std::optional<CompareWith> before = comparison_ ? std::optional(comparison_->with) : std::nullopt;
     const bool picture_comparison = state_.comparison.view != ComparisonView::Off && !state_.comparison.reference;
     const bool shown = scene && (state_.tab == BottomTab::Compare || picture_comparison);
@@ -78,11 +79,11 @@ bool PresetRequestHandler::compare() {
 }
 
 bool PresetRequestHandler::would_be_lost() const {
-    if (!unsaved_ || loader_.knows(state_.files.preset_path)) return unsaved_;
+    if (!unsaved_ || loader_.has_file(state_.files.preset_path)) return unsaved_;
     Settings work = state_.settings;
-    work.camera = scenes_.given().camera;
-    work.view = scenes_.given().view;
-    return work != scenes_.given();
+    work.camera = scenes_.original_settings().camera;
+    work.view = scenes_.original_settings().view;
+    return work != scenes_.original_settings();
 }
 
 void PresetRequestHandler::restore_lost() {

@@ -6,35 +6,38 @@
 
 namespace si {
 
-/// Opens, saves and compares presets, and restores a lost session.
+/// Handler of requests that open, save and compare presets, or restore the session that a crash has left.
 class PresetRequestHandler {
 public:
-    /// The arguments are parts of one editor and outlive this object.
+    /// @param state, memory, scenes parts of one editor; outlive this object
     PresetRequestHandler(EditorState& state, EditorPersistence& memory, SceneLoader& scenes)
         : state_(state), persistence_(memory), scenes_(scenes) {}
 
-    /// Starts to read the plan's scene, to be shown under its settings. @param remark for the log, once it is shown
+    /// Starts to load the plan's scene, to be shown with the plan's settings. @param remark line for the log, once the
+    /// scene is shown
     void start(SessionPlan plan, std::string remark);
-    /// Opens a built-in preset or a file. @throws Error
+    /// Opens a built-in preset or a preset file, and starts to load its scene. @throws Error
     void open(const std::string& name_or_path);
-    /// Writes the settings into a file, or asks first before another file is replaced (state.files.replace).
-    /// @throws Error
+    /// Writes the present settings into a preset file. Opens a question (state.files.replace) before it replaces a
+    /// file of others. @param about sentence to store; none: the old one @throws Error
     void save(const std::string& path, const std::optional<std::string>& about, bool replace);
-    /// Shows the session that a crash has left.
+    /// Restores the session that a crash has left: loads its scene and settings.
     void restore_lost();
-    /// Updates whether the settings are saved, and what they are compared with. Returns true if either has changed.
+    /// Updates the mark of unsaved settings and the settings to compare with. Returns true if either has changed.
     bool compare();
     /// Settings that state.compare names, while they are shown; else null.
     const ComparisonFacts* comparison() const { return comparison_; }
-    /// Writes presets and comparison into `frame`. Its pointers are valid until the next non-const call.
+    /// Writes the lists of presets and the comparison into `frame`. Pointers in it stay valid until the next non-const
+    /// call.
     void fill(EditorFrame& frame) const;
     /// Returns true if no preset held the settings at the last compare().
     bool unsaved() const { return unsaved_; }
-    /// Returns true if unsaved changes are more than moves of the camera.
+    /// Returns true if quitting would lose unsaved changes other than moves of the camera.
     bool would_be_lost() const;
 
 private:
-    /// Registers an opened preset as the file to save to. Returns its note.
+    /// Registers an opened preset as the file that saving writes. Returns the note that the editor shows for the
+    /// preset.
     GuideNote note(const std::string& name_or_path, Preset preset, const std::string& scene_name);
 
     EditorState& state_;

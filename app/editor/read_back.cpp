@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kHistogramBins = 200;
 
-/// The range of the histogram: all that can be stored, or, when the greys are fitted, what they span with some room.
+/// Returns the range of the histogram: all storable values, or, with fitted greys, their range with a margin.
 DepthHistogram histogram_of(const FloatImage& depth, const ViewSettings& v, const FrameResult& result) {
     double lo = 0, hi = 1;
     if (v.map_fit && v.map != MapView::Bands && result.map_white > result.map_black) {
@@ -89,7 +89,7 @@ bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, c
     const bool wanted = there && (requests.want_map_values || requests.want_map_facts);
     bool changed = false;
     if (!wanted) {
-        // A reading of an earlier frame would be wrong; one of this frame may be asked for again.
+        // Numbers of an earlier frame would be wrong; those of this frame may be requested again.
         if (map_of_ != frame_) facts_.map_values.reset();
         if (!there || facts_of_ != frame_) facts_.map_facts.reset();
         return false;
@@ -99,7 +99,7 @@ bool EditorReadBack::update_map(Renderer& renderer, const PictureState& state, c
         map_of_ = frame_;
         changed = true;
     }
-    // Moments are no depths, of which the plots are.
+    // The plots show depths, not moments.
     if (result.shown_map.channel > 0) facts_.map_facts.reset();
     if (requests.want_map_facts && result.shown_map.channel == 0 && facts_of_ != frame_) {
         facts_.map_facts = MapPlots{depth_statistics(*facts_.map_values, result.map_view_curve),
@@ -166,7 +166,7 @@ bool EditorReadBack::update_frozen(Renderer& renderer, const Scene& scene, const
     Settings seen = state.settings;
     seen.camera = state.frozen->settings;
     const FrameResult result = renderer.render(scene, seen, request);
-    facts_.frozen_usage = std::make_shared<const TexelUsage>();  // without a map nothing is read
+    facts_.frozen_usage = std::make_shared<const TexelUsage>();  // without a map no texel is read
     if (result.map_coordinates.texture == 0) return true;
     const FloatImage coordinates = renderer.read_float(result.map_coordinates, 4);
     facts_.frozen_usage = std::make_shared<const TexelUsage>(
@@ -194,7 +194,7 @@ bool EditorReadBack::update_probe(Renderer& renderer, const Scene& scene, const 
     probe_of_ = frame_;
     probed_pixel_ = pixel;
     const glm::ivec2 at = glm::clamp(*pixel, glm::ivec2(0), glm::ivec2(request.width, request.height) - 1);
-    facts_.probe.reset();  // in case of an exception
+    facts_.probe.reset();  // the old probe must not stay if probing throws
     facts_.probe = std::make_shared<const Probe>(renderer.probe(scene, state.settings, request, at.x, at.y));
     if (sticks && hides(*facts_.probe, *state.probe_anchor)) place = AnchorPlace::Hidden;
     facts_.anchor_place = place;

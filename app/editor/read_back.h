@@ -14,36 +14,44 @@
 
 namespace si {
 
-/// Reads shown numbers back from the renderer's images.
+/// Read-back of numbers that panels show from the renderer's images: probe, loupe, map, overlay values.
 class EditorReadBack {
 public:
-    /// Reads back what `requests` need. Returns true if the editor now shows something else. Needs the renderer's
-    /// OpenGL context. @param drawn the frame is a new one @throws Error
+    /// Reads back the numbers that `requests` name. Returns true if they have changed. Needs the renderer's OpenGL
+    /// context. @param drawn the frame is a new one @throws Error
     bool update(Renderer& renderer, const Scene& scene, const PictureState& state, const EditorRequests& requests,
                 const FrameRequest& request, const FrameResult& result, bool drawn);
-    /// Finds the texels that the frozen camera reads. Returns true if it has drawn a frame of its own for that, after
-    /// which the renderer may no longer hold the last one (Renderer::has_images_of()). @throws Error
+    /// Finds the map texels that the frozen camera's pixels read. Returns true if it drew a frame for that purpose; the
+    /// renderer may then no longer hold the last frame (Renderer::has_images_of()). @throws Error
     bool update_frozen(Renderer& renderer, const Scene& scene, const PictureState& state,
                        const EditorRequests& requests);
-    /// Drops all numbers, when there is no frame.
+    /// Drops all numbers read back. Call when there is no frame.
     void clear();
     /// Returns true if update() has the diagnosis of the probed pixel.
     bool has_news() const { return diagnosis_.ready(); }
-    /// Waits for that diagnosis.
+    /// Waits for the diagnosis of the probed pixel. Returns true if there is one.
     bool finish_tracing() const;
+    /// Returns all numbers that were read back, with the diagnoses of the probed pixel.
     ReadBackFacts facts() const;
 
 private:
     /// Lists objects that culling removes from the map, while the list of objects is shown.
     bool update_lost(const Scene& scene, const PictureState& state, const FrameResult& result);
+    // The functions below return true if their numbers have changed.
+    /// Probes the chosen pixel of the frame on the GPU.
     bool update_probe(Renderer& renderer, const Scene& scene, const PictureState& state, const FrameRequest& request,
                       const FrameResult& result);
+    /// Reads back the pixels around the loupe's centre.
     bool update_loupe(const PictureState& state, const FrameResult& result);
+    /// Reads back the map viewer's depth image, and computes its statistics and histogram.
     bool update_map(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                     const FrameResult& result);
+    /// Reads back the values of the active pane's overlay.
     bool update_overlay(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                         const FrameResult& result);
+    /// Reads back the share of texels that kernels fetch (FrameResult::texels_read).
     bool update_exact(Renderer& renderer, const EditorRequests& requests, const FrameResult& result);
+    /// Reads back each pixel's place in the map, and finds the texels that the picture reads.
     bool update_links(Renderer& renderer, const PictureState& state, const EditorRequests& requests,
                       const FrameResult& result);
 

@@ -17,7 +17,7 @@ namespace {
 
 struct LightNeed : ReferenceNeed {
     int light = 0;
-    bool light_map = false;  ///< else it is a reference
+    bool light_map = false;  ///< light map; else reference
 };
 
 /// Returns the references and light maps that a frame needs: of the shown light, and of lights whose source they are.
@@ -56,8 +56,8 @@ void EditorReference::clear() {
     light_maps_.clear();
 }
 
-void EditorReference::rest() {
-    if (job_.busy()) return;  // the cache is the job's
+void EditorReference::release_unused_memory() {
+    if (job_.busy()) return;  // the job uses the cache
     const bool shown =
         std::ranges::any_of(pictures_, [&](const auto& p) { return p && p->traced.receivers == cache_.receivers(); });
     if (!shown) cache_.clear();
@@ -166,7 +166,7 @@ bool EditorReference::update(Renderer& renderer, const Scene& scene, const Setti
         if (stale || unwanted) job_.cancel();
         return changed;
     }
-    // A picture that was found just now is drawn before it is judged what is missing.
+    // A new reference is drawn first; only then missing work is determined.
     const auto shown = picture(settings.view.light);
     if (drawn || changed || (shown && request.reference != shown) || request.traced != pictures_ ||
         request.light_maps != light_maps_)

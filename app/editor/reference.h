@@ -14,10 +14,11 @@
 
 namespace si {
 
-/// Cache of references and light maps, and the one job that computes them. All calls come from the renderer's thread.
+/// Ray-traced references and baked light maps of the editor's picture, computed by one background job. All calls come
+/// from the renderer's thread.
 class EditorReference {
 public:
-    /// Last reference of a light, for FrameRequest::truth; null: none.
+    /// Returns the last ray-traced reference of a light, for FrameRequest::truth; null: none. @param light index
     std::shared_ptr<const ReferencePicture> picture(int light) const;
     /// References by light, for FrameRequest::traced.
     const std::vector<std::shared_ptr<const ReferencePicture>>& pictures() const { return pictures_; }
@@ -25,21 +26,22 @@ public:
     /// Light maps by light, for FrameRequest::light_maps.
     const std::vector<std::shared_ptr<const LightMap>>& light_maps() const { return light_maps_; }
 
-    /// Requests of the error panel.
+    /// Requests of the error panel to the reference: cancel tracing, save errors.
     struct Requests {
         bool cancel = false;                    ///< stop tracing until something changes
         std::optional<std::string> save_error;  ///< all metrics of the frame as JSON into this file
     };
-    /// Takes finished work and starts what `frame` lacks. Returns true if the scene has to be drawn again, or the facts
-    /// have changed. @param drawn the frame is a new one; nothing is started then, because a drag may follow
-    /// @throws Error
+    /// Stores finished references and light maps, and starts to compute those that `frame` lacks. Returns true if the
+    /// scene has to be drawn again, or the facts have changed. @param drawn the frame is a new one; no work starts
+    /// then, because a drag may follow @throws Error
     bool update(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                 const FrameResult& frame, bool drawn, const Requests& requests);
-    /// Drops all references, when there is no frame.
+    /// Drops all references. Call when there is no frame.
     void clear();
-    /// Releases references of views that are no longer shown.
-    void rest();
+    /// Releases references of views that are no longer shown. Call when the editor is idle.
+    void release_unused_memory();
 
+    /// Returns state, progress and times of the reference of the shown light.
     ReferenceFacts facts(const FrameResult& frame, int shown_light) const;
     bool busy() const { return job_.busy(); }
     /// Returns true if update() has news, or the progress has changed.
@@ -50,17 +52,21 @@ public:
     std::string take_remark() { return std::exchange(remark_, {}); }
 
 private:
+    /// Result of the background job: a reference, a light map or a remark.
     struct Found {
         int light = 0;
         std::shared_ptr<const ReferencePicture> picture;  ///< null: unchanged
         std::string remark;
         std::shared_ptr<const LightMap> light_map;  ///< null: unchanged
     };
-    /// Takes the result of the job. Returns true if there was one.
+    /// Stores the result of the background job. Returns true if the job has ended.
     bool poll();
+    /// Starts the background job that traces a light's reference.
     void start_trace(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                      int light);
+    /// Starts the background job that bakes a light's light map.
     void start_bake(const Scene& scene, const Settings& settings, const FrameResult& frame, int light);
+    /// Starts the background job that writes all error metrics of the frame as JSON into a file.
     void start_save(Renderer& renderer, const Scene& scene, const Settings& settings, const FrameRequest& request,
                     const std::string& path);
 

@@ -14,8 +14,8 @@
 namespace si {
 namespace {
 
-/// `settings`, with what still is as `from` has it replaced by what `to` has: a person's changes survive a change of
-/// scene, the scene's own suggestions do not.
+/// Returns `settings` with the values that equal those of `from` replaced by those of `to`. The user's changes survive
+/// a change of scene; the scene's suggestions do not.
 Settings rebased(const Settings& settings, const Settings& from, const Settings& to) {
     Settings out = settings;
     for (const SettingRef& ref : all_settings(to))
@@ -32,7 +32,7 @@ Settings rebased(const Settings& settings, const Settings& from, const Settings&
 SceneLoader::SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict)
     : state_(state), persistence_(memory), strict_(strict), loading_(std::move(read)) {}
 
-void SceneLoader::begin(const Settings& settings) {
+void SceneLoader::set_initial_settings(const Settings& settings) {
     state_.settings = base_ = given_ = settings;
     state_.history.reset(settings);
 }
@@ -71,19 +71,19 @@ void SceneLoader::cancel_loading() {
         if (!has_scene_) problem_ = text;
     }
     loading_.cancel();
-    give_up_step();
+    drop_undo_step();
 }
 
-void SceneLoader::give_up_step() {
-    if (std::exchange(arrival_.step, false)) state_.history.stay();
+void SceneLoader::drop_undo_step() {
+    if (std::exchange(arrival_.step, false)) state_.history.cancel_move();
     state_.between_steps = false;
 }
 
-void SceneLoader::keep_scene() {
+void SceneLoader::reset_scene_index() {
     if (!has_scene_ || state_.settings.scene.index == file_scene_) return;
     const Settings before = state_.settings;
     state_.settings.scene.index = seen_index_ = file_scene_;
-    state_.history.follow(before, state_.settings);
+    state_.history.amend_step(before, state_.settings);
 }
 
 bool SceneLoader::poll() {
@@ -98,11 +98,11 @@ bool SceneLoader::poll() {
             problem_ = e.what();
             failure_ = std::current_exception();
         }
-        keep_scene();
-        give_up_step();
+        reset_scene_index();
+        drop_undo_step();
         report(state_, e.what());
         if (std::error_code error; !std::filesystem::exists(arrival_.scene_name, error))
-            persistence_.drop(arrival_.scene_name);
+            persistence_.drop_recent(arrival_.scene_name);
     }
     return true;
 }
@@ -123,7 +123,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     std::vector<std::string> left_out, notes;
     if (arrival.plan) {
         Session session = compose_session(*arrival.plan, std::move(loaded), first && strict_ ? nullptr : &left_out);
-        // Changes made by hand while the first scene was being read are kept.
+        // The user's changes during the loading of the first scene are kept.
         state_.settings = first ? rebased(state_.settings, base_, session.settings) : session.settings;
         given_ = session.settings;
         suggests_ = !arrival.plan->preset;
@@ -135,7 +135,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
         const Settings base = base_settings(loaded);
         state_.settings = arrival.settings ? *arrival.settings : rebased(state_.settings, base_, base);
         if (arrival.settings) check_objects(loaded, state_.settings, arrival.scene_name, &left_out);
-        // Earlier changes stay unsaved under the new scene.
+        // Earlier changes stay unsaved in the new scene.
         const auto was_here = given_at_.find({arrival.scene_name, arrival.guide.key});
         given_ = !arrival.settings                             ? rebased(given_, base_, base)
                  : arrival.step && was_here != given_at_.end() ? was_here->second
@@ -180,7 +180,7 @@ void SceneLoader::show_scene(Scene loaded, const Arrival& arrival) {
     if (!arrival.remark.empty()) state_.log.add(LogKind::Info, arrival.remark);
 }
 
-void SceneLoader::follow_step() {
+void SceneLoader::show_undo_step() {
     const Place place = state_.history.place();
     const Settings settings = state_.history.settings();
     show({.scene_name = place.scene,
@@ -190,12 +190,12 @@ void SceneLoader::follow_step() {
           .step = true});
 }
 
-bool SceneLoader::has_moved() const {
+bool SceneLoader::scene_settings_changed() const {
     return has_scene_ && (state_.settings.scene.index != seen_index_ || state_.settings.scene != posed_ ||
                           state_.settings.objects != followed_objects_);
 }
 
-void SceneLoader::follow_settings() {
+void SceneLoader::follow_scene_settings() {
     if (state_.settings.scene.index != seen_index_) follow_file_scene();
     if (state_.settings.scene != posed_) follow_time();
     follow_objects();
@@ -223,7 +223,7 @@ void SceneLoader::follow_time() {
     for (const SettingRef& ref : all_settings(base))
         if (ref.param->scope == Scope::Light && get_value(state_.settings, ref) == get_value(base_, ref))
             set_value(state_.settings, ref, get_value(base, ref));
-    if (state_.settings != before) state_.history.follow(before, state_.settings);
+    if (state_.settings != before) state_.history.amend_step(before, state_.settings);
     base_ = base;
 }
 
@@ -236,7 +236,7 @@ std::string SceneLoader::known_name(const std::string& name) const {
     return std::filesystem::equivalent(name, state_.scene_name, error) ? state_.scene_name : name;
 }
 
-std::vector<std::string> SceneLoader::take(const Settings& settings, const std::string& what) {
+std::vector<std::string> SceneLoader::apply_settings(const Settings& settings, const std::string& what) {
     std::vector<std::string> left_out;
     Settings taken = settings;
     if (has_scene_) check_objects(scene_, taken, what, &left_out);

@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Settings to apply when a scene is loaded. Without plan and settings, changes made by hand are kept.
+/// Scene to load, with the settings to apply once it is loaded. Without plan and settings, the user's changes are kept.
 struct Arrival {
     std::string scene_name;
     int file_scene = -1;
@@ -26,66 +26,74 @@ struct Arrival {
     bool lost = false;  ///< the session that a crash has left
 };
 
-/// Reads scenes in the background and switches the editor to them.
+/// Loader of scenes in the background; switches the editor to a scene once it is loaded, and poses the shown scene.
 class SceneLoader {
 public:
-    /// @param state, memory of the editor; outlive this object @param read makes scenes; empty: load_scene()
-    /// @param strict an option that the first scene lacks is an error; else it is ignored
+    /// Makes a loader without a scene. @param state, memory parts of the editor; outlive this object @param read reads
+    /// scenes; empty: load_scene() @param strict true: options that the first scene lacks are errors; false: ignored
     SceneLoader(EditorState& state, EditorPersistence& memory, SceneReader read, bool strict);
 
-    /// Sets the settings that hold until the first scene is loaded.
-    void begin(const Settings& settings);
+    /// Sets the editor's settings until the first scene is loaded.
+    void set_initial_settings(const Settings& settings);
 
     /// Scene that is shown; null: none yet.
     const Scene* scene() const { return has_scene_ ? &scene_ : nullptr; }
-    /// Returns the scene. @throws Error if there is none, or (strict) the first one lacks something of the options
+    /// Returns the shown scene. @throws Error if there is none, or (strict) the first scene lacks something that the
+    /// command line names
     const Scene& require() const;
     /// Reason why there is no scene; empty: it is loaded, or being read.
     const std::string& problem() const { return problem_; }
     /// Remarks about the first scene.
     const std::vector<std::string>& notes() const { return notes_; }
 
-    /// Starts to read the scene, to be shown by a later poll().
+    /// Starts to load a scene in the background. A later poll() shows it.
     void load(Arrival arrival);
-    /// Shows the settings of `arrival`. Their scene is read first unless it is shown already.
+    /// Shows the scene and settings of `arrival`. Loads the scene first unless it is shown already.
     void show(Arrival arrival);
-    /// Cancels the reading; the shown scene stays.
+    /// Cancels the loading of a scene; the shown scene stays.
     void cancel_loading();
-    /// Sets scene.index back to the shown scene's, after a cancelled or failed reading.
-    void keep_scene();
-    /// Switches to the scene once it is read. Returns true if anything has happened.
+    /// Resets the setting scene.index to the shown scene's, after a cancelled or failed loading.
+    void reset_scene_index();
+    /// Switches the editor to a scene whose loading has ended. Returns true if a loading has ended or failed.
     bool poll();
-    /// Waits for the scene that is being read and switches to it.
+    /// Waits for the scene that is being loaded and switches the editor to it.
     void finish();
     const SceneLoading& loading() const { return loading_; }
-    /// Returns true if a step of undo or redo waits for follow_step().
-    bool has_step() const { return state_.between_steps && !arrival_.step; }
-    /// Shows that step. Its scene is read first unless it is shown already.
-    void follow_step();
-    /// Returns true if the settings name another scene of the file, or another time, than the shown scene has.
-    bool has_moved() const;
-    /// Reads that scene, or poses the shown one at that time. @throws Error
-    void follow_settings();
+    /// Returns true if a step of undo or redo waits for show_undo_step().
+    bool undo_step_waits() const { return state_.between_steps && !arrival_.step; }
+    /// Shows the step of undo or redo that waits for its scene. Loads the scene first unless it is shown already.
+    void show_undo_step();
+    /// Returns true if scene.* (scene of the file, time, placement) or settings of objects differ from those of the
+    /// shown scene.
+    bool scene_settings_changed() const;
+    /// Makes the shown scene match scene.* and the settings of objects. Loads another scene of the file if scene.index
+    /// has changed, else poses the shown scene. @throws Error
+    void follow_scene_settings();
 
-    /// Returns true if that scene of that file is shown.
+    /// Returns true if the editor shows this scene. @param file_scene index of the scene in a glTF file; -1: its
+    /// default
     bool is_shown(const std::string& scene_name, int file_scene) const;
-    /// Returns the shown scene's name if `name` is the same file, else `name`.
+    /// Returns the shown scene's name if `name` is another path of the same file, else `name`.
     std::string known_name(const std::string& name) const;
-    /// Replaces the scene's own settings. Returns a message for each thing that the settings name and the scene lacks.
-    /// @param what source of the settings, for these messages
-    std::vector<std::string> take(const Settings& settings, const std::string& what);
-    /// Goes back to the scene's own settings.
+    /// Replaces the settings that the scene started with. Returns a message for each object or camera that the settings
+    /// name and the scene lacks. @param what source of the settings, for these messages
+    std::vector<std::string> apply_settings(const Settings& settings, const std::string& what);
+    /// Resets all settings to those that the scene or preset started with.
     void reset();
     /// Settings as the scene or preset brought them.
-    const Settings& given() const { return given_; }
+    const Settings& original_settings() const { return given_; }
 
 private:
-    /// Forgets the step of undo or redo that waits for its scene.
-    void give_up_step();
+    /// Drops the step of undo or redo that waits for its scene, and stays at the present step.
+    void drop_undo_step();
+    /// Makes a loaded scene the shown one, and applies the settings that arrived with it.
     void show_scene(Scene loaded, const Arrival& arrival);
     /// Returns the settings of the scene without any change; program defaults under a preset.
     Settings base_of_scene() const;
+    /// Starts to load the scene of the file that scene.index names, unless the editor shows it.
     void follow_file_scene();
+    /// Poses the shown scene by scene.* (time, animation, placement), and updates settings of lights that the file
+    /// animates.
     void follow_time();
     /// Applies object settings (shown, cast, receive, culling) to the scene.
     void follow_objects();

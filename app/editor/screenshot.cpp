@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-constexpr int kMostShots = 100000;
+constexpr int kMaxShots = 100000;
 
 const char* part_of(Shot of) {
     switch (of) {
@@ -29,7 +29,7 @@ const char* part_of(Shot of) {
     return "window";
 }
 
-/// "hard/bias" or "/a/fox.glb" as a part of a file's name.
+/// Converts a scene's name ("hard/bias", "/a/fox.glb") to a part of a file name.
 std::string plain_name(const std::string& scene) {
     std::string out = std::filesystem::path(scene).stem().string();
     for (char& c : out)
@@ -37,8 +37,8 @@ std::string plain_name(const std::string& scene) {
     return out.empty() ? "screenshot" : out;
 }
 
-/// Makes an empty file, unless one of this name is there.
-bool take_name(const std::filesystem::path& path) {
+/// Makes an empty file. Returns false if a file of this name exists.
+bool make_empty_file(const std::filesystem::path& path) {
     errno = 0;
     std::FILE* file = std::fopen(path.c_str(), "wx");
     if (file) std::fclose(file);
@@ -65,14 +65,14 @@ ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels)
 std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const std::string& scene,
                                       const std::filesystem::path& folder, const std::string& svg) {
     const std::string name = plain_name(scene);
-    for (int number = 1; number < kMostShots; ++number) {
+    for (int number = 1; number < kMaxShots; ++number) {
         const std::filesystem::path path = folder / fmt::format("{}-{}-{}.png", name, part_of(of), number);
         const std::filesystem::path drawing = std::filesystem::path(path).replace_extension(".svg");
-        if (!take_name(path)) continue;
+        if (!make_empty_file(path)) continue;
         std::error_code ignored;
         bool drawing_taken = false;
         try {
-            drawing_taken = !svg.empty() && take_name(drawing);
+            drawing_taken = !svg.empty() && make_empty_file(drawing);
             if (!svg.empty() && !drawing_taken) {
                 std::filesystem::remove(path, ignored);
                 continue;
@@ -86,7 +86,7 @@ std::filesystem::path save_screenshot(const ByteImage& picture, Shot of, const s
         }
         return path;
     }
-    throw Error(fmt::format("{}: {} screenshots are there already; move them elsewhere", folder.string(), kMostShots));
+    throw Error(fmt::format("{}: {} screenshots are there already; move them elsewhere", folder.string(), kMaxShots));
 }
 
 }  // namespace si

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Returns a part of the window's picture. @param pixels pixels of the picture per unit of the screen
+/// Cuts a rectangle out of the window's picture. @param pixels pixels of the picture per unit of the screen
 ByteImage cut_out(const ByteImage& window, const ScreenRect& rect, float pixels);
 
 /// Writes a picture into `folder` as SCENE-PART-NUMBER.png, with the first number that no file has. Returns its path.

@@ -10,7 +10,8 @@
 
 namespace si {
 
-/// One search at a time, and the result of the last one. @tparam Found result of a search
+/// Base of the editor's background searches: one search at a time, and the result of the last one.
+/// @tparam Found result of a search
 template <typename Found>
 class EditorSearch {
 public:
@@ -22,7 +23,8 @@ public:
     bool moved() const { return job_.moved(); }
     /// Waits for the search under way.
     void wait() const { job_.wait(); }
-    /// Takes the result of a search that has ended. Returns true if one has; `problem` gets the reason of a failure.
+    /// Stores the result of a search that has ended. Returns true if a search has ended. @param problem receives the
+    /// reason of a failure
     bool poll(std::string& problem) {
         auto outcome = job_.poll();
         if (!outcome) return false;
@@ -33,7 +35,7 @@ public:
     }
 
 protected:
-    /// @param cancelled message after cancel()
+    /// Makes a search that does not run yet. @param cancelled message after cancel()
     explicit EditorSearch(std::string cancelled) : cancelled_(std::move(cancelled)) {}
     ~EditorSearch() = default;
 

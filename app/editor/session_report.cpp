@@ -9,8 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostTold = 100;     ///< messages of a kind
-constexpr std::size_t kMostSamples = 200;  ///< then every second one goes, and they are taken half as often
+constexpr std::size_t kMaxMessages = 100;  ///< largest number of messages of a kind
+constexpr std::size_t kMaxSamples = 200;   ///< beyond it every second sample is dropped, and the interval doubles
 
 Json errors_json(const Log& log) {
     std::size_t count = 0;
@@ -18,7 +18,7 @@ Json errors_json(const Log& log) {
     for (const LogLine& line : log.lines()) {
         if (line.kind != LogKind::Error) continue;
         count += std::size_t(line.count);
-        if (first.size() < kMostTold) first.push_back(line.text);
+        if (first.size() < kMaxMessages) first.push_back(line.text);
     }
     return {{"count", count}, {"first", first}};
 }
@@ -26,21 +26,21 @@ Json errors_json(const Log& log) {
 }  // namespace
 
 void SessionReport::note_driver(const std::string& message) {
-    if (driver_.size() < kMostTold) driver_.push_back(message);
+    if (driver_.size() < kMaxMessages) driver_.push_back(message);
     ++driver_count_;
 }
 
 void SessionReport::sample(double now_s) {
     if (began_s_ < 0) began_s_ = now_s;
     samples_.push_back({now_s - began_s_, memory_report()});
-    if (samples_.size() < kMostSamples) return;
+    if (samples_.size() < kMaxSamples) return;
     std::vector<Sample> fewer;
     for (std::size_t i = 1; i < samples_.size(); i += 2) fewer.push_back(std::move(samples_[i]));
     samples_ = std::move(fewer);
     every_s_ *= 2;
 }
 
-void SessionReport::follow(double now_s, const Log& log) {
+void SessionReport::write_when_due(double now_s, const Log& log) {
     if (path_.empty() || now_s < due_s_) return;
     sample(now_s);
     due_s_ = now_s + every_s_;

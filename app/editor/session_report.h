@@ -11,13 +11,13 @@
 
 namespace si {
 
-/// Collects and writes the report.
+/// Report of an editor's session as a JSON file: collects its facts and writes them at intervals.
 class SessionReport {
 public:
-    /// @param path file of the report; empty: none is written
+    /// Begins a session report. @param path file of the report; empty: none is written
     explicit SessionReport(std::filesystem::path path) : path_(std::move(path)) {}
 
-    /// Adds a message of the OpenGL driver.
+    /// Adds a message of the OpenGL driver to the report.
     void note_driver(const std::string& message);
     /// Keeps the first description of faulty numbers.
     void note_unsound(std::string_view what) {
@@ -26,19 +26,21 @@ public:
     /// Counts a frame of the editor.
     void note_frame() { ++frames_; }
     const std::string& unsound() const { return unsound_; }
-    /// Samples the process's memory and writes the report, when it is due. Takes the errors from the log.
+    /// Samples the process's memory and writes the report when it is due, with the errors of the log.
     /// @param now_s time of a steady clock, seconds @throws Error
-    void follow(double now_s, const Log& log);
+    void write_when_due(double now_s, const Log& log);
     /// Stops writing, after a failure.
-    void give_up() { path_.clear(); }
-    /// Writes the final report. @throws Error
+    void stop_writing() { path_.clear(); }
+    /// Writes the session report to its file. @throws Error
     void write(const Log& log);
 
 private:
+    /// Memory of the process at one time of the session.
     struct Sample {
         double seconds = 0;
         MemoryReport memory;
     };
+    /// Adds a sample of the process's memory; halves the number of samples when there are too many.
     void sample(double now_s);
 
     std::filesystem::path path_;

@@ -15,15 +15,15 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kStill = 700ms;            ///< nothing is foreseen while settings move
+constexpr auto kStill = 700ms;            ///< time without new frames before the thread starts
 constexpr int kWidth = 64, kHeight = 36;  ///< size of the warm-up pictures, pixels
-constexpr std::size_t kMostForeseen = 3;  ///< the oldest give way
+constexpr std::size_t kMaxQueued = 3;     ///< largest length of the queue; the oldest frames are dropped
 
-/// Has the thread take only what processor time nobody else wants.
-void give_way() {
+/// Gives the thread the lowest priority, so that it uses idle processor time only.
+void lower_priority() {
 #if defined(__linux__)
     const sched_param none{};
-    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // may fail, without harm
+    pthread_setschedparam(pthread_self(), SCHED_IDLE, &none);  // a failure is harmless
 #endif
 }
 
@@ -44,7 +44,8 @@ struct ShaderWarmup::Stage {
         request.traced.clear();
         request.light_maps.clear();
         renderer.render(*r.scene, r.settings, request);
-        // Once more with the maps kept, of which look-ups may then know more; another size, as nothing else is kept.
+        // The second frame uses cached maps, whose look-ups may have other shaders. Its size differs, so that the rest
+        // is drawn again.
         request.force = false, ++request.width;
         renderer.render(*r.scene, r.settings, request);
         probe(renderer, r, request);
@@ -61,24 +62,24 @@ struct ShaderWarmup::Stage {
 ShaderWarmup::ShaderWarmup() : thread_([this](const std::stop_token& end) { run(end); }) {}
 ShaderWarmup::~ShaderWarmup() = default;
 
-void ShaderWarmup::foresee(WarmupFrame warmup) {
+void ShaderWarmup::enqueue(WarmupFrame warmup) {
     {
         const std::lock_guard lock(mutex_);
-        foreseen_.push_back(std::move(warmup));
-        ++asked_;
-        if (foreseen_.size() > kMostForeseen) foreseen_.pop_front();
+        queue_.push_back(std::move(warmup));
+        ++queued_count_;
+        if (queue_.size() > kMaxQueued) queue_.pop_front();
     }
     changed_.notify_all();
 }
 
 void ShaderWarmup::forget() {
     const std::lock_guard lock(mutex_);
-    foreseen_.clear();
+    queue_.clear();
 }
 
 void ShaderWarmup::wait() const {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [&] { return foreseen_.empty() && !working_; });
+    changed_.wait(lock, [&] { return queue_.empty() && !working_; });
 }
 
 std::size_t ShaderWarmup::done() const {
@@ -86,15 +87,15 @@ std::size_t ShaderWarmup::done() const {
     return done_;
 }
 
-std::unique_ptr<WarmupFrame> ShaderWarmup::take(const std::stop_token& end) {
+std::unique_ptr<WarmupFrame> ShaderWarmup::next_frame(const std::stop_token& end) {
     std::unique_lock lock(mutex_);
     while (!end.stop_requested()) {
-        if (!changed_.wait(lock, end, [&] { return !foreseen_.empty(); })) break;
-        const std::size_t before = asked_;
-        if (changed_.wait_for(lock, end, kStill, [&] { return asked_ != before; }) || foreseen_.empty()) continue;
+        if (!changed_.wait(lock, end, [&] { return !queue_.empty(); })) break;
+        const std::size_t before = queued_count_;
+        if (changed_.wait_for(lock, end, kStill, [&] { return queued_count_ != before; }) || queue_.empty()) continue;
         if (end.stop_requested()) break;
-        auto next = std::make_unique<WarmupFrame>(std::move(foreseen_.back()));  // what was shown last
-        foreseen_.pop_back();
+        auto next = std::make_unique<WarmupFrame>(std::move(queue_.back()));  // newest frame first
+        queue_.pop_back();
         working_ = true;
         return next;
     }
@@ -102,12 +103,12 @@ std::unique_ptr<WarmupFrame> ShaderWarmup::take(const std::stop_token& end) {
 }
 
 void ShaderWarmup::run(const std::stop_token& end) {
-    give_way();
-    while (const auto next = take(end)) {
+    lower_priority();
+    while (const auto next = next_frame(end)) {
         try {
             Stage().play(*next);
         } catch (const std::exception&) {
-            // The frame itself will fail alike, and say why.
+            // The frame itself will fail in the same way and report the reason.
         }
         {
             const std::lock_guard lock(mutex_);

@@ -13,38 +13,41 @@
 
 namespace si {
 
-/// A frame whose shaders are compiled, including those of its probe.
+/// Frame whose shaders the warm-up compiles, including those of its probe.
 struct WarmupFrame {
     std::shared_ptr<const Scene> scene;  ///< proxy of the frame's scene, by stand_in()
     Settings settings;
     FrameRequest request;
 };
 
-/// Queue of frames and the thread that draws them for their shaders.
+/// Background thread that draws queued frames so that the driver compiles their shaders in advance.
 class ShaderWarmup {
 public:
     ShaderWarmup();
     /// Waits for the frame under way.
     ~ShaderWarmup();
 
-    /// Queues a frame. The thread starts when nothing has been queued for a while, with the newest frame.
-    void foresee(WarmupFrame warmup);
-    /// Empties the queue, when scene or shader files have changed.
+    /// Queues a frame whose shaders will be needed soon. The thread starts once nothing was queued for a while, with
+    /// the newest frame.
+    void enqueue(WarmupFrame warmup);
+    /// Empties the queue of frames. Call when the scene or shader files have changed.
     void forget();
-    /// Waits until the queue is empty.
+    /// Waits until the queue of frames is empty.
     void wait() const;
-    /// Returns the number of frames that were drawn.
+    /// Returns the number of frames whose shaders were compiled.
     std::size_t done() const;
 
 private:
     struct Stage;
+    /// Loop of the thread: draws one queued frame after the other until `end`.
     void run(const std::stop_token& end);
-    std::unique_ptr<WarmupFrame> take(const std::stop_token& end);
+    /// Waits for a queued frame and removes it from the queue; null once `end` is requested.
+    std::unique_ptr<WarmupFrame> next_frame(const std::stop_token& end);
 
     mutable std::mutex mutex_;
     mutable std::condition_variable_any changed_;
-    std::deque<WarmupFrame> foreseen_;
-    std::size_t done_ = 0, asked_ = 0;
+    std::deque<WarmupFrame> queue_;
+    std::size_t done_ = 0, queued_count_ = 0;
     bool working_ = false;
     std::jthread thread_;  ///< last: ends before what it uses
 };

@@ -21,8 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostFolders = 8;            ///< editors that sweep at once
-constexpr std::size_t kMostFinished = 16;  ///< settings whose numbers are remembered
+constexpr int kMaxFolders = 8;            ///< largest number of editors that sweep at the same time
+constexpr std::size_t kMaxFinished = 16;  ///< largest number of remembered measurements
 
 bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan& plan) {
     if (!has_journal(folder)) return false;
@@ -30,23 +30,23 @@ bool holds_sweep(const fs::path& folder, const SweepSpec& spec, const SweepPlan&
         const SweepState state = read_journal(folder);
         return state.plan == plan_key(plan) && spec_difference(state.spec, spec_json(spec)).empty();
     } catch (const std::exception&) {
-        return false;  // a damaged one is begun anew
+        return false;  // a damaged sweep starts again
     }
 }
 
 struct SweepFolder {
     fs::path path;
-    bool made = false;  ///< it was not there
+    bool made = false;  ///< this run has made the folder
 };
 
-/// The folder whose journal this sweep goes on with, or one that is empty now.
+/// Returns the folder whose journal this sweep continues, or an empty folder.
 SweepFolder folder_for(const fs::path& parent, const SweepSpec& spec, const SweepPlan& plan) {
     const auto numbered = [&](int i) { return parent / fmt::format("sweep-{}", i); };
-    for (int i = 1; i <= kMostFolders; ++i)
+    for (int i = 1; i <= kMaxFolders; ++i)
         if (holds_sweep(numbered(i), spec, plan)) return {numbered(i)};
     std::string problem;
-    for (int i = 1; i <= kMostFolders; ++i) try {
-            forget_sweep(numbered(i));
+    for (int i = 1; i <= kMaxFolders; ++i) try {
+            remove_sweep_files(numbered(i));
             return {numbered(i), fs::create_directories(numbered(i))};
         } catch (const std::exception& e) {
             problem = e.what();
@@ -54,8 +54,8 @@ SweepFolder folder_for(const fs::path& parent, const SweepSpec& spec, const Swee
     throw Error(problem);
 }
 
-/// The column that can be shown across: the chosen one while cases have values there, of a running sweep all of them,
-/// so that the plot does not change from dot to dot; else the first cost that they have.
+/// Returns the key of the cost axis: the chosen column if cases have values there (during a sweep all of them, so that
+/// the plot does not switch from dot to dot), else the first cost column with values.
 std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
     const auto known = [&](std::size_t column, bool of_all) {
         std::size_t cases = 0, have = 0;
@@ -73,7 +73,7 @@ std::string shown_cost(const SweepFacts& facts, const std::string& chosen) {
     return chosen;
 }
 
-/// Without what has no effect and what a person looks with.
+/// Returns the settings without those that have no effect, and without the camera's and the view's.
 Settings comparable(const Settings& settings) {
     return without_ineffective_settings(measured_settings(settings));
 }
@@ -142,8 +142,8 @@ void EditorSweep::drop_empty() {
                 const auto cases = read_journal(folder).cases;
                 if (std::ranges::any_of(cases, [](const auto& c) { return c.second.finished; })) return true;
             }
-            forget_sweep(folder);
-            fs::remove(folder);  // fails when something else is in it, which then stays
+            remove_sweep_files(folder);
+            fs::remove(folder);  // fails if other files are in the folder, which then stays
             return true;
         } catch (const std::exception&) {
             return false;
@@ -155,10 +155,10 @@ void EditorSweep::cancel() {
     if (thread_) thread_->cancel_sweep();
 }
 
-void EditorSweep::follow(const Scene& scene, const std::string& scene_name, const Settings& settings,
-                         const SweepPanel& panel) {
+void EditorSweep::measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
+                                  const SweepPanel& panel) {
     Settings wanted = measured_settings(settings);
-    // Dots of one plot are of pictures of one size, held against one truth.
+    // Dots of one plot belong to pictures of one size, compared with one kind of reference.
     const int width = shown_ ? shown_->spec.width : panel.width, height = shown_ ? shown_->spec.height : panel.height;
     wanted.truth.area = shown_ ? shown_->spec.area : panel.area;
     const CostCase cost = shown_ ? swept_cost_ : panel.timed;
@@ -206,7 +206,7 @@ void EditorSweep::save(const fs::path& folder) const {
     std::error_code error;
     if (!fs::equivalent(folder, shown_->folder, error)) {
         fs::create_directories(folder);
-        if (has_journal(folder)) forget_sweep(folder);
+        if (has_journal(folder)) remove_sweep_files(folder);
         fs::copy_file(shown_->folder / kJournalFile, folder / kJournalFile);
         copy_pictures(shown_->folder, folder);
     }
@@ -225,17 +225,17 @@ void EditorSweep::wait() const {
     if (thread_) thread_->wait();
 }
 
-void EditorSweep::take_news() {
+void EditorSweep::fetch_results() {
     MeasuringThread::Status status = thread_->status();
     seen_ = status.version;
     fresh_ = true;
     present_ = std::move(status.measured);
     facts_.measuring_present = status.measuring;
     facts_.present_problem = status.measure_problem;
-    facts_.present_is_old = status.measuring && present_ && present_->time;  // times come last
+    facts_.present_is_old = status.measuring && present_ && present_->time;  // times are measured last
     if (!status.measuring && status.measure_problem.empty() && present_ && followed_)
         note_finished({*followed_, *present_});
-    if (opened_ && status.sweep == seen_sweep_) return;  // its sweep is not the one that is shown
+    if (opened_ && status.sweep == seen_sweep_) return;  // another sweep is shown
     opened_ = false;
     seen_sweep_ = status.sweep;
     if (status.results) results_ = std::move(status.results);
@@ -252,7 +252,7 @@ void EditorSweep::take_news() {
 
 void EditorSweep::note_finished(const Finished& finished) {
     std::erase_if(finished_, [&](const Finished& f) { return f.of.settings == finished.of.settings; });
-    if (finished_.size() == kMostFinished) finished_.erase(finished_.begin());
+    if (finished_.size() == kMaxFinished) finished_.erase(finished_.begin());
     finished_.push_back(finished);
 }
 
@@ -283,7 +283,7 @@ void EditorSweep::compare_settings(const EditorState& state) {
     facts_.other_settings.clear();
     if (!shown_) return;
     Settings present = state.settings;
-    present.truth.area = shown_->spec.area;  // follow() holds the present ones against the sweep's truth
+    present.truth.area = shown_->spec.area;  // measure_present() compares with the sweep's kind of reference
     const Settings swept = comparable(shown_->spec.base), now = comparable(present);
     for (const SettingRef& ref : differing_settings(swept, now)) {
         const std::string key = setting_key(ref);
@@ -294,7 +294,7 @@ void EditorSweep::compare_settings(const EditorState& state) {
 }
 
 bool EditorSweep::update(const EditorState& state) {
-    if (moved()) take_news();
+    if (moved()) fetch_results();
     const bool axes_moved = seen_cost_ != state.sweep.cost || seen_error_ != state.sweep.error;
     const bool settings_moved = compared_ != state.settings || compared_scene_ != state.scene_name;
     fresh_ |= std::exchange(seen_pinned_, state.pinned) != state.pinned;
@@ -318,7 +318,7 @@ bool EditorSweep::update(const EditorState& state) {
             facts_.failed = results_->failed;
             facts_.software = results_->software;
             const SweepSpec& spec = shown_->spec;
-            facts_.about = fmt::format("{}, {} x {} pixels, {} truth; {}", spec.scene, spec.width, spec.height,
+            facts_.about = fmt::format("{}, {} x {} pixels, {} reference; {}", spec.scene, spec.width, spec.height,
                                        spec.area ? "area" : "hard", results_->renderer);
         }
         facts_.present.reset();

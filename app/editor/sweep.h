@@ -13,68 +13,79 @@
 
 namespace si {
 
-/// Runs one sweep at a time on a thread of its own, and measures the present settings besides.
+/// Sweeps of the panel Frontier, one at a time on a thread of its own, and measurements of the present settings.
 class EditorSweep {
 public:
-    /// @param state_folder folder of a sweep's journal, by which a later run continues it; empty: a temporary one
+    /// Makes the sweeps of the panel Frontier. @param state_folder folder for sweeps, which later runs continue; empty:
+    /// a temporary folder
     explicit EditorSweep(const std::filesystem::path& state_folder);
     /// Cancels the sweep and waits for its thread.
     ~EditorSweep();
     EditorSweep(const EditorSweep&) = delete;
     EditorSweep& operator=(const EditorSweep&) = delete;
 
-    /// Starts the sweep, or continues the interrupted one if it is the same. @throws UsageError, Error
+    /// Starts the requested sweep, or continues an interrupted sweep with the same specification.
+    /// @throws UsageError, Error
     void start(const Scene& scene, const std::string& scene_name, const Settings& settings,
                const SweepRequest& request);
-    /// Cancels the sweep under way. Measured cases stay.
+    /// Cancels the running sweep. Measured cases stay.
     void cancel();
-    /// Measures these settings unless they are measured already. Other settings cancel a measurement under way.
-    void follow(const Scene& scene, const std::string& scene_name, const Settings& settings, const SweepPanel& panel);
-    /// Stops measuring the present settings, when no panel shows them.
+    /// Measures error and time of the present settings in the background, unless they are known. Cancels a measurement
+    /// of other settings.
+    void measure_present(const Scene& scene, const std::string& scene_name, const Settings& settings,
+                         const SweepPanel& panel);
+    /// Stops measuring the present settings. Call when no panel shows them.
     void stop_measuring_present();
-    /// Shows the results in a sweep's folder, and sets the panel to its axes. @throws Error
+    /// Shows the results in a sweep's folder, and sets the panel to the sweep's axes. @throws Error
     void open(const std::filesystem::path& folder, SweepPanel& panel);
-    /// Writes journal, pictures, tables and report of the sweep that is shown. @throws Error
+    /// Writes journal, pictures, tables and report of the shown sweep into a folder. @throws Error
     void save(const std::filesystem::path& folder) const;
 
-    /// Returns true while something is measured, or is queued.
+    /// Returns true while a sweep or the present settings are measured, or wait in the queue.
     bool busy() const;
-    /// Returns true if update() has news.
+    /// Returns true if update() has new results of the measuring thread.
     bool moved() const;
-    /// Waits until nothing is being measured.
+    /// Waits until the measuring thread has no work.
     void wait() const;
-    /// Takes news of the thread and applies the chosen axes. Returns true if facts() have changed.
+    /// Fetches results of the measuring thread and applies the axes that the panel chose. Returns true if facts() have
+    /// changed.
     bool update(const EditorState& state);
     const SweepFacts& facts() const { return facts_; }
     /// Settings that all cases of the shown sweep share; null: no sweep is shown.
     const Settings* base() const { return shown_ ? &shown_->spec.base : nullptr; }
 
 private:
-    /// The sweep that is shown.
+    /// Sweep that the panel shows: specification, plan and folder.
     struct Shown {
         SweepSpec spec;
         SweepPlan plan;
         std::filesystem::path folder;
     };
+    /// Returns the measuring thread; starts it at the first call.
     MeasuringThread& thread();
+    /// Returns a copy of the scene for the measuring thread; copies a scene only once.
     std::shared_ptr<const Scene> copy_of(const Scene& scene);
+    /// Makes another sweep the shown one.
     void show(const SweepSpec& spec, const SweepPlan& plan, const std::filesystem::path& folder);
     /// Complete measurement of one set of settings.
     struct Finished {
         MeasuringThread::Picture of;
         CaseNumbers numbers;
     };
-    void take_news();
+    /// Fetches new results from the measuring thread.
+    void fetch_results();
+    /// Adds a finished measurement of present settings to the last ones.
     void note_finished(const Finished& finished);
-    /// The measurement that the present one is compared with.
+    /// Earlier measurement of the same picture, which the present settings' measurement is compared with.
     struct Earlier {
         const Finished* is = nullptr;  ///< null: nothing of the same picture was measured before
         bool pinned = false;
     };
     /// Returns the measurement to compare with: of the pinned settings, else of those measured last.
     Earlier earlier(const EditorState& state) const;
+    /// Lists the settings that differ from those of the shown sweep and are not varied by it.
     void compare_settings(const EditorState& state);
-    /// Removes folders of this run in which no case was finished. Folders in use stay until the next call.
+    /// Removes sweep folders made by this run in which no case was finished. Folders in use stay until the next call.
     void drop_empty();
 
     std::filesystem::path parent_;
@@ -92,7 +103,7 @@ private:
     bool opened_ = false;           ///< the shown sweep was read from a folder
     std::string seen_cost_, seen_error_;
     CostCase seen_timed_ = kDefaultCost;
-    CostCase swept_cost_ = kDefaultCost;  ///< frames that the shown sweep's times are of
+    CostCase swept_cost_ = kDefaultCost;  ///< kind of frames timed by the shown sweep
     std::optional<PinnedSettings> seen_pinned_;
     Settings compared_;  ///< settings last compared with the sweep's
     std::string compared_scene_;

@@ -100,10 +100,10 @@ void print_effects(std::span<const Effect> effects, const SavedTimes* saved) {
 }
 
 void print_waste(const Waste& waste) {
-    fmt::print("\neach left out in turn; work that changes no byte of the picture is waste:\n");
+    fmt::print("\nleft out one at a time; work that changes no byte of the picture is waste:\n");
     for (const WasteTrial& t : waste.tried) {
         const bool undrawn = t.read >= 0 && t.triangles == 0 && !t.changes;
-        // An undrawn map's share is that of the texels that a kernel would read, so it is not printed.
+        // For a pass that is not drawn, the taps are those that the kernel would read.
         const std::string read =
             t.read < 0 || undrawn ? "" : fmt::format(", {:.2f} % of its texels are read", 100 * t.read);
         fmt::print("  {:<9} {:>10} triangles  {}{}\n",

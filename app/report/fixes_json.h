@@ -11,7 +11,8 @@ namespace si {
 /// Converts a table of fixes to JSON: one object a row, in the table's order.
 nlohmann::ordered_json fixes_json(const FixTable& table);
 
-/// Prints a table of fixes to stdout. Fixes that were not tried are left out. @param rows largest number of rows
+/// Prints a table of measured fixes to stdout. Fixes that were not tried are left out. @param rows largest number of
+/// rows
 void print_fixes(const FixTable& table, std::size_t rows);
 
 }  // namespace si

@@ -13,7 +13,8 @@ std::string set_options(const Settings& base, const Settings& settings);
 /// Scope in which every picture that a renderer draws is searched for unsound numbers, except timed frames.
 class NumberWatch {
 public:
-    /// @param base settings that the message about a fault compares with @param on false: nothing is searched
+    /// Starts the search of a renderer's pictures. @param base settings that the message about a fault compares with
+    /// @param on false: no picture is searched
     NumberWatch(Renderer& renderer, Settings base, bool on);
     ~NumberWatch();
     NumberWatch(const NumberWatch&) = delete;

@@ -17,7 +17,7 @@ void copy_columns(ByteImage& to, int at, const ByteImage& from, int first, int c
 
 }  // namespace
 
-Settings other_settings(const Settings& shown, const Settings& other) {
+Settings settings_with_shadows_of(const Settings& shown, const Settings& other) {
     Settings out = other;
     out.scene = shown.scene;
     out.camera = shown.camera;
@@ -45,7 +45,7 @@ ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b) {
     return out;
 }
 
-ByteImage difference(const ByteImage& a, const ByteImage& b) {
+ByteImage difference_image(const ByteImage& a, const ByteImage& b) {
     ByteImage out = a;
     for (std::size_t i = 0; i < std::min(a.data.size(), b.data.size()); ++i)
         out.data[i] = i % 4 == 3 ? 255 : std::uint8_t(std::min(2 * std::abs(int(a.data[i]) - int(b.data[i])), 255));

@@ -8,16 +8,16 @@ namespace si {
 
 /// Returns settings that draw the view of `shown` with the shadows of `other`: maps, casters, bias, filter, lights and
 /// shading from `other`; camera, time and views from `shown`.
-Settings other_settings(const Settings& shown, const Settings& other);
+Settings settings_with_shadows_of(const Settings& shown, const Settings& other);
 
-/// Composes image a left of a line and image b right of it. Both have one size. @param at place of the line, 0..1 of
-/// the width
+/// Composes an image of `a` left of a vertical line and `b` right of the line. Both have one size. @param at place of
+/// the line, 0..1 of the width
 ByteImage swipe_image(const ByteImage& a, const ByteImage& b, double at);
 /// Composes two images side by side with a gap.
 ByteImage side_by_side_image(const ByteImage& a, const ByteImage& b);
 /// Computes the difference image 2 |a - b| of each channel.
-ByteImage difference(const ByteImage& a, const ByteImage& b);
-/// Computes the mean of |a - b| over pixels and colour channels, 0..1.
+ByteImage difference_image(const ByteImage& a, const ByteImage& b);
+/// Computes the mean absolute difference of two images over pixels and colour channels, 0..1.
 double mean_difference(const ByteImage& a, const ByteImage& b);
 
 }  // namespace si

@@ -16,7 +16,7 @@ namespace {
 Json scene_json(const Session& session) {
     const Scene& s = session.scene;
     const std::size_t ground =
-        s.objects.size() - s.object_count();  // the ground disc adds one mesh, one node and one material
+        s.objects.size() - s.object_count();  // the added ground is one mesh, one node and one material
     Json bounds = nullptr;
     if (!s.bounds.empty()) bounds = {{"min", vector_json(s.bounds.lo)}, {"max", vector_json(s.bounds.hi)}};
     return {{"name", session.scene_name},
@@ -30,7 +30,7 @@ Json scene_json(const Session& session) {
             {"warnings", s.warnings}};
 }
 
-/// Lists every setting that affects the frame: those of lights that are on, and of objects with an override.
+/// Converts the settings that act on this frame to JSON: lights that are on, objects with an override.
 Json settings_json(const Settings& settings) {
     Json json = Json::object();
     for (const SettingRef& ref : all_settings(settings)) {

@@ -18,7 +18,7 @@ nlohmann::ordered_json vector_json(const glm::dvec3& v);
 nlohmann::ordered_json pages_json(const PageFacts& pages);
 /// Converts the OpenGL driver's names and limits to JSON.
 nlohmann::ordered_json driver_json(const DriverInfo& driver);
-/// Makes the report of a drawn frame. @param view key of the view that was drawn
+/// Makes the JSON report of a drawn frame (`render --report`). @param view key of the view that was drawn
 nlohmann::ordered_json report_json(const Session& session, const std::string& view, const FrameRequest& request,
                                    const FrameResult& frame, const DriverInfo& driver);
 

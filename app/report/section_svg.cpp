@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 std::string escaped(const std::string& text) {
-    // Characters that XML does not allow are made visible first.
+    // Control characters, which XML cannot hold, become visible escapes first.
     std::string safe = printable(text, text.size() * 8 + 16), out;
     for (const auto& [bytes, shown] : {std::pair{"\xef\xbf\xbe", "\\ufffe"}, {"\xef\xbf\xbf", "\\uffff"}})
         for (std::size_t at; (at = safe.find(bytes)) != std::string::npos;) safe.replace(at, 3, shown);
@@ -34,7 +34,7 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-/// Formats a length in hundredths of a pixel, so that rounding errors of sums do not show.
+/// Formats a coordinate in hundredths of a pixel, so that rounding of sums does not show.
 std::string number(double v) {
     std::string text = fmt::format("{:.2f}", v);
     while (text.back() == '0') text.pop_back();

@@ -87,7 +87,8 @@ std::vector<View> views() {
     int index = 0;
     for (const Overlay& overlay : overlays()) {
         ++index;
-        if (std::ranges::find(list, overlay.key, &View::key) != list.end()) continue;  // listed above, also as floats
+        if (std::ranges::find(list, overlay.key, &View::key) != list.end())
+            continue;  // listed above, also as a float file
         list.push_back(
             {std::string(overlay.key), std::string(overlay.label), std::string(overlay.help), overlay.scalar, index});
     }
@@ -123,7 +124,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
                 const std::string& path, FrameResult* frame, const Workers& workers) {
     const bool floats = lower_extension(path) == ".pfm";
     if (view.overlay > 0) settings.view.overlay = view.overlay;
-    // Only the picture itself has panes; every other view is one picture.
+    // Only the shaded picture has panes; every other view is a single picture.
     if (view.key != "shaded") settings.view.panes = Panes::One;
     const bool depth = view.key == "shadow-map" || view.key == "camera-depth";
     if (depth) settings.view.map_source = view.key == "camera-depth" ? MapSource::Camera : MapSource::Light;
@@ -142,7 +143,7 @@ void write_view(Renderer& renderer, const Scene& scene, Settings settings, Frame
         request.height = grid.height;
     }
     ReferenceCache references;
-    // The renderer's frame may lack the data that overlays need.
+    // The frame may lack the reference that overlays need.
     const FrameResult result = render_with_reference(renderer, scene, settings, request, references, workers);
     if (frame) *frame = result;
     if (depth) {

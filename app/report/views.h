@@ -18,9 +18,9 @@ struct View {
     int overlay = 0;      ///< value of view.overlay, 0 for none
 };
 
-/// Lists all views. An overlay with the key of a view is not listed twice.
+/// Lists all views that `render --view` can draw. An overlay with the key of a view is not listed twice.
 std::vector<View> views();
-/// Finds a view by key. @throws UsageError naming the nearest key
+/// Finds a view of `render --view` by key. @throws UsageError naming the nearest key
 View find_view(const std::string& key);
 
 /// Returns the rectangles of the panes (view.panes) in a picture of this size.
@@ -32,7 +32,7 @@ PaneGrid picture_grid(const Settings& settings, int width, int height);
 void write_view(Renderer& renderer, const Scene& scene, Settings settings, FrameRequest request, const View& view,
                 const std::string& path, FrameResult* frame = nullptr, const Workers& workers = {});
 
-/// Checks a file name for a view: .png, or .pfm if the view is scalar. @throws UsageError
+/// Checks the extension of a view's output file: .png, or .pfm if the view is scalar. @throws UsageError
 void check_view_file(const View& view, const std::string& path);
 
 }  // namespace si

@@ -28,8 +28,8 @@ void remove_session(const fs::path& file) {
     fs::remove(lock_of(file), ignored);
 }
 
-/// The scene as another working directory finds it.
-std::string lasting_name(const std::string& scene) {
+/// Returns the scene's name as an absolute path, valid from any working directory.
+std::string absolute_name(const std::string& scene) {
     if (is_builtin_scene(scene)) return scene;
     std::error_code error;
     const fs::path absolute = fs::absolute(scene, error);
@@ -53,7 +53,7 @@ void Autosave::find_lost() {
     for (const auto& [time, file] : files) {
         if (file == file_ || std::find(settled_.begin(), settled_.end(), file) != settled_.end()) continue;
         LockFile lock(lock_of(file), false);
-        if (!lock || !fs::exists(file, error)) continue;  // its editor runs, or another editor settled it
+        if (!lock || !fs::exists(file, error)) continue;  // its editor still runs, or another editor has handled it
         try {
             Lost lost{load_preset(file.string()), 0, file, std::move(lock)};
             lost.age_s = std::chrono::duration<double>(fs::file_time_type::clock::now() - time).count();
@@ -82,7 +82,7 @@ bool Autosave::claim_file() {
     for (int n = 0; n < 100 && !lock_; ++n) {
         file_ = folder_ / fmt::format("{}-{}{}", ::getpid(), n, kSessionExtension);
         std::error_code error;
-        if (fs::exists(file_, error)) continue;  // of an earlier process with this number
+        if (fs::exists(file_, error)) continue;  // left by an earlier process with the same id
         lock_ = LockFile(lock_of(file_), false);
     }
     return bool(lock_);
@@ -92,7 +92,7 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
     try {
         if (!claim_file()) throw Error(fmt::format("{}: files cannot be locked there", folder_.string()));
         Preset preset;
-        preset.scene = lasting_name(scene);
+        preset.scene = absolute_name(scene);
         preset.settings = settings;
         save_preset(preset, file_);
     } catch (const std::exception& e) {
@@ -102,7 +102,7 @@ void Autosave::write(const std::string& scene, const Settings& settings) {
 }
 
 void Autosave::update(const std::string& scene, const Settings& settings, double now_s) {
-    // A program that was ended may still be going as the next begins, and hold its session.
+    // A killed editor may still hold its lock while the next one starts.
     if (!look_again_s_) look_again_s_ = now_s + kSeconds;
     if (!lost_ && now_s >= *look_again_s_) {
         look_again_s_ = std::numeric_limits<double>::infinity();
@@ -125,7 +125,7 @@ void Autosave::end(const std::string& scene, const Settings& settings, bool unsa
         work.camera = first_->second.camera;
         work.view = first_->second.view;
     }
-    // Where one looks is no work that is lost.
+    // Moves of the camera are not saved work.
     const bool keep = unsaved && first_ && (first_->first != scene || first_->second != work);
     if (keep && !folder_.empty())
         write(scene, settings);

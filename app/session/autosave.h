@@ -17,7 +17,7 @@ class Autosave {
 public:
     static constexpr double kSeconds = 2;  ///< shortest time between two writes
 
-    /// @param folder of the program's state; empty: autosave is off
+    /// Looks for sessions that crashed editors left. @param folder state folder of the program; empty: autosave is off
     explicit Autosave(const std::filesystem::path& folder);
     Autosave(const Autosave&) = delete;
     Autosave& operator=(const Autosave&) = delete;
@@ -31,14 +31,14 @@ public:
     };
     /// Returns the lost session that is offered for recovery; null: none.
     const Lost* lost() const { return lost_ ? &*lost_ : nullptr; }
-    /// Removes the lost session, after it was restored or declined, and looks for the next one.
+    /// Removes the lost session, after the user restored or declined it, and looks for the next one.
     void forget_lost();
 
-    /// Writes scene and settings if they differ from the start and from the last write, at most every kSeconds. Called
-    /// every frame. @param now_s a steady clock. Never throws.
+    /// Writes scene and settings to the autosave file if they differ from the start and from the last write, at most
+    /// every kSeconds. Call every frame. Never throws. @param now_s time of a steady clock, seconds
     void update(const std::string& scene, const Settings& settings, double now_s);
-    /// Ends autosave. @param unsaved true: keeps the present state and offers it at the next start, as after a crash;
-    /// false: removes the file
+    /// Ends autosave. @param unsaved true: keeps scene and settings, so that the next start offers them, as after a
+    /// crash; false: removes the autosave file
     void end(const std::string& scene, const Settings& settings, bool unsaved);
     /// Returns the errors since the last call, one line each.
     std::vector<std::string> take_remarks();
@@ -46,8 +46,9 @@ public:
 private:
     /// Looks for a session that a crashed editor left.
     void find_lost();
-    /// Makes and locks this editor's autosave file; false: not possible.
+    /// Makes and locks this editor's autosave file. Returns false if that is not possible.
     bool claim_file();
+    /// Writes scene and settings to the autosave file.
     void write(const std::string& scene, const Settings& settings);
 
     std::filesystem::path folder_;  ///< empty: off

@@ -44,7 +44,7 @@ std::string differences_text(const std::vector<PresetDifference>& differences, c
                                    differences.size() == 1 ? "" : "s");
     std::string group;
     for (const PresetDifference& d : differences) {
-        // Paths and scenes are what a file says: its escapes are shown, not obeyed.
+        // Paths and scenes come from a file: control characters are escaped.
         if (d.group != group) text += printable(group = d.group, std::string::npos) + "\n";
         text += fmt::format("  {}{}{}\n", printable(d.text, std::string::npos), d.note.empty() ? "" : "; ", d.note);
     }

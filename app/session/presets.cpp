@@ -36,11 +36,11 @@ std::string text_member(const Json& json, const char* key, const std::string& na
     return it->get<std::string>();
 }
 
-/// The version of the file.
+/// Reads the version of a preset file. @throws Error
 int check_header(const Json& json, const std::string& name) {
     static const std::vector<std::string> known = {"format", "version", "title",    "topic",
                                                    "about",  "scene",   "settings", "claims"};
-    if (!json.is_object()) refuse(name, "not a preset: an object {\"format\": ...} is wanted");
+    if (!json.is_object()) refuse(name, "not a preset: must be an object {\"format\": ...}");
     const auto format = json.find("format");
     if (format == json.end() || *format != kFormat) {
         refuse(name, fmt::format("not a preset: \"format\" must be \"{}\"", kFormat));
@@ -65,7 +65,7 @@ int check_header(const Json& json, const std::string& name) {
     return version->get<int>();
 }
 
-/// The presets inside the program, by file name.
+/// Returns the presets embedded in the program, by file name.
 std::vector<const EmbeddedFile*> preset_files() {
     std::vector<const EmbeddedFile*> files;
     for (const EmbeddedFile& file : embedded_files())
@@ -74,7 +74,7 @@ std::vector<const EmbeddedFile*> preset_files() {
     return files;
 }
 
-/// The file's name without the number that orders it.
+/// Returns the file's name without the number that orders it.
 std::string preset_key(const EmbeddedFile& file) {
     const std::string stem = std::filesystem::path(file.path).stem().string();
     const auto digits = stem.find_first_not_of("0123456789");

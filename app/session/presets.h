@@ -11,14 +11,14 @@
 
 namespace si {
 
-/// Settings with the scene that they were made for and a text for people.
+/// Preset: settings with the scene that they were made for, a title and a description.
 struct Preset {
     std::string title;  ///< a few words; may be empty, like all texts here
     std::string topic;  ///< heading in lists, such as "Bias"
-    std::string about;  ///< what to look at, a sentence
+    std::string about;  ///< description: a sentence on what to look at
     std::string scene;  ///< built-in key or path the preset was made for
     Settings settings;
-    std::vector<PresetClaim> claims = {};  ///< what the sentence says, as numbers
+    std::vector<PresetClaim> claims = {};  ///< statements of the description, as comparisons of metrics
 };
 
 /// Parses a preset completely or not at all. @throws Error "NAME: place: what is wrong and what is allowed"

@@ -34,8 +34,8 @@ double SceneLoading::seconds_left() const {
 }
 
 double remaining_seconds(double passed, double progress) {
-    constexpr double kLeastSeconds = 1, kLeastProgress = 0.05;
-    if (passed < kLeastSeconds || progress < kLeastProgress || progress >= 1) return 0;
+    constexpr double kMinSeconds = 1, kMinProgress = 0.05;
+    if (passed < kMinSeconds || progress < kMinProgress || progress >= 1) return 0;
     return passed / progress * (1 - progress);
 }
 

@@ -15,17 +15,18 @@ namespace si {
 /// options, and throws when the progress callback returns false.
 using SceneReader = std::function<Scene(const std::string&, const GltfOptions&)>;
 
-/// Estimates the time left of work that reached `progress` (0..1) in `passed` seconds; 0 while it is too early to say.
+/// Estimates the seconds left of work that reached `progress` (0..1) in `passed` seconds; 0 while it is too early to
+/// say.
 double remaining_seconds(double passed, double progress);
 
 /// Background loading of one scene at a time (see Job).
 class SceneLoading {
 public:
-    /// @param read function that reads a scene; empty: load_scene()
+    /// Makes a loader that loads nothing yet. @param read function that reads a scene; empty: load_scene()
     explicit SceneLoading(SceneReader read = {});
 
-    /// Starts loading a scene and cancels the one before. @throws std::system_error when the system has no thread left
-    /// @param file_scene index of the scene in a glTF file; -1: its default
+    /// Starts loading a scene in the background and cancels the loading before. @param file_scene index of the scene in
+    /// a glTF file; -1: the file's default @throws std::system_error when the system has no thread left
     void start(const std::string& name_or_path, int file_scene = -1);
     /// Cancels the loading; poll() then reports nothing.
     void cancel() { job_.drop(); }
@@ -34,7 +35,7 @@ public:
     std::string wanted() const { return job_.wanted() ? name_ : std::string(); }
     /// Progress of the scene that is being loaded, 0..1.
     double progress() const { return job_.progress().value_or(0); }
-    /// Estimated seconds until the scene is loaded; 0: too early to say.
+    /// Returns the estimated seconds until the scene is loaded; 0: too early to say.
     double seconds_left() const;
     /// Returns true while a thread reads, also for a scene that was cancelled.
     bool busy() const { return job_.busy(); }
@@ -43,13 +44,13 @@ public:
     /// Returns true if the progress changed since the last call of progress(), or poll() would return an outcome.
     bool moved() const { return job_.moved(); }
 
-    /// Scene that was loaded, or why loading failed.
+    /// Outcome of loading a scene: the scene, or the reason of a failure.
     struct Outcome {
-        std::string name;            ///< as given to start()
+        std::string name;            ///< name or path given to start()
         std::optional<Scene> scene;  ///< posed at the start of its animation; none: loading failed
         std::string error;
     };
-    /// Returns the outcome of the loading and forgets it; nothing while it runs.
+    /// Returns the outcome of the loading, once; nothing while the scene is loading.
     std::optional<Outcome> poll();
     /// Blocks until the loading has ended.
     void wait() const { job_.wait(); }

@@ -19,15 +19,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The scene a preset was made for: a relative path counts from here, else from the preset's folder.
+/// Returns the path of a preset's scene: relative to the working directory if it exists there, else to the preset's
+/// folder.
 std::string scene_of_preset(const Preset& preset, const std::string& preset_path) {
     std::error_code error;
     if (preset.scene.empty() || fs::exists(preset.scene, error)) return preset.scene;
-    const fs::path beside = fs::path(preset_path).parent_path() / preset.scene;
-    return fs::exists(beside, error) ? beside.string() : preset.scene;
+    const fs::path in_folder = fs::path(preset_path).parent_path() / preset.scene;
+    return fs::exists(in_folder, error) ? in_folder.string() : preset.scene;
 }
 
-/// Whether the plan's scene is that one.
+/// Returns true if the plan names this scene.
 bool is_one_scene(const std::string& scene, const SessionPlan& plan) {
     std::error_code error;
     return scene == plan.scene_name || fs::equivalent(scene, plan.scene_name, error);
@@ -74,10 +75,10 @@ void check_objects(const Scene& scene, Settings& settings, const std::string& pr
 }
 
 void apply_set(Settings& settings, const std::string& assignment) {
-    // Node paths may hold '='; values never do.
+    // The last '=' separates: node paths may contain '=', values never do.
     const auto equals = assignment.rfind('=');
     if (equals == std::string::npos) {
-        throw UsageError(fmt::format("--set \"{}\": KEY=VALUE is wanted, such as bias.slope=2", assignment));
+        throw UsageError(fmt::format("--set \"{}\": must be KEY=VALUE, such as bias.slope=2", assignment));
     }
     set_setting(settings, assignment.substr(0, equals), assignment.substr(equals + 1));
 }
@@ -102,7 +103,7 @@ std::set<std::string> hidden_paths(const Settings& settings) {
 std::string pose_scene(Scene& scene, const SceneSettings& settings) {
     std::set<std::string> hidden;
     for (const HiddenObject& h : scene.hidden) hidden.insert(scene.nodes[std::size_t(h.object.node)].path);
-    hide_objects(scene, {});  // the ground is the last of all
+    hide_objects(scene, {});  // the ground is the last object
     std::string remark;
     const bool grounded = settings.ground == Ground::Auto && !scene.file_scenes.empty();
     if (!grounded) remove_ground(scene);
@@ -118,9 +119,9 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
                 fmt::format("scene.animation {}: {} has {} animation{}; choose 0 to {}, or -1 for the rest pose",
                             settings.animation, scene.name, count, count == 1 ? "" : "s", count - 1));
         }
-        // What the lights of a file are placed by is known before they are placed.
+        // Bounds and animation are known before the lights of a file are placed.
         measure_animation_bounds(scene, settings.fit_animation ? settings.animation : -1);
-        // Where the ground lies and what the camera frames do not depend on the moment that is shown.
+        // Ground and camera are set before posing, so that they do not depend on scene.time.
         if (scene.framed.empty() || (grounded && scene.ground_bounds.empty() && !scene.has_floor)) {
             pose(scene, 0, 0);
             store_framing_points(scene);
@@ -139,7 +140,7 @@ std::string pose_scene(Scene& scene, const SceneSettings& settings) {
 SessionPlan plan_session(const SessionOptions& options) {
     SessionPlan plan;
     plan.sets = options.sets;
-    Settings trial;  // before a preset is looked for, so that a wrong --set is what is told first
+    Settings trial;  // checked before the preset is read, so that a wrong --set is reported first
     for (const std::string& assignment : plan.sets) apply_set(trial, assignment);
     plan.scene_name = options.scene;
     if (!options.preset.empty()) {
@@ -156,7 +157,7 @@ SessionPlan plan_session(const SessionOptions& options) {
 ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, const SceneSettings& moment,
                                   std::vector<std::string>* left_out) {
     ComposedSettings out;
-    bool another = false;  // the preset was saved with one
+    bool another = false;  // the preset was saved with a camera
     if (plan.preset) {
         out.settings = plan.preset->settings;
         const std::string& saved_with = plan.preset->scene;
@@ -184,7 +185,7 @@ ComposedSettings compose_settings(const SessionPlan& plan, const Scene& scene, c
 }
 
 Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::string>* left_out) {
-    // First of all, since what the scene suggests depends on where things are.
+    // The pose comes first, because suggested settings depend on positions.
     SceneSettings moment = plan.settings.scene;
     std::string remark;
     try {

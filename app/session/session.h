@@ -62,14 +62,15 @@ Session compose_session(const SessionPlan& plan, Scene scene, std::vector<std::s
 /// Opens a session: checks the options, loads the scene, poses it and composes the settings. @throws UsageError, Error
 Session open_session(const SessionOptions& options);
 
-/// Applies one assignment "KEY=VALUE" to settings. @throws UsageError
+/// Applies one assignment "KEY=VALUE" of --set to settings. @throws UsageError
 void apply_set(Settings& settings, const std::string& assignment);
 
-/// Applies the scene's suggested settings. @throws Error when a suggestion names no setting
+/// Applies the scene's suggested settings to `settings`. @throws Error when a suggestion names no setting
 void apply_suggested(const Scene& scene, Settings& settings);
 
-/// Removes per-object settings whose object the scene lacks. @param preset file that they come from, for the message;
-/// empty: the command line @param left_out receives one line for each; null: throws instead @throws UsageError, Error
+/// Removes settings of objects (object.PATH.*) that the scene lacks. @param preset file of these settings, for the
+/// message; empty: the command line @param left_out receives one line for each removed object; null: throws instead
+/// @throws UsageError, Error
 void check_objects(const Scene& scene, Settings& settings, const std::string& preset,
                    std::vector<std::string>* left_out);
 

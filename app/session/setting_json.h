@@ -13,7 +13,7 @@ nlohmann::ordered_json setting_to_json(const SettingRef& ref, const Value& value
 /// Converts JSON to a setting's value. @throws UsageError saying what is allowed, without the setting's key
 Value setting_from_json(const SettingRef& ref, const nlohmann::ordered_json& json);
 
-/// Name of a setting's type: "bool", "int", "float" or "choice".
+/// Returns the name of a setting's type: "bool", "int", "float" or "choice".
 std::string_view setting_type(const SettingRef& ref);
 
 }  // namespace si

@@ -25,24 +25,24 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kWorkspaceFormat = "shadow-inspector-workspace";
 constexpr int kWorkspaceVersion = 1;
-constexpr std::size_t kMostRecent = 12;
+constexpr std::size_t kMaxRecent = 12;
 constexpr const char* kFile = "workspace.json";
 
-/// A number within its bounds; else `value` stays.
+/// Reads a number within its bounds from a member of JSON; else keeps `value`.
 template <class T>
-void take(const Json& json, const char* key, T& value, double least, double most) {
+void read_member(const Json& json, const char* key, T& value, double least, double most) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_number()) return;
     const double number = it->get<double>();
     if (number >= least && number <= most) value = T(number);
 }
 
-void take(const Json& json, const char* key, std::vector<std::string>& list) {
+void read_member(const Json& json, const char* key, std::vector<std::string>& list) {
     const auto it = json.find(key);
     if (it == json.end() || !it->is_array()) return;
     list.clear();
     for (const Json& entry : *it)
-        if (entry.is_string() && list.size() < kMostRecent) list.push_back(entry.get<std::string>());
+        if (entry.is_string() && list.size() < kMaxRecent) list.push_back(entry.get<std::string>());
 }
 
 WorkspaceData from_json(const Json& json) {
@@ -53,25 +53,25 @@ WorkspaceData from_json(const Json& json) {
         return it != json.end() && it->is_object() ? *it : none;
     };
     const Json& layout = part("layout");
-    take(layout, "settings_width", d.layout.settings_width, 4, 400);
-    take(layout, "bottom_height", d.layout.bottom_height, 0, 400);
-    take(layout, "map_share", d.layout.map_share, 0.05, 0.95);
-    take(layout, "map_height", d.layout.map_height, 0.05, 0.95);
-    take(layout, "map_inset", d.layout.map_inset, 4, 400);
+    read_member(layout, "settings_width", d.layout.settings_width, 4, 400);
+    read_member(layout, "bottom_height", d.layout.bottom_height, 0, 400);
+    read_member(layout, "map_share", d.layout.map_share, 0.05, 0.95);
+    read_member(layout, "map_height", d.layout.map_height, 0.05, 0.95);
+    read_member(layout, "map_inset", d.layout.map_inset, 4, 400);
     int place = int(d.layout.map_place);
-    take(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
+    read_member(layout, "map_place", place, 0, index_of(MapSpot::Hidden));
     d.layout.map_place = MapSpot(place);
     d.layout.light_theme = layout.value("light_theme", Json()) == Json(true);
     d.layout.desktop_dialogs = layout.value("desktop_dialogs", Json()) != Json(false);
     d.layout.map_plots = layout.value("map_plots", Json()) != Json(false);
     const Json& window = part("window");
-    take(window, "width", d.window_width, 200, 32768);
-    take(window, "height", d.window_height, 150, 32768);
+    read_member(window, "width", d.window_width, 200, 32768);
+    read_member(window, "height", d.window_height, 150, 32768);
     if (d.window_width == 0 || d.window_height == 0) d.window_width = d.window_height = 0;
     d.maximised = window.value("maximised", Json()) == Json(true);
     d.welcomed = json.value("welcomed", Json()) == Json(true);
-    take(json, "recent_scenes", d.recent_scenes);
-    take(json, "recent_presets", d.recent_presets);
+    read_member(json, "recent_scenes", d.recent_scenes);
+    read_member(json, "recent_presets", d.recent_presets);
     return d;
 }
 
@@ -95,11 +95,12 @@ std::string to_text(const WorkspaceData& d) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-/// The program's folder below a base directory of XDG. @param below_home where that is by default
+/// Returns the program's folder below an XDG base directory. @param below_home default of the base directory, below
+/// $HOME
 fs::path own_folder(const char* variable, const char* below_home) {
     const auto absolute = [](const char* name) -> fs::path {
         const char* value = std::getenv(name);
-        // The specification has relative paths ignored.
+        // The XDG specification ignores relative paths.
         return value && *value == '/' ? fs::path(value) : fs::path();
     };
     if (const fs::path base = absolute(variable); !base.empty()) return base / "shadow-inspector";
@@ -127,7 +128,7 @@ LockFile::LockFile(const fs::path& path, bool wait) {
             ::close(fd);
             return;
         }
-        // Another process may have removed the file between opening and locking: then the lock guards nothing.
+        // Another process may have removed the file between open and lock; the lock would then protect nothing.
         if (::stat(path.c_str(), &named) == 0 && named.st_ino == locked.st_ino && named.st_dev == locked.st_dev) {
             fd_ = fd;
             return;
@@ -151,7 +152,7 @@ Workspace::Workspace(fs::path folder) : folder_(std::move(folder)) {
     if (!folder_.empty()) read(data_);
 }
 
-/// Returns whether the file may be written.
+/// Returns true if the workspace file may be written.
 bool Workspace::read(WorkspaceData& data) {
     const fs::path path = folder_ / kFile;
     std::error_code error;
@@ -192,7 +193,7 @@ void Workspace::change(const std::function<void(WorkspaceData&)>& edit) {
     } catch (const std::exception& e) {
         data_ = std::move(wanted);
         remarks_.push_back(fmt::format("layout and recent files are not remembered: {}", e.what()));
-        foreign_ = true;  // once is enough
+        foreign_ = true;  // reported once
     }
 }
 
@@ -203,7 +204,7 @@ std::vector<std::string> Workspace::take_remarks() {
 void put_first(std::vector<std::string>& recent, const std::string& path) {
     std::erase(recent, path);
     recent.insert(recent.begin(), path);
-    if (recent.size() > kMostRecent) recent.resize(kMostRecent);
+    if (recent.size() > kMaxRecent) recent.resize(kMaxRecent);
 }
 
 }  // namespace si

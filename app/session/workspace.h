@@ -21,12 +21,12 @@ struct WorkspaceData {
     bool operator==(const WorkspaceData&) const = default;
 };
 
-/// Folder for the program's state: $XDG_STATE_HOME/shadow-inspector, else ~/.local/state/shadow-inspector (XDG base
-/// directories); empty if neither variable is set.
+/// Returns the folder for the program's state: $XDG_STATE_HOME/shadow-inspector, else ~/.local/state/shadow-inspector
+/// (XDG base directories); empty if neither variable is set.
 std::filesystem::path state_folder();
 
-/// Folder for the program's caches: $XDG_CACHE_HOME/shadow-inspector, else ~/.cache/shadow-inspector; empty if neither
-/// variable is set.
+/// Returns the folder for the program's caches: $XDG_CACHE_HOME/shadow-inspector, else ~/.cache/shadow-inspector; empty
+/// if neither variable is set.
 std::filesystem::path cache_folder();
 
 /// File that this process holds open and locked (flock) until it is closed. Invalid (false) when another process holds
@@ -51,26 +51,27 @@ private:
 /// Workspace file in the state folder, shared by all running editors.
 class Workspace {
 public:
-    /// @param folder created at the first write; empty: nothing is kept
+    /// Reads the workspace file of a state folder. @param folder made at the first write; empty: nothing is kept
     explicit Workspace(std::filesystem::path folder);
 
     /// Returns the workspace as last read or written by this process.
     const WorkspaceData& data() const { return data_; }
-    /// Edits the workspace here and in the file, on top of changes that other instances wrote. Never throws.
+    /// Edits the workspace in memory and in its file, on top of changes that other editors wrote. Never throws.
     void change(const std::function<void(WorkspaceData&)>& edit);
-    /// Returns the errors since the last call, one line each.
+    /// Returns the errors of reading and writing the workspace since the last call, one line each.
     std::vector<std::string> take_remarks();
 
 private:
+    /// Reads the workspace file. Returns true if the file may be written: it is not of another program or version.
     bool read(WorkspaceData& data);
 
     std::filesystem::path folder_;
     WorkspaceData data_;
-    bool foreign_ = false;  ///< the file is of another program or a later version: it is not written
+    bool foreign_ = false;  ///< the file belongs to another program or version and is not written
     std::vector<std::string> remarks_;
 };
 
-/// Moves or adds a path to the front of a list of recent files, without duplicates.
+/// Moves or adds a path to the front of a list of recent files, without duplicates. Drops the oldest beyond the limit.
 void put_first(std::vector<std::string>& recent, const std::string& path);
 
 }  // namespace si

@@ -5,8 +5,8 @@
 namespace si {
 namespace {
 
-/// Whether a value of this setting may be refused for what the scene is.
-bool asks_the_scene(const std::string& key) {
+/// Returns true if the scene may reject a value of this setting (an unknown camera, object, animation).
+bool depends_on_scene(const std::string& key) {
     return key == "scene.index" || key == "scene.animation" || key == "camera.index" || key.starts_with("object.");
 }
 
@@ -39,7 +39,7 @@ CaseSessions::Prepared CaseSessions::prepare(const Values& values) {
 void CaseSessions::check(const std::vector<SweepAxis>& axes) {
     std::vector<Values> cases(1);
     for (const SweepAxis& axis : axes) {
-        const std::size_t taken = asks_the_scene(axis.key) ? axis.values.size() : 1;
+        const std::size_t taken = depends_on_scene(axis.key) ? axis.values.size() : 1;
         std::vector<Values> more;
         for (const Values& values : cases)
             for (std::size_t i = 0; i < taken; ++i) {

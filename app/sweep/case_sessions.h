@@ -13,11 +13,11 @@ class CaseSessions {
 public:
     using Values = std::vector<std::pair<std::string, std::string>>;  ///< SweepCase::values
 
-    /// @param plan scene and settings that all cases share
+    /// Makes the sessions of a sweep's cases. @param plan scene and settings that all cases share
     explicit CaseSessions(SessionPlan plan) : plan_(std::move(plan)) {}
 
-    /// Adds a scene that is loaded already, so that prepare() need not read it. @param as its scene settings: index in
-    /// the file, animation, time, placement
+    /// Adds a scene that is loaded already, so that prepare() need not read its file. @param as scene settings that the
+    /// scene was posed with: index in the file, animation, time, placement
     void add_scene(Scene scene, const SceneSettings& as) {
         loaded_.insert_or_assign(as.index, Loaded{std::move(scene), as, {}});
     }
@@ -28,15 +28,17 @@ public:
         Settings settings;
         std::vector<std::string> notes;
     };
-    /// Prepares one case: loads another scene if scene.index asks for it, poses it, composes the settings. @param
-    /// values key and value of each axis @throws UsageError, Error as open_session()
+    /// Prepares one case of a sweep: loads another scene if scene.index differs, poses the scene, composes the
+    /// settings.
+    /// @param values key and value of each axis @throws UsageError, Error as open_session()
     Prepared prepare(const Values& values);
 
-    /// Checks axis values that concern the scene, camera or objects, so that errors appear before anything is measured.
+    /// Checks axis values of settings of scene, camera and objects, so that errors appear before the first measurement.
     /// @throws UsageError, Error
     void check(const std::vector<SweepAxis>& axes);
 
 private:
+    /// Loaded scene with the pose it has.
     struct Loaded {
         Scene scene;
         SceneSettings posed;

@@ -28,7 +28,7 @@ Column metric_column(const Metric& m) {
     return c;
 }
 
-/// Of a spread of times: what of it, with the noise of its median.
+/// Makes a column of a distribution of times: the chosen statistic, with the noise of the median.
 Column time_column(const char* field, const char* of, const char* label, const char* help,
                    Spread TimeMeasurement::*spread, double Spread::*number) {
     const std::string group = std::string("time.") + of;

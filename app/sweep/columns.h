@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Number that a sweep records for each case.
+/// Column of a sweep's results: one number of each case, with label, unit and noise.
 struct Column {
     std::string key;  ///< "error.mae": group and field of a row of results.json
     std::string label, unit, help;
@@ -21,16 +21,17 @@ struct Column {
     std::function<double(const CaseNumbers&)> noise_value = {};
 };
 
-/// Lists all columns: error metrics first, then times and costs.
+/// Lists all columns of sweep results: error metrics first, then times and costs.
 std::span<const Column> columns();
-/// Finds a column by key; null: unknown.
+/// Finds a column of sweep results by key; null: unknown key.
 const Column* find_column(std::string_view key);
-/// Returns the label of a column. Times name the kind of frames: "Time of a frame while the camera moves".
+/// Returns the label of a column of sweep results. Labels of times name the kind of frames: "Time of a frame while the
+/// camera moves".
 std::string label_of(const Column& column, CostCase cost);
 
 /// Returns the value of a column as a plot shows it; NaN if it is not shown.
 double plotted_value(const Column& column, const CaseNumbers& numbers);
-/// Returns the noise of a column's value. Smaller differences mean nothing.
+/// Returns the noise of a column's value. Differences below the noise have no meaning.
 double noise_of(const Column& column, const CaseNumbers& numbers);
 
 }  // namespace si

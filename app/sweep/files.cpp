@@ -27,15 +27,15 @@ constexpr const char* kTableFile = "results.csv";
 constexpr const char* kReportFile = "report.html";
 constexpr const char* kPictures = "pictures";
 
-/// As picture_path() and artefacts_path() name them.
+/// Returns true for file names that picture_path() and artefacts_path() make.
 bool is_picture_of_case(const fs::path& path) {
     const std::string name = path.filename().string();
     const auto digits = std::min(name.find_first_not_of("0123456789"), name.size());
     return digits >= 4 && (name.substr(digits) == ".jpg" || name.substr(digits) == "-artefacts.png");
 }
 
-/// The first file that a sweep of this folder would replace; empty: there is none.
-std::string first_in_the_way(const fs::path& folder) {
+/// Returns the first file in the folder that a sweep would replace; empty: none.
+std::string first_replaced_file(const fs::path& folder) {
     std::error_code error;
     for (const char* name : {kResultsFile, kTableFile, kReportFile, kBasePreset, kJournalFile})
         if (fs::exists(fs::symlink_status(folder / name, error))) return name;
@@ -81,7 +81,7 @@ void copy_pictures(const fs::path& from, const fs::path& to) {
     }
 }
 
-void forget_sweep(const fs::path& folder) {
+void remove_sweep_files(const fs::path& folder) {
     require_sweep_folder(folder);
     std::error_code error;
     const fs::path journal = folder / kJournalFile;
@@ -95,7 +95,7 @@ void forget_sweep(const fs::path& folder) {
         fs::remove(folder / name, error);
     for (const auto& entry : fs::directory_iterator(folder / kPictures, error))
         if (is_picture_of_case(entry.path())) fs::remove(entry.path(), error);
-    fs::remove(folder / kPictures, error);  // fails when something else is in it, which then stays
+    fs::remove(folder / kPictures, error);  // fails if other files are in the folder, which then stays
     if (descriptor >= 0) ::close(descriptor);
 }
 
@@ -104,7 +104,7 @@ void require_sweep_folder(const fs::path& folder) {
     if (fs::exists(folder, error) && !fs::is_directory(folder, error))
         throw Error(fmt::format("{}: is a file; name a folder", folder.string()));
     if (has_own_journal(folder)) return;
-    if (const std::string name = first_in_the_way(folder); !name.empty())
+    if (const std::string name = first_replaced_file(folder); !name.empty())
         throw Error(
             fmt::format("{}: holds {}, and no {} says that a sweep wrote it; choose another folder, or move it away",
                         folder.string(), name, kJournalFile));

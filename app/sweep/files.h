@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Set of files to write.
+/// Set of result files of a sweep to write.
 enum class SweepFiles {
     Results,    ///< results.json and results.csv
     AndReport,  ///< those, and base.json and report.html
@@ -20,12 +20,12 @@ SweepResults write_sweep_files(const std::filesystem::path& folder, const SweepS
 /// Makes the folder of a sweep's pictures. @throws Error when a file has its name
 void make_picture_folder(const std::filesystem::path& folder);
 
-/// Copies pictures of cases that the target folder lacks. @throws Error
+/// Copies pictures of a sweep's cases that the target folder lacks. @param from, to folders of sweeps @throws Error
 void copy_pictures(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Removes the files of a sweep from its folder, and no others. @throws Error while another process writes there, and
-/// as require_sweep_folder()
-void forget_sweep(const std::filesystem::path& folder);
+/// Removes a sweep's own files from its folder, and no others. @throws Error while another process writes there, or
+/// when the folder holds no sweep (require_sweep_folder())
+void remove_sweep_files(const std::filesystem::path& folder);
 
 /// Checks that a sweep may write into the folder. @throws Error when the folder holds files that a sweep would replace
 /// and no journal of a sweep
@@ -34,7 +34,7 @@ void require_sweep_folder(const std::filesystem::path& folder);
 /// Returns true if a picture of the case is missing in the folder.
 bool lacks_pictures(const std::filesystem::path& folder, std::size_t case_number);
 
-/// Formats the Pareto front as lines of cost, error and settings.
+/// Formats the Pareto front of a sweep as lines of cost, error and settings, for the terminal.
 std::string frontier_text(const SweepResults& results);
 
 }  // namespace si

@@ -30,7 +30,7 @@ std::string asset(const std::string& name) {
     throw Error(fmt::format("assets/report/{} is not in this program", name));
 }
 
-/// The scripts in the order in which they need each other.
+/// Returns the report's scripts in the order of their dependencies.
 std::string script() {
     std::string text;
     for (const char* name : {"data.js", "axes.js", "plot.js", "table.js", "page.js"}) text += asset(name);
@@ -50,7 +50,7 @@ Json columns_json(CostCase cost) {
     return list;
 }
 
-/// What the varied settings and their choices are called.
+/// Returns labels of the varied settings and of their choices.
 Json setting_info(const Json& axes) {
     Json info = Json::object();
     for (const Json& axis : axes) {
@@ -65,7 +65,7 @@ Json setting_info(const Json& axes) {
     return info;
 }
 
-/// How to look at a case in the editor.
+/// Returns the command line that opens a case in the editor.
 std::string command_of(const Json& results, const Json& row) {
     std::string text = fmt::format("shadow-inspector edit {} --preset {}",
                                    shell_quoted(results.at("scene").at("name").get<std::string>()), kBasePreset);
@@ -81,7 +81,8 @@ std::string data_uri(const fs::path& file, const char* type) {
     return bytes.empty() ? std::string() : fmt::format("data:{};base64,{}", type, base64(bytes));
 }
 
-/// By case, as far as there is room: the frontier's, then all thumbnails, then all artefact maps.
+/// Embeds pictures up to the size limit: those of the Pareto front first, then all thumbnails, then all artefact
+/// pictures.
 Json pictures_json(const Json& results, const fs::path& folder, std::size_t most_bytes) {
     const Json& frontier = results.at("frontier").at("cases");
     const std::set<Json> on(frontier.begin(), frontier.end());
@@ -105,7 +106,7 @@ Json pictures_json(const Json& results, const fs::path& folder, std::size_t most
     return pictures;
 }
 
-/// JSON that may stand in a script element: nothing in it ends the element or begins a comment.
+/// Formats JSON for a script element, escaped so that it cannot end the element or begin a comment.
 std::string script_json(const Json& json) {
     const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
     std::string safe;

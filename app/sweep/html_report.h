@@ -10,8 +10,8 @@ namespace si {
 /// Largest total size of embedded pictures. Cases on the Pareto front come first.
 inline constexpr std::size_t kMaxPictureBytes = std::size_t{24} << 20;
 
-/// Makes the HTML report of a sweep. @param results from results_json() @param folder of the sweep with its pictures;
-/// missing ones are left out
+/// Makes the HTML report of a sweep. @param results JSON of results_json() @param folder folder of the sweep with its
+/// pictures; missing pictures are left out
 std::string report_html(const nlohmann::ordered_json& results, const std::filesystem::path& folder,
                         std::size_t max_picture_bytes = kMaxPictureBytes);
 

@@ -22,13 +22,13 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr int kMostBadLines = 5;  ///< that are told of one by one
+constexpr int kMaxBadLines = 5;  ///< number of bad lines that notes name one by one
 
 std::string reason() {
     return std::strerror(errno);
 }
 
-/// The journal's text up to its last line break: what follows was cut off.
+/// Returns the journal's text up to its last line break; a rest without one was cut off.
 std::string whole_lines(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throw Error(fmt::format("{}: cannot be read: {}", file.string(), reason()));
@@ -38,7 +38,7 @@ std::string whole_lines(const fs::path& file) {
     return text;
 }
 
-/// Of the cases that the plan has.
+/// Returns the number of cases in the plan.
 std::size_t case_count(const SweepState& state) {
     const SweepSpec spec = spec_from_json(state.spec);
     return plan_sweep(spec.base, spec.axes).cases.size();
@@ -47,7 +47,7 @@ std::size_t case_count(const SweepState& state) {
 SweepState state_of(std::string_view text, const fs::path& file) {
     SweepState state;
     const auto refuse = [&](int number, const std::string& why) {
-        throw Error(fmt::format("{}: line {}: {}; choose another folder, or --fresh to begin anew", file.string(),
+        throw Error(fmt::format("{}: line {}: {}; choose another folder, or --fresh to start again", file.string(),
                                 number, why));
     };
     int number = 0, unread = 0;
@@ -65,8 +65,8 @@ SweepState state_of(std::string_view text, const fs::path& file) {
             refuse(number, e.what());
         } catch (const std::exception& e) {
             if (begins) refuse(number, printable(e.what()));
-            // What it told of is as if it had not been measured.
-            if (++unread <= kMostBadLines)
+            // The line's case counts as not measured.
+            if (++unread <= kMaxBadLines)
                 state.notes.push_back(
                     fmt::format("{}: line {} is left out: {}", file.string(), number, printable(e.what())));
         }
@@ -75,10 +75,10 @@ SweepState state_of(std::string_view text, const fs::path& file) {
     if (number > 0 && state.spec.is_null())
         throw Error(
             fmt::format("{}: no line says what is swept: it is damaged or no journal of a sweep; choose "
-                        "another folder, or --fresh to begin anew",
+                        "another folder, or --fresh to start again",
                         file.string()));
-    if (unread > kMostBadLines)
-        state.notes.push_back(fmt::format("{}: {} more lines are left out", file.string(), unread - kMostBadLines));
+    if (unread > kMaxBadLines)
+        state.notes.push_back(fmt::format("{}: {} more lines are left out", file.string(), unread - kMaxBadLines));
     return state;
 }
 
@@ -91,8 +91,8 @@ void write_all(int descriptor, std::string_view bytes, const fs::path& file) {
     }
 }
 
-/// File systems that cannot do it are no failure.
-void onto_disk(int descriptor, const fs::path& file) {
+/// Flushes the file to disk. A file system that cannot flush is no failure.
+void flush_to_disk(int descriptor, const fs::path& file) {
     if (::fdatasync(descriptor) != 0 && errno != EINVAL && errno != EROFS)
         throw Error(fmt::format("{}: cannot be written: {}", file.string(), reason()));
 }
@@ -118,10 +118,10 @@ bool has_own_journal(const fs::path& folder) {
     begin.resize(std::size_t(in.gcount()));
     const std::string header = fmt::format("{{\"format\":\"{}\"", kJournalFormat);
     constexpr std::string_view kRun = "{\"run\":{\"id\":\"";
-    // Killed while its first line was written, it may be cut anywhere.
+    // A process killed during its first write may leave a journal cut anywhere.
     if (begin.size() < header.size() && header.starts_with(begin)) return true;
     for (std::string_view rest = begin; !rest.empty();) {
-        if (rest.starts_with(header) || rest.starts_with(kRun)) return true;  // others may be damaged
+        if (rest.starts_with(header) || rest.starts_with(kRun)) return true;  // later lines may be damaged
         rest.remove_prefix(std::min(rest.find('\n'), rest.size() - 1) + 1);
     }
     return false;
@@ -153,12 +153,12 @@ Journal::Journal(const fs::path& folder, const Json& spec, const std::string& pl
         if (state_.spec.is_null()) {
             add(header_line(spec, plan));
         } else if (const std::string difference = spec_difference(state_.spec, spec); !difference.empty()) {
-            throw Error(fmt::format("{}: holds another sweep ({}); choose another folder, or --fresh to begin anew",
+            throw Error(fmt::format("{}: holds another sweep ({}); choose another folder, or --fresh to start again",
                                     folder.string(), difference));
         } else if (state_.plan != plan) {
             throw Error(
                 fmt::format("{}: holds a sweep of a version of the program that ordered its cases differently; "
-                            "choose another folder, or --fresh to begin anew",
+                            "choose another folder, or --fresh to start again",
                             folder.string()));
         }
     } catch (...) {
@@ -183,7 +183,7 @@ void Journal::add(const std::vector<Json>& lines) {
         matters = matters || line.contains("facts") || line.contains("failed");
     }
     write_all(descriptor_, text, file_);
-    if (matters) onto_disk(descriptor_, file_);
+    if (matters) flush_to_disk(descriptor_, file_);
     for (const Json& line : lines) state_.apply(line);
 }
 

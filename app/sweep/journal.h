@@ -25,9 +25,9 @@ public:
 
     /// Returns the state that all lines of the journal add up to.
     const SweepState& state() const { return state_; }
-    /// Appends a line. Results of cases are flushed to disk before it returns. @throws Error when it cannot be written
+    /// Appends a line to the journal, and flushes results of cases to disk. @throws Error when writing fails
     void add(const nlohmann::ordered_json& line);
-    /// Appends several lines at once.
+    /// Appends several lines to the journal at once. @throws Error when writing fails
     void add(const std::vector<nlohmann::ordered_json>& lines);
 
 private:
@@ -39,7 +39,7 @@ private:
 /// Returns true if the folder holds a file with the journal's name.
 bool has_journal(const std::filesystem::path& folder);
 
-/// Returns true if the folder's journal was written by a sweep of this program; damage in later lines does not count.
+/// Returns true if the folder's journal was written by a sweep of this program. Damage in later lines is ignored.
 bool has_own_journal(const std::filesystem::path& folder);
 
 }  // namespace si

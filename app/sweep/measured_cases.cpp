@@ -10,7 +10,7 @@
 namespace si {
 namespace {
 
-/// How the setting is called and its value shown, for people.
+/// Formats a varied setting with its label and shown value: "Kernel: PCF 3×3".
 std::pair<std::string, std::string> words(const std::string& key, const std::string& value) {
     const auto ref = find_setting(key);
     if (!ref) return {key, value};

@@ -6,16 +6,17 @@
 
 namespace si {
 
-/// Lists the columns that may be axes of the plot, in order. @param cost kind of frames that the times belong to
+/// Lists the columns of sweep results that may be axes of the frontier plot, in order. @param cost kind of frames that
+/// the times belong to
 std::vector<MeasuredColumn> measured_columns(CostCase cost = kDefaultCost);
 
-/// Converts a row of sweep results to a dot of the plot.
+/// Converts a row of sweep results to a dot of the frontier plot.
 MeasuredCase measured_case(const SweepRow& row);
-/// Converts numbers measured outside a sweep (present or pinned settings) to a dot of the plot.
+/// Converts numbers measured outside a sweep (present or pinned settings) to a dot of the frontier plot.
 MeasuredCase measured_case(const CaseNumbers& numbers);
 
-/// Makes the plot of a sweep. Failed rows are left out. @param present, before numbers of the present and the earlier
-/// settings; null: none @param cost, error keys of the columns on the axes
+/// Makes the frontier plot of a sweep: dots, Pareto front and advice. Failed rows are left out. @param present, before
+/// numbers of the present and the earlier settings; null: none @param cost, error keys of the columns on the axes
 FrontierView frontier_view(const std::vector<SweepRow>& rows, const CaseNumbers* present, const std::string& cost,
                            const std::string& error, const CaseNumbers* before = nullptr);
 

@@ -10,24 +10,24 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr auto kRest = 200ms;    ///< a picture waits this long for settings to stand still
-constexpr auto kReport = 250ms;  ///< between two reports of a sweep's results
+constexpr auto kSettleTime = 200ms;      ///< time without changes before a picture is measured
+constexpr auto kReportInterval = 250ms;  ///< time between two reports of a sweep's results
 
-/// One thread is left to the editor.
+/// Returns the workers for measurements, which leave one CPU thread to the editor.
 Workers workers_of(std::stop_token stop) {
     return {.threads = std::max(1, Workers{}.count() - 1), .stop = std::move(stop)};
 }
 
 }  // namespace
 
-/// What the thread measures with; made when there is first something to measure.
+/// OpenGL context, renderer and measurer of the thread, made at the first measurement.
 struct MeasuringThread::Bench {
     HeadlessContext context;
     Renderer renderer;
     std::unique_ptr<RunningSweep> sweep;
     std::stop_token sweep_stop;
     Clock::time_point report_due;
-    std::unique_ptr<Measurer> measurer;  ///< of pictures; keeps the truth from one to the next
+    std::unique_ptr<Measurer> measurer;  ///< for pictures; keeps the reference from one to the next
     int width = 0, height = 0;
 };
 
@@ -77,7 +77,7 @@ void MeasuringThread::start_measurement(Picture picture) {
     update_status([&] {
         picture_stop_.request_stop();
         picture_stop_ = {};
-        next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kRest};
+        next_picture_ = PictureWanted{std::move(picture), picture_stop_, Clock::now() + kSettleTime};
         status_.measuring = true;
         status_.measure_problem.clear();
     });
@@ -133,7 +133,7 @@ void MeasuringThread::run(const std::stop_token& end, std::chrono::milliseconds 
                 else if (!changed_.wait_for(lock, end, kept, [&] { return next_sweep_ || next_picture_; }) &&
                          !end.stop_requested()) {
                     lock.unlock();
-                    bench.reset();  // its maps may be large, and are nobody's
+                    bench.reset();  // frees its maps, which may be large
                     lock.lock();
                 }
             }
@@ -168,13 +168,13 @@ void MeasuringThread::begin_sweep(Bench& bench) {
         std::swap(wanted, next_sweep_);
     }
     if (!wanted) return;
-    bench.sweep.reset();  // leaves its journal
+    bench.sweep.reset();  // closes its journal
     try {
         wanted->inputs.sessions.add_scene(*wanted->scene, wanted->as);
         bench.sweep_stop = wanted->stop.get_token();
         bench.sweep =
             std::make_unique<RunningSweep>(std::move(wanted->inputs), bench.renderer, workers_of(bench.sweep_stop));
-        bench.report_due = Clock::now() + kReport;
+        bench.report_due = Clock::now() + kReportInterval;
     } catch (const std::exception& e) {
         update_status([&] {
             status_.sweeping = false;
@@ -196,12 +196,12 @@ void MeasuringThread::step_sweep(Bench& bench) {
     std::optional<SweepResults> results;
     if (report) {
         results = sweep_results(bench.sweep->state(), bench.sweep->inputs().plan);
-        bench.report_due = Clock::now() + kReport;
+        bench.report_due = Clock::now() + kReportInterval;
     }
     const SweepProgress progress = bench.sweep->progress();
-    if (!more) bench.sweep.reset();  // the journal is free before anybody hears of the end
+    if (!more) bench.sweep.reset();  // closes the journal before the end is reported
     update_status([&] {
-        if (next_sweep_) return;  // another one is wanted already
+        if (next_sweep_) return;  // another sweep waits already
         if (report) status_.results = std::move(results);
         status_.progress = progress;
         status_.sweeping = more;

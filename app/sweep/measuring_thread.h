@@ -20,12 +20,13 @@ namespace si {
 /// Background thread for sweeps and single measurements.
 class MeasuringThread {
 public:
-    /// @param kept time that maps, programs and the GL context stay in memory after the last measurement
+    /// Starts the measuring thread. @param kept time that maps, programs and the GL context stay in memory after the
+    /// last measurement
     explicit MeasuringThread(std::chrono::milliseconds kept = std::chrono::seconds(5));
     /// Cancels all work and joins the thread.
     ~MeasuringThread();
 
-    /// Picture to be measured. The scene is shared and never changed.
+    /// Picture whose error, cost and time are to be measured. The scene is shared and never changed.
     struct Picture {
         std::shared_ptr<const Scene> scene;
         std::string scene_name;
@@ -33,17 +34,18 @@ public:
         int width = 0, height = 0;
         CostCase cost = kDefaultCost;  ///< kind of frames to time
     };
-    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as its scene
-    /// settings (index, animation, time, placement)
+    /// Starts a sweep and cancels the present one. @param scene scene of the first case, copied @param as scene
+    /// settings (index, animation, time, placement) that the scene is posed with
     void start_sweep(RunningSweep::Inputs inputs, std::shared_ptr<const Scene> scene, const SceneSettings& as);
-    /// Stops the sweep. Finished cases stay in its journal.
+    /// Stops the running sweep. Finished cases stay in its journal.
     void cancel_sweep();
     /// Starts measuring a picture and cancels the present measurement of a picture.
     void start_measurement(Picture picture);
     /// Stops the measurement of a picture.
     void cancel_measurement();
 
-    /// State of all work. The version grows with each change.
+    /// State of the measuring thread: progress and results of sweep and single measurement. The version grows with each
+    /// change.
     struct Status {
         std::uint64_t version = 0;
         bool sweeping = false;
@@ -55,7 +57,7 @@ public:
         std::optional<CaseNumbers> measured;  ///< numbers of the last picture
         std::string measure_problem;
     };
-    /// Returns a copy of the present state.
+    /// Returns a copy of the measuring thread's present state.
     Status status() const;
     /// Returns Status::version without copying the state.
     std::uint64_t version() const;
@@ -67,23 +69,30 @@ public:
     void wait_for_sweep() const;
 
 private:
+    /// Sweep that waits to be started.
     struct SweepWanted {
         RunningSweep::Inputs inputs;
         std::shared_ptr<const Scene> scene;
         SceneSettings as;
         std::stop_source stop;
     };
+    /// Picture that waits to be measured.
     struct PictureWanted {
         Picture picture;
         std::stop_source stop;
         std::chrono::steady_clock::time_point due;
     };
     struct Bench;
+    /// Loop of the thread: measures pictures and steps of the sweep until `end`. @param kept time that the OpenGL
+    /// context stays in memory after the last measurement
     void run(const std::stop_token& end, std::chrono::milliseconds kept);
+    /// Starts the waiting sweep.
     void begin_sweep(Bench& bench);
+    /// Measures the next step of the running sweep.
     void step_sweep(Bench& bench);
+    /// Measures error, cost and time of the waiting picture.
     void measure_picture(Bench& bench, const PictureWanted& wanted);
-    /// Applies a change to the status and wakes waiting threads.
+    /// Applies a change to the status and wakes the threads that wait for it.
     template <typename Change>
     void update_status(const Change& change);
 

@@ -13,14 +13,14 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostNamed = 5;  ///< cases that parts contradict each other in
+constexpr std::size_t kMaxNamed = 5;  ///< number of contradicting cases that notes name
 
 bool knows(const std::vector<Turn>& turns, const Turn& turn) {
     return std::any_of(turns.begin(), turns.end(),
                        [&](const Turn& t) { return t.run == turn.run && t.round == turn.round; });
 }
 
-/// The part that a case's numbers are of.
+/// Names of the parts that the cases' numbers come from, by case number.
 using Origins = std::map<std::size_t, std::string>;
 
 void add_case(CaseState& to, const CaseState& from) {
@@ -56,15 +56,15 @@ SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& p
         for (const auto& [number, c] : part.cases) {
             CaseState& known = merged.cases[number];
             const std::string& of = origins.emplace(number, name).first->second;
-            if (const std::string phrase = contradiction(known, c); !phrase.empty() && ++contradictions <= kMostNamed)
+            if (const std::string phrase = contradiction(known, c); !phrase.empty() && ++contradictions <= kMaxNamed)
                 merged.notes.push_back(fmt::format("{} and {} contradict each other in case {}: {}; the first counts",
                                                    of, name, number, phrase));
             if (!is_measured(known)) origins[number] = name;
             add_case(known, c);
         }
     }
-    if (contradictions > kMostNamed)
-        merged.notes.push_back(fmt::format("they contradict each other in {} more cases", contradictions - kMostNamed));
+    if (contradictions > kMaxNamed)
+        merged.notes.push_back(fmt::format("they contradict each other in {} more cases", contradictions - kMaxNamed));
     return merged;
 }
 

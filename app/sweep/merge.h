@@ -14,7 +14,7 @@ namespace si {
 /// @throws Error when the parts belong to different sweeps, naming two and their difference
 SweepState merge_sweeps(const std::vector<std::pair<std::string, SweepState>>& parts);
 
-/// Returns the journal lines that `known` lacks and `more`, a state of the same sweep, has.
+/// Returns the journal lines of `more` that `known` lacks. Both are states of one sweep.
 std::vector<nlohmann::ordered_json> missing_lines(const SweepState& known, const SweepState& more);
 
 /// Returns the numbers of the plan's cases without a result.

@@ -15,7 +15,7 @@ struct CaseErrors {
     double noise = std::numeric_limits<double>::quiet_NaN();  ///< noise of the reference; NaN: unknown
 };
 
-/// Error, cost and time of one case; parts that are not measured yet are empty.
+/// Error, cost and time of one case of a sweep; parts that are not measured yet are empty.
 struct CaseNumbers {
     std::optional<CaseErrors> error;
     std::optional<WorkCost> cost;

@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-/// The share of source pixel `i` that lies within [from, to).
+/// Returns the share of source pixel `i` that lies within [from, to).
 double overlap(int i, double from, double to) {
     return std::max(0.0, std::min(to, i + 1.0) - std::max(from, double(i)));
 }

@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// Shrinks an image to at most `width` pixels by area averaging; smaller images are returned unchanged.
+/// Shrinks an image to a width of at most `width` pixels by area averaging. Returns smaller images unchanged.
 ByteImage shrunk(const ByteImage& image, int width);
 
 /// Encodes an image as JPEG. @throws Error

@@ -32,7 +32,7 @@ std::string progress_text(const SweepProgress& p, const SweepTiming& timing) {
         p.timing ? fmt::format("times, round {} of at most {}: {}/{}", p.round + 1, timing.rounds, p.done, p.total)
                  : fmt::format("error and cost: {}/{}", p.done, p.total);
     if (p.seconds_left > 0) {
-        const bool unknown = !p.timing && timing.on;  // no frame has been timed yet
+        const bool unknown = !p.timing && timing.on;  // the time of a frame is not known yet
         text += fmt::format(", {} left{}", duration_text(p.seconds_left), unknown ? " and then times" : "");
     }
     return text + "  " + p.current;

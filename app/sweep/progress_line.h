@@ -14,16 +14,17 @@ std::string duration_text(double seconds);
 /// Formats the progress of a sweep as one line without line break.
 std::string progress_text(const SweepProgress& progress, const SweepTiming& timing);
 
-/// Progress line on stderr.
+/// Line on stderr that shows the progress of long work: rewritten on a terminal, else printed every few seconds.
 class ProgressLine {
 public:
     ProgressLine();
     ~ProgressLine();  ///< ends the line
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
-    /// Shows the progress of a sweep.
+    /// Shows the progress of a sweep on the line.
     void show(const SweepProgress& progress, const SweepTiming& timing);
-    /// Shows a text. @param last true: always prints; false: may skip it, since the last print was very recently
+    /// Shows a text on the line. @param last true: prints the text always; false: skips the text if the last print was
+    /// very recent
     void show(std::string text, bool last);
 
 private:

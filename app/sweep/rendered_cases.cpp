@@ -21,7 +21,7 @@ CaseFacts RenderedCases::facts(const SweepCase& c) {
     facts.notes = std::move(prepared.notes);
     facts.error = {classified.error, classified.reference->noise};
     if (classified.reference->noise_unknown > 0)
-        facts.notes.push_back("the truth: " + noise_text(*classified.reference));
+        facts.notes.push_back("the reference: " + noise_text(*classified.reference));
     facts.cost = classified.cost;
     if (classified.map_resolution < prepared.settings.map.resolution) facts.map_resolution = classified.map_resolution;
     facts.notes.insert(facts.notes.end(), classified.notes.begin(), classified.notes.end());

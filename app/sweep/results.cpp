@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-/// The axes of the plot to begin with: of several in order of preference the first that has numbers.
+/// Chooses the plot's first axes: the first column with numbers in order of preference.
 std::string first_with_numbers(const std::vector<SweepRow>& rows, std::initializer_list<const char*> keys) {
     for (const char* key : keys)
         for (const SweepRow& row : rows)
@@ -59,7 +59,7 @@ Json row_json(const SweepRow& row) {
     return json;
 }
 
-/// What was measured stands on the axis, not what was asked for; the row's notes say why it is smaller.
+/// Replaces a varied resolution by the drawn one. The row's notes give the reason why it is smaller.
 void put_drawn_resolution(SweepRow& row, int drawn) {
     for (auto& [key, value] : row.settings)
         if (drawn > 0 && key == "map.resolution") value = std::to_string(drawn);
@@ -97,7 +97,7 @@ RankedRounds rounds_like(const SweepState& state, const RunInfo& like) {
 RankedRounds ranked_rounds(const SweepState& state) {
     RankedRounds best;
     std::optional<CostCase> cost;
-    for (auto run = state.runs.rbegin(); run != state.runs.rend(); ++run) {  // against the order of time
+    for (auto run = state.runs.rbegin(); run != state.runs.rend(); ++run) {  // latest run first
         if (cost && run->cost != *cost) continue;
         RankedRounds rounds = rounds_like(state, *run);
         if (rounds.rounds.empty()) continue;

@@ -13,16 +13,17 @@ inline constexpr int kResultsVersion = 1;
 /// Name of the preset in the folder with the settings that all cases share.
 inline constexpr const char* kBasePreset = "base.json";
 
-/// Rounds of timed frames that are comparable: complete rounds in which each case was drawn, by runs on one machine
+/// Rounds of timed frames whose times are comparable: complete rounds (each case was drawn), by runs on one machine
 /// with one clock and one kind of frames.
 struct RankedRounds {
     std::vector<std::pair<std::string, int>> rounds;  ///< run and round
+    /// Returns true if the timed frames belong to one of these rounds.
     bool contains(const Turn& turn) const;
 };
-/// Selects the rounds that rank the cases: the kind of frames timed last, and the machine with most rounds (of equals
-/// the latest).
+/// Selects the rounds of timed frames that rank the cases of a sweep: those of the kind of frames timed last, on the
+/// machine with most rounds (the latest if several have as many).
 RankedRounds ranked_rounds(const SweepState& state);
-/// Selects the rounds whose times are comparable with those of `run`.
+/// Selects the rounds of timed frames whose times are comparable with those of `run`.
 RankedRounds rounds_like(const SweepState& state, const RunInfo& run);
 
 /// Returns the time samples of a case in the given rounds.

@@ -12,7 +12,7 @@
 namespace si {
 namespace {
 
-/// What an attempt at a case threw, on one line; a sweep goes on with the next case.
+/// Returns the message of a case's exception on one line. The sweep then continues with the next case.
 template <typename Attempt>
 std::string why_failed(const Attempt& attempt) {
     try {
@@ -90,7 +90,7 @@ bool SweepRunner::step_facts() {
             journal_.add(facts_line(number, state));
         }
     }
-    // What was measured before stays so when only its pictures cannot be drawn again.
+    // Measured numbers stay if only the pictures cannot be drawn again.
     if (!why.empty() && !again) journal_.add(failure_line(number, why));
     facts_s_ += std::chrono::duration<double>(Clock::now() - start).count();
     progress_.done = next_;
@@ -111,7 +111,7 @@ void SweepRunner::begin_round() {
         all_settled =
             all_settled && int(samples.total_ms.size()) >= timing_.min_frames && summarise_times(samples).settled;
     }
-    // To and fro, so that a steady drift falls on early and late cases alike.
+    // Rounds alternate their direction, so that a steady drift affects early and late cases equally.
     if (rounds.rounds.size() % 2) std::reverse(order_.begin(), order_.end());
     round_ = int(rounds.rounds.size());
     progress_ = {.timing = true, .done = 0, .total = order_.size(), .round = round_};

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Error, cost and pictures of a case.
+/// Error, cost and pictures of one case of a sweep.
 struct CaseFacts {
     CaseErrors error;
     WorkCost cost;
@@ -18,7 +18,7 @@ struct CaseFacts {
     std::string picture_jpg, artefacts_png;  ///< the files' bytes
 };
 
-/// Interface that measures a case. The program uses RenderedCases; tests use fakes.
+/// Interface that measures cases of a sweep. The program uses RenderedCases; tests use fakes.
 class CaseMeter {
 public:
     virtual ~CaseMeter() = default;
@@ -42,22 +42,29 @@ struct SweepProgress {
 /// Runs the steps of a sweep and appends each result to the journal.
 class SweepRunner {
 public:
-    /// @param folder of the journal and the pictures
+    /// Prepares the steps of a sweep: cases without results, then rounds of timed frames. @param retry_failed measures
+    /// failed cases again @param folder folder of the journal and the pictures
     SweepRunner(const SweepPlan& plan, Shard shard, SweepTiming timing, bool retry_failed, CaseMeter& meter,
                 Journal& journal, std::filesystem::path folder);
-    /// Measures error and cost of one case, or draws the timed frames of one case in a round. @returns false when the
-    /// sweep is done
+    /// Runs the next step of the sweep: measures error and cost of one case, or times frames of one case in a round.
+    /// @returns false when the sweep is done
     bool step();
     /// Returns the progress of the sweep.
     const SweepProgress& progress() const { return progress_; }
 
 private:
     using Clock = std::chrono::steady_clock;
+    /// Measures error, cost and pictures of the next case. Returns false if no case is left.
     bool step_facts();
+    /// Times frames of the next case of the round. Returns false if all times have settled, or after the last round.
     bool step_timing();
+    /// Begins a round of timed frames over all measured cases. The order of the cases alternates from round to round.
     void begin_round();
+    /// Returns the description of this process, for the journal.
     RunInfo this_run() const;
+    /// Writes the description of this process to the journal, once.
     void announce_run();
+    /// Updates the estimate of the seconds left.
     void estimate();
 
     const SweepPlan& plan_;

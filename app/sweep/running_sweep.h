@@ -10,7 +10,7 @@ namespace si {
 /// Sweep that runs in steps: owns sessions, measurer, journal and runner.
 class RunningSweep {
 public:
-    /// Inputs of a sweep.
+    /// Inputs of a running sweep: sessions of its cases, specification, plan, timing and folder.
     struct Inputs {
         CaseSessions sessions;
         SweepSpec spec;

@@ -26,7 +26,7 @@ std::string shown(const Json& value) {
     return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
-/// All values that settings have in a sweep, in what its cases share or in some of them.
+/// Returns all values of the settings in a sweep: shared values and those of the axes.
 std::vector<SettingValue> values_named(const Json& settings, const std::vector<SweepAxis>& axes) {
     std::vector<SettingValue> values;
     const auto add = [&](const std::string& key, const std::string& text) {
@@ -64,7 +64,7 @@ Shard parse_shard(std::string_view text) {
     const auto second = has_slash ? std::from_chars(first.ptr + 1, end, shard.count) : first;
     const bool whole = has_slash && second.ec == std::errc() && second.ptr == end;
     if (!whole || shard.count < 1 || shard.count > kMaxShards || shard.index < 1 || shard.index > shard.count)
-        throw UsageError(fmt::format("--shard {}: I/N is wanted, I from 1 to N, such as 2/8", text));
+        throw UsageError(fmt::format("--shard {}: must be I/N, I from 1 to N, such as 2/8", text));
     return shard;
 }
 
@@ -163,7 +163,7 @@ std::string spec_difference(const Json& there, const Json& here, bool with_shard
     };
     if (size(there) != size(here)) return fmt::format("--size {} there, {} here", size(there), size(here));
     if (there.at("truth") != here.at("truth"))
-        return fmt::format("{} truth there, {} here", shown(there["truth"]), shown(here["truth"]));
+        return fmt::format("{} reference there, {} here", shown(there["truth"]), shown(here["truth"]));
     if (there.at("axes") != here.at("axes"))
         return fmt::format("--vary {} there, {} here", axes_text(there["axes"]), axes_text(here["axes"]));
     Json keys = there.at("settings");

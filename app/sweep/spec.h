@@ -12,10 +12,10 @@
 
 namespace si {
 
-/// One of `count` parts of a sweep. Case n belongs to part n mod count.
+/// Shard: one of `count` parts of a sweep, for several machines. Case n belongs to part n mod count.
 struct Shard {
     int index = 1, count = 1;  ///< index from 1
-    /// Returns true if the case belongs to this part.
+    /// Returns true if the case belongs to this shard of the sweep.
     bool contains(std::size_t case_number) const { return int(case_number % std::size_t(count)) == index - 1; }
     bool operator==(const Shard&) const = default;
 };
@@ -23,7 +23,7 @@ struct Shard {
 /// Parses the value of --shard: "2/8" is the second part of eight. @throws UsageError
 Shard parse_shard(std::string_view text);
 
-/// Specification of a sweep.
+/// Specification of a sweep: scene, settings, axes and picture size.
 struct SweepSpec {
     std::string scene;                ///< name or path as given
     std::uint64_t scene_content = 0;  ///< scene_content_key()
@@ -42,16 +42,16 @@ std::uint64_t scene_content_key(const Scene& scene);
 SweepSpec sweep_spec(const std::string& scene_name, const Scene& scene, const Settings& settings,
                      std::vector<SweepAxis> axes, int width, int height);
 
-/// Converts a specification to JSON.
+/// Converts the specification of a sweep to JSON.
 nlohmann::ordered_json spec_json(const SweepSpec& spec);
-/// Reads a specification from the JSON that spec_json() writes. @param settings_version version of the settings in the
-/// file (earlier.h) @throws Error
+/// Reads the specification of a sweep from the JSON that spec_json() writes. @param settings_version version of the
+/// settings in the file (earlier.h) @throws Error
 SweepSpec spec_from_json(const nlohmann::ordered_json& json, int settings_version = kSettingsVersion);
 
-/// Computes a hash of the cases and their order. They follow from the specification and the settings table.
+/// Computes a hash of a sweep's cases and their order, which follow from the specification and the settings table.
 std::string plan_key(const SweepPlan& plan);
 
-/// Describes the first difference of two specifications ("map.format: d16 there, d24 here"); empty if equal.
+/// Describes the first difference of two sweeps' specifications ("map.format: d16 there, d24 here"); empty if equal.
 /// @param there, here JSON of spec_json() @param with_shard also compares the shards
 std::string spec_difference(const nlohmann::ordered_json& there, const nlohmann::ordered_json& here,
                             bool with_shard = true);

@@ -30,7 +30,7 @@ std::string machine_key() {
     return fmt::format("{:016x}", Key().add(std::string_view(id)).add(std::string_view(host.data())).value());
 }
 
-/// Microseconds: finer digits are noise and would make the journal long.
+/// Rounds milliseconds to microseconds: finer digits are noise and would lengthen the journal.
 Json milliseconds(const std::vector<double>& values) {
     Json out = Json::array();
     for (const double v : values) out.push_back(std::round(v * 1e4) / 1e4);
@@ -50,9 +50,9 @@ Turn turn_of(const Json& line) {
     return turn;
 }
 
-/// Rows whose errors mean something else cannot stand beside those that are measured now.
+/// Checks that errors have this program's definition. @throws OtherMeaning
 void require_known_meaning(const Json& error) {
-    const int meaning = error.value("meaning", 1);  // the first had no number
+    const int meaning = error.value("meaning", 1);  // the first version had no number
     if (meaning != kErrorMeaning)
         throw OtherMeaning(
             fmt::format("errors of meaning {}, which do not compare with this program's of meaning {} "
@@ -60,14 +60,14 @@ void require_known_meaning(const Json& error) {
                         meaning, kErrorMeaning));
 }
 
-/// Of numbers that no picture can have, which would stand before all others on a frontier.
+/// Rejects numbers that no picture can have, which would lead the Pareto front. @throws Error
 void require_possible(const ErrorMetrics& m) {
-    constexpr double kRounding = 1e-6, kMostPixels = 1e6;
+    constexpr double kRounding = 1e-6, kMaxPixels = 1e6;
     for (const Metric& metric : metrics()) {
         if (!metric.member) continue;
         const bool share = metric.unit == kShareOfPixels || metric.unit == kOfVisibility;
         const double v = m.*metric.member, least = metric.better == Better::NearZero ? -1 : 0;
-        const double most = share || metric.better == Better::More ? 1 : kMostPixels;
+        const double most = share || metric.better == Better::More ? 1 : kMaxPixels;
         const bool unknown_share = std::isnan(v) && share && m.counted > 0;
         if (unknown_share || v < least - kRounding || v > most + kRounding)
             throw Error(fmt::format("its {} is {:.6g}, which none can be", metric.key, v));
@@ -84,7 +84,7 @@ RunInfo run_of(const Json& line) {
     run.clock = line.at("clock").get<std::string>();
     run.software = line.at("software").get<bool>();
     run.load = line.at("load").get<double>();
-    // The first journals knew forced frames alone.
+    // The first journals timed forced frames only.
     run.cost = parse_cost(line.value("cost", "forced"));
     return run;
 }
@@ -119,11 +119,11 @@ bool is_measured(const CaseState& c) {
 std::string contradiction(const CaseState& a, const CaseState& b) {
     if (!is_measured(a) || !is_measured(b)) return {};
     const auto first_difference = [](const Json& one, const Json& other) -> std::string {
-        const Json flat = one.flatten(), beside = other.flatten();
+        const Json flat = one.flatten(), other_flat = other.flatten();
         for (const auto& [path, value] : flat.items())
-            if (const auto at = beside.find(path); at == beside.end() || *at != value)
+            if (const auto at = other_flat.find(path); at == other_flat.end() || *at != value)
                 return fmt::format("{} {} and {}", path.substr(1), value.dump(),
-                                   at == beside.end() ? "nothing" : at->dump());
+                                   at == other_flat.end() ? "nothing" : at->dump());
         return {};
     };
     if (std::string error = first_difference(error_json(a.error.metrics), error_json(b.error.metrics)); !error.empty())
@@ -139,7 +139,7 @@ void SweepState::apply(const Json& line) {
             throw Error(
                 fmt::format("version {} of the journal cannot be read, only {}", version.dump(), readable_versions()));
         spec = line.at("spec");
-        // As this program would have written it.
+        // The line must be as this program writes it.
         if (version < kSettingsVersion) spec = spec_json(spec_from_json(spec, version.get<int>()));
         plan = line.at("plan").get<std::string>();
     } else if (line.contains("turn")) {

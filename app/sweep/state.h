@@ -21,7 +21,7 @@ struct Turn {
     TimeSamples samples;
 };
 
-/// Results of one case so far.
+/// Results of one case of a sweep so far.
 struct CaseState {
     bool finished = false;  ///< error and cost are known
     std::string failed;     ///< why the case failed; empty: it did not
@@ -33,13 +33,13 @@ struct CaseState {
     std::vector<Turn> turns;
 };
 
-/// Returns true if the case was measured and did not fail.
+/// Returns true if the case of a sweep was measured and did not fail.
 bool is_measured(const CaseState& c);
 
-/// Describes how two measurements of one case contradict each other; empty: they agree. Times may differ.
+/// Describes the contradiction between two measurements of one case; empty: they agree. Times may differ.
 std::string contradiction(const CaseState& a, const CaseState& b);
 
-/// Process that measured: machine, start, driver and clock.
+/// Description of a process that measures a sweep: machine, start, driver and clock.
 struct RunInfo {
     std::string id, started;  ///< UTC, ISO 8601
     std::string machine;      ///< hash that is equal only on the same machine
@@ -51,7 +51,7 @@ struct RunInfo {
     bool comparable_with(const RunInfo& other) const;
 };
 
-/// Describes the present process: fills id, started, machine and load.
+/// Returns a description of the present process with id, started, machine and load filled in.
 RunInfo this_run();
 
 /// Error for results whose metrics have another definition (kErrorMeaning) than this program's.
@@ -59,7 +59,7 @@ struct OtherMeaning : Error {
     using Error::Error;
 };
 
-/// State of a sweep.
+/// State of a sweep: its specification, and the results of all its cases so far.
 struct SweepState {
     nlohmann::ordered_json spec;  ///< spec_json()
     std::string plan;             ///< plan_key()
@@ -68,8 +68,8 @@ struct SweepState {
     std::size_t case_count = kMaxSweepCases;  ///< number of cases in the plan; case numbers are below it
     std::vector<std::string> notes;           ///< faults of the journal, which are ignored
 
-    /// Applies one line of the journal completely or not at all. @throws OtherMeaning, and std::exception for an
-    /// unknown line
+    /// Applies one line of a sweep's journal to this state, completely or not at all. @throws OtherMeaning, and
+    /// std::exception for an unknown line
     void apply(const nlohmann::ordered_json& line);
     /// Finds a run by its id; null: unknown.
     const RunInfo* run(const std::string& id) const;
@@ -79,17 +79,17 @@ private:
     CaseState& case_of(const nlohmann::ordered_json& line, const char* member);
 };
 
-/// Makes the first line of a journal.
+/// Makes the first line of a sweep's journal, with the specification. @param plan plan_key()
 nlohmann::ordered_json header_line(const nlohmann::ordered_json& spec, const std::string& plan);
-/// Makes the journal line that a process begins to measure.
+/// Makes the journal line that records that a process begins to measure.
 nlohmann::ordered_json run_line(const RunInfo& run);
-/// Makes the journal line that a case is begun.
+/// Makes the journal line that records that the measurement of a case begins.
 nlohmann::ordered_json begin_line(std::size_t case_number);
-/// Makes the journal line with error and cost of a case.
+/// Makes the journal line that records error and cost of a case.
 nlohmann::ordered_json facts_line(std::size_t case_number, const CaseState& facts);
-/// Makes the journal line that a case has failed.
+/// Makes the journal line that records that a case has failed. @param why message of the failure
 nlohmann::ordered_json failure_line(std::size_t case_number, const std::string& why);
-/// Makes the journal line with timed frames of a case.
+/// Makes the journal line that records timed frames of a case.
 nlohmann::ordered_json turn_line(std::size_t case_number, const Turn& turn);
 
 /// Number of crashes after which a case counts as failed.

@@ -11,8 +11,8 @@
 namespace si {
 namespace {
 
-/// The settings as a frame draws them: repairs, such as of a resolution beyond the driver's, are the start of the
-/// search.
+/// Returns the settings that a frame really draws, after repairs such as a resolution that the driver lacks. The search
+/// starts from them.
 Settings as_drawn(Renderer& renderer, const Scene& scene, const TuningJob& job) {
     Settings s = measured_settings(job.settings);
     const FrameResult frame = renderer.render(

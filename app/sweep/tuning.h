@@ -19,7 +19,7 @@ struct TuningJob {
 Tuner run_tuning(Renderer& renderer, const Scene& scene, const TuningJob& job, const Workers& workers,
                  const std::function<void(const Tuner&)>& report);
 
-/// Replaces bias, kernel and resolution of `settings` by those that the search found.
+/// Replaces bias, kernel and resolution of `settings` by those that a bias search found.
 void apply_tuning(Settings& settings, const Settings& found);
 
 }  // namespace si

@@ -23,7 +23,7 @@ function header() {
   byId("title").textContent = title;
   const where = [p.width + " \u00d7 " + p.height + " pixels", DATA.scene.triangles.toLocaleString("en") + " triangles",
     DATA.renderer];
-  where.push("truth: a light " + (DATA.truth === "area" ? "with its size" : "as a point or direction"));
+  where.push("reference: a light " + (DATA.truth === "area" ? "with its size" : "as a point or direction"));
   if (DATA.clock) where.push("times: " + DATA.clock + ", " + DATA.rounds + " rounds");
   byId("where").append(where.filter(Boolean).join(" \u00b7 "));
   if (DATA.cpu_rasteriser && DATA.clock)

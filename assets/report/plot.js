@@ -46,7 +46,7 @@ function noiseBand(svg, dots, scales) {
   const { y, box } = scales, top = Math.min(Math.max(y.at(noise[noise.length >> 1]), box.top), box.bottom);
   if (box.bottom - top < 1) return;
   svg.append(make("rect", { x: box.left, y: top, width: box.right - box.left, height: box.bottom - top,
-    class: "noise" }, make("title", {}, "Below the noise of the ray-traced truth: differences here mean nothing.")));
+    class: "noise" }, make("title", {}, "Below the noise of the ray-traced reference: differences here have no meaning.")));
 }
 
 /** Draws `dots` (marked); returns them with their places. @param series number of a row's series */

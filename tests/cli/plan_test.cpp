@@ -113,9 +113,9 @@ TEST(PlanCommand, WeighsWasteByTimeWhereTimeIsMeasured) {
 
 TEST(PlanCommand, TracesForWhatIsShown) {
     const Json plan = plan_of({"--set", "view.overlay=artefacts", "--set", "map.resolution=256"});
-    EXPECT_EQ(effect_of(plan, "rays of the truth")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan, "rays of the reference")["state"], "simulated");
     EXPECT_EQ(effect_of(plan, "causes found")["state"], "simulated");
-    EXPECT_EQ(effect_of(plan_of({"--set", "light.source=traced"}), "rays of the truth")["state"], "simulated");
+    EXPECT_EQ(effect_of(plan_of({"--set", "light.source=traced"}), "rays of the reference")["state"], "simulated");
 }
 
 TEST(PlanCommand, PrintsADashWhereNothingWasMeasured) {

@@ -182,7 +182,7 @@ TEST(SweepCommand, OtherArgumentsAreRefusedUnlessFresh) {
     EXPECT_EQ(r.code, 1);
     EXPECT_EQ(r.err,
               "shadow-inspector: out: holds another sweep (bias.slope: the default there, 1 here); choose another "
-              "folder, or --fresh to begin anew\n");
+              "folder, or --fresh to start again\n");
     EXPECT_EQ(file_bytes(folder / "out" / kJournalFile), journal);
     EXPECT_EQ(file_bytes(folder / "out/report.html"), html);
     std::ofstream(folder / "out/mine.txt") << "kept";
@@ -321,7 +321,7 @@ TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
     // Begun anew, the whole would take a part's pictures away.
     const ProcessResult own = run_program({"merge", "part-1", "part-2", "-o", "./part-2", "--fresh"}, folder);
     EXPECT_EQ(own.code, 2) << own.err;
-    EXPECT_NE(own.err.find("./part-2: is a part"), std::string::npos) << own.err;
+    EXPECT_NE(own.err.find("./part-2: is one of the parts"), std::string::npos) << own.err;
     EXPECT_TRUE(fs::exists(folder / "part-2" / kJournalFile));
     ASSERT_EQ(run_program(sweep_of("other", {"--no-time", "--set", "bias.slope=1"}), folder).code, 0);
     EXPECT_EQ(run_program({"merge", "part-1", "other", "-o", "wrong"}, folder).code, 1);

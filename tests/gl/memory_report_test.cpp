@@ -93,7 +93,7 @@ TEST_F(MemoryReportTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
     ShaderWarmup warmup;
     const auto heap_after = [&](int resolution) {
         next.settings.map.resolution = resolution;
-        warmup.foresee(next);
+        warmup.enqueue(next);
         warmup.wait();
         return process_memory().heap;
     };

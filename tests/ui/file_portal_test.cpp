@@ -47,7 +47,7 @@ TEST(FilePortal, AFileIsChosen) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     Woken woken;
-    woken.portal.ask({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
+    woken.portal.open_dialog({FileDialog::Job::Open, FileDialog::Kind::Presets, "/some where", ""}, "x11:2a");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     EXPECT_FALSE(woken.portal.take_answer()) << "a person takes time";
     const FakePortal::Question question = desktop.questions()[0];
@@ -74,7 +74,7 @@ TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
     const PrivateBus bus(fresh_test_folder());
     FakePortal desktop;
     Woken woken;
-    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    woken.portal.open_dialog({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(1));
     const FakePortal::Question question = desktop.questions()[0];
     EXPECT_EQ(question.method, "SaveFile");
@@ -84,7 +84,7 @@ TEST(FilePortal, AClosedDialogChoosesNothingAndANameToSaveUnderIsProposed) {
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->kind, Answer::Kind::Dismissed);
     // An answer that names no file of this machine chooses nothing either.
-    woken.portal.ask({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
+    woken.portal.open_dialog({FileDialog::Job::SavePreset, FileDialog::Kind::All, "/a", "mine.json"}, "");
     ASSERT_TRUE(desktop.wait_for_questions(2));
     desktop.answer(desktop.questions()[1], 0, {"https://example.org/a.json"});
     answer = woken.wait(2);
@@ -97,14 +97,14 @@ TEST(FilePortal, WithoutADesktopOrABusThatIsSaid) {
     Woken woken;
     {
         const PrivateBus bus(fresh_test_folder());
-        woken.portal.ask({}, "");
+        woken.portal.open_dialog({}, "");
         const auto answer = woken.wait(1);
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
         EXPECT_FALSE(answer->problem.empty());
     }
     unsetenv("XDG_RUNTIME_DIR");
-    woken.portal.ask({}, "");
+    woken.portal.open_dialog({}, "");
     const auto answer = woken.wait(2);
     ASSERT_TRUE(answer);
     EXPECT_EQ(answer->kind, Answer::Kind::NoDialog);
@@ -116,9 +116,9 @@ TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
     FakePortal desktop;
     {
         Woken woken;
-        woken.portal.ask({.folder = "/first"}, "");
+        woken.portal.open_dialog({.folder = "/first"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(1));
-        woken.portal.ask({.folder = "/second"}, "");
+        woken.portal.open_dialog({.folder = "/second"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(2));
         EXPECT_TRUE(desktop.wait_for_closed(1));
         desktop.answer(desktop.questions()[0], 0, {"file:///first/a.glb"});
@@ -127,7 +127,7 @@ TEST(FilePortal, AskedAgainOrGoneItClosesItsDialog) {
         ASSERT_TRUE(answer);
         EXPECT_EQ(answer->file, "/second/a.glb");
         EXPECT_EQ(woken.times, 1);
-        woken.portal.ask({.folder = "/third"}, "");
+        woken.portal.open_dialog({.folder = "/third"}, "");
         ASSERT_TRUE(desktop.wait_for_questions(3));
     }
     EXPECT_TRUE(desktop.wait_for_closed(2)) << "with the editor";
@@ -139,7 +139,7 @@ TEST(FilePortal, ABusThatBreaksOffIsNoDialog) {
         const PrivateBus bus(fresh_test_folder());
         {
             FakePortal desktop;
-            woken.portal.ask({}, "");
+            woken.portal.open_dialog({}, "");
             ASSERT_TRUE(desktop.wait_for_questions(1));
         }
         EXPECT_FALSE(woken.portal.take_answer());
@@ -167,7 +167,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
         return std::pair(first.open_desktop_dialog, own);
     };
     ui.desktop_dialogs = true;
-    const auto [request, own] = ask();
+    const auto [request, own] = open_dialog();
     ASSERT_TRUE(request);
     EXPECT_EQ(request->job, FileDialog::Job::SavePreset);
     EXPECT_EQ(request->folder, "/tmp");
@@ -175,7 +175,7 @@ TEST(DesktopDialogs, AreWishedForWhereThereAreAnyAndTheyAreWanted) {
     EXPECT_FALSE(own);
     EXPECT_FALSE(ui.frame().open_desktop_dialog) << "once";
     ui.state.layout.desktop_dialogs = false;
-    const auto [unwanted, own_then] = ask();
+    const auto [unwanted, own_then] = open_dialog();
     EXPECT_FALSE(unwanted);
     EXPECT_TRUE(own_then);
 }

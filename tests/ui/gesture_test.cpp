@@ -37,7 +37,7 @@ TEST(Gesture, PanKeepsTheFocusUnderTheCursor) {
         const Camera before = make_camera(scene, s, double(kPictureWidth) / kPictureHeight);
         const glm::dvec3 point = target(s.camera);
         const glm::dvec4 p = before.project(point, kPictureWidth, kPictureHeight);
-        pan(s.camera, before, 37, -21, kPictureHeight);
+        pan_camera(s.camera, before, 37, -21, kPictureHeight);
         const glm::dvec4 q =
             make_camera(scene, s, double(kPictureWidth) / kPictureHeight).project(point, kPictureWidth, kPictureHeight);
         EXPECT_NEAR(q.x - p.x, 37, 1e-6);
@@ -52,13 +52,13 @@ TEST(Gesture, OrbitTurnsAboutTheTargetAndStopsAtThePoles) {
     // A point in front of the target moves with the mouse.
     const glm::dvec3 front = target(s.camera) + before.axes[2];
     const double x = before.project(front, kPictureWidth, kPictureHeight).x;
-    orbit(s.camera, 20, 0);
+    orbit_camera(s.camera, 20, 0);
     const Camera after = make_camera(scene, s, 1.6);
     EXPECT_GT(after.project(front, kPictureWidth, kPictureHeight).x, x + 1);
     EXPECT_NEAR(glm::distance(after.eye, target(s.camera)), 12, 1e-9);
-    orbit(s.camera, 0, 1e6);
+    orbit_camera(s.camera, 0, 1e6);
     EXPECT_EQ(s.camera.elevation, 90);
-    orbit(s.camera, 0, -1e7);
+    orbit_camera(s.camera, 0, -1e7);
     EXPECT_EQ(s.camera.elevation, -90);
     EXPECT_GE(s.camera.azimuth, -180);
     EXPECT_LE(s.camera.azimuth, 180);
@@ -76,13 +76,13 @@ TEST(Gesture, ZoomingKeepsWhatIsUnderTheCursorAndUndoesItself) {
         const glm::dvec2 cursor(500, 90);
         const PictureView before = view_of(scene, s);
         const glm::dvec3 under = *intersect_plane(before.ray(cursor), target(s.camera), before.camera.axes[2]);
-        zoom(s.camera, before.camera, before.ray(cursor), 3);
+        zoom_camera(s.camera, before.camera, before.ray(cursor), 3);
         EXPECT_LT(s.camera.distance, 12);
         EXPECT_LT(s.camera.height, 9);
         const PictureView after = view_of(scene, s);
         EXPECT_NEAR(after.point(under)->x, cursor.x, 1e-6);
         EXPECT_NEAR(after.point(under)->y, cursor.y, 1e-6);
-        zoom(s.camera, after.camera, after.ray(cursor), -3);
+        zoom_camera(s.camera, after.camera, after.ray(cursor), -3);
         EXPECT_NEAR(s.camera.distance, 12, 1e-9);
         EXPECT_NEAR(glm::distance(target(s.camera), target(manual(orthographic).camera)), 0, 1e-9);
     }
@@ -93,7 +93,7 @@ TEST(Gesture, LookingAroundKeepsTheEye) {
     Settings s = manual(false);
     s.camera.elevation = 20;
     const Camera before = make_camera(scene, s, 1.6);
-    look_around(s.camera, 30, 10);
+    turn_camera(s.camera, 30, 10);
     const Camera after = make_camera(scene, s, 1.6);
     EXPECT_NEAR(glm::distance(after.eye, before.eye), 0, 1e-9);
     EXPECT_GT(glm::dot(-after.axes[2], before.axes[0]), 0) << "mouse to the right looks to the right";
@@ -104,7 +104,7 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
     const Scene scene = test::box_scene({{}});
     Settings s = manual(false);
     const Camera before = make_camera(scene, s, 1.6);
-    fly(s.camera, {2, 0.5, 3});
+    move_camera(s.camera, {2, 0.5, 3});
     const Camera after = make_camera(scene, s, 1.6);
     const glm::dvec3 moved = after.eye - before.eye,
                      expected = 2.0 * before.axes[0] + glm::dvec3(0, 0.5, 0) - 3.0 * before.axes[2];
@@ -112,7 +112,7 @@ TEST(Gesture, FlyingMovesEyeAndTargetAlike) {
     EXPECT_EQ(after.axes, before.axes);
     // Under parallel rays things grow only when less is seen.
     Settings parallel = manual(true);
-    fly(parallel.camera, {0, 0, 3});
+    move_camera(parallel.camera, {0, 0, 3});
     EXPECT_NEAR(parallel.camera.height, 9 * std::exp(-3.0 / 12), 1e-9);
 }
 
@@ -122,7 +122,7 @@ TEST(Gesture, LookingAlongAnAxisShowsTheOtherTwo) {
         for (const bool positive : {false, true}) {
             Settings s = manual(false);
             s.camera.roll = 30;
-            look_along(s.camera, axis, positive);
+            look_along_axis(s.camera, axis, positive);
             const Camera c = make_camera(scene, s, 1.6);
             glm::dvec3 from(0);
             from[axis] = positive ? 1 : -1;
@@ -140,7 +140,7 @@ TEST(Gesture, FramingShowsAllOfTheBoundsAndNotTooSmall) {
             Settings s = manual(orthographic);
             s.camera.near = 1;
             s.camera.far = 2;  // set for another view
-            look_at_bounds(s.camera, scene.bounds, aspect);
+            fill_picture_with(s.camera, scene.bounds, aspect);
             const int w = int(aspect * kPictureHeight);
             const Camera c = make_camera(scene, s, aspect);
             double reach = 0;

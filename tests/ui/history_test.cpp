@@ -18,10 +18,10 @@ Settings with_bias(double constant) {
 TEST(History, AGestureIsOneStep) {
     History h;
     h.reset(with_bias(1));
-    h.observe(with_bias(2), true);
-    h.observe(with_bias(3), true);
-    h.observe(with_bias(4), false);
-    h.observe(with_bias(4), false);
+    h.record(with_bias(2), true);
+    h.record(with_bias(3), true);
+    h.record(with_bias(4), false);
+    h.record(with_bias(4), false);
     EXPECT_EQ(h.undo().bias.constant, 1);
     EXPECT_FALSE(h.can_undo());
     EXPECT_EQ(h.redo().bias.constant, 4);
@@ -35,15 +35,15 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     h.reset(s);
     for (int i = 0; i < 5; ++i) {
         s.camera.azimuth += 10;
-        h.observe(s, false);
+        h.record(s, false);
     }
     s.bias.constant = 2;
-    h.observe(s, false);
+    h.record(s, false);
     s.camera.distance = 7;
-    h.observe(s, false);
+    h.record(s, false);
     s.filter.size = 5;
     s.map.resolution = 512;
-    h.observe(s, false);
+    h.record(s, false);
     const std::vector<std::string> names = h.names();
     ASSERT_EQ(names.size(), 5u);
     EXPECT_EQ(names[1], "camera");
@@ -53,18 +53,18 @@ TEST(History, MovesOfTheCameraInARowAreOneStepAndStepsHaveNames) {
     Settings more = s;
     more.light_count = 3;
     more.lights[2].elevation = 20;
-    h.observe(more, false);
+    h.record(more, false);
     set_setting(more, "light.2.elevation", "30");
-    h.observe(more, false);
+    h.record(more, false);
     set_setting(more, "object.Boxes/Tower.cast", "false");
-    h.observe(more, false);
+    h.record(more, false);
     EXPECT_EQ(h.names()[6], "Light 2: Elevation 20° → 30°");
     EXPECT_EQ(h.names()[7], "Tower: Casts on → off");
-    h.go(4);
-    EXPECT_EQ(h.at(), 4u);
-    EXPECT_EQ(h.go(1).camera.azimuth, with_bias(1).camera.azimuth + 50);
+    h.go_to(4);
+    EXPECT_EQ(h.index(), 4u);
+    EXPECT_EQ(h.go_to(1).camera.azimuth, with_bias(1).camera.azimuth + 50);
     EXPECT_EQ(h.undo(), with_bias(1));
-    EXPECT_EQ(h.go(99), more);
+    EXPECT_EQ(h.go_to(99), more);
 }
 
 TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
@@ -73,12 +73,12 @@ TEST(History, ANoteWithoutAChangeBelongsToTheStepThatStands) {
     h.set_place({"boxes", {}});
     h.reset(s);
     h.set_place({"boxes", {"acne", "Shadow acne", "Look."}});
-    h.observe(s, false);  // a preset that is equal to what is shown
+    h.record(s, false);  // a preset that is equal to what is shown
     EXPECT_EQ(h.place().guide.key, "acne");
     EXPECT_FALSE(h.can_undo());
     h.set_place({"boxes", {}});
     s.map.resolution = 64;
-    h.observe(s, false);
+    h.record(s, false);
     h.undo();
     EXPECT_EQ(h.place().guide.key, "acne");
 }
@@ -89,9 +89,9 @@ TEST(History, AnUndoThatDoesNotComeAboutStandsWhereItStood) {
     Settings second;
     second.map.resolution = 64;
     h.reset(first);
-    h.observe(second, false);
+    h.record(second, false);
     h.undo();
-    h.stay();
+    h.cancel_move();
     EXPECT_EQ(h.settings(), second);
     EXPECT_TRUE(h.can_undo());
     EXPECT_FALSE(h.can_redo());
@@ -105,20 +105,20 @@ TEST(History, WhatFollowsByItselfBelongsToTheStepThatMadeIt) {
     changed = followed;
     changed.map.resolution = 64;
     h.reset(first);
-    h.follow(first, followed);
-    h.observe(followed, false);
+    h.amend_step(first, followed);
+    h.record(followed, false);
     EXPECT_FALSE(h.can_undo()) << "nobody changed anything";
-    h.observe(changed, false);
+    h.record(changed, false);
     EXPECT_EQ(h.undo(), followed);
 }
 
 TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
     History h;
     h.reset(with_bias(1));
-    h.observe(with_bias(2), false);
-    h.observe(with_bias(3), false);
+    h.record(with_bias(2), false);
+    h.record(with_bias(3), false);
     h.undo();
-    h.observe(with_bias(9), false);
+    h.record(with_bias(9), false);
     EXPECT_FALSE(h.can_redo());
     EXPECT_EQ(h.undo().bias.constant, 2);
     EXPECT_EQ(h.undo().bias.constant, 1);
@@ -128,7 +128,7 @@ TEST(History, AChangeAfterUndoDropsWhatWasUndone) {
 TEST(History, IsBoundedAndKeepsTheNewest) {
     History h;
     h.reset(with_bias(0));
-    for (int i = 1; i <= 2000; ++i) h.observe(with_bias(i), false);
+    for (int i = 1; i <= 2000; ++i) h.record(with_bias(i), false);
     int steps = 0;
     while (h.can_undo()) {
         h.undo();
@@ -137,7 +137,7 @@ TEST(History, IsBoundedAndKeepsTheNewest) {
     EXPECT_GT(steps, 100);
     EXPECT_LT(steps, 1000);
     while (h.can_redo()) h.redo();
-    h.observe(with_bias(2000), false);
+    h.record(with_bias(2000), false);
     EXPECT_FALSE(h.can_redo());
 }
 
@@ -149,7 +149,7 @@ TEST(Log, CountsRepeatsAndUnseenErrors) {
     ASSERT_EQ(log.lines().size(), 2u);
     EXPECT_EQ(log.lines()[0].count, 2);
     EXPECT_EQ(log.unseen_errors(), 2);
-    log.seen();
+    log.mark_seen();
     EXPECT_EQ(log.unseen_errors(), 0);
 }
 

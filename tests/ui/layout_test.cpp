@@ -398,12 +398,12 @@ TEST(Layout, AWindowSmallerThanItsLeastSizeScrolls) {
     Shown ui(400, 300);
     const ImGuiWindow* window = ImGui::FindWindowByName("editor");
     ASSERT_TRUE(window);
-    EXPECT_GE(window->ScrollMax.x, kLeastWidth - 400);
-    EXPECT_GE(window->ScrollMax.y, kLeastHeight - 300);
+    EXPECT_GE(window->ScrollMax.x, kMinWindowWidth - 400);
+    EXPECT_GE(window->ScrollMax.y, kMinWindowHeight - 300);
 }
 
 TEST(Layout, AWindowOfItsLeastSizeNeedsNoScrolling) {
-    Shown ui{int(kLeastWidth), int(kLeastHeight)};
+    Shown ui{int(kMinWindowWidth), int(kMinWindowHeight)};
     const ImGuiWindow* window = ImGui::FindWindowByName("editor");
     ASSERT_TRUE(window);
     EXPECT_EQ(window->ScrollMax.x, 0);

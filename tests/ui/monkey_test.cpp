@@ -98,7 +98,7 @@ protected:
     }
 
     /// The same state, whatever was before. Returns what the editor then says of itself.
-    Json rest() {
+    Json release_unused_memory() {
         for (const char* key : {"ctrl", "shift", "alt", "super"}) xdotool(fmt::format("keyup {}", key));
         for (const char* button : {"1", "2", "3"}) xdotool(fmt::format("mouseup {}", button));
         xdotool(fmt::format("windowsize {} 1280 720", window_));
@@ -180,7 +180,7 @@ TEST_F(WindowMonkey, DoesNoHarm) {
               << "; SI_MONKEY_REPLAY=FILE plays such a file again" << std::endl;
     std::ofstream out(written);
     ASSERT_NO_FATAL_FAILURE(begin());
-    const Json before = rest();
+    const Json before = release_unused_memory();
     std::cout << "before: " << memory_text(before) << std::endl;
     int ends = 0;
     Json after;
@@ -197,12 +197,12 @@ TEST_F(WindowMonkey, DoesNoHarm) {
             ASSERT_NO_FATAL_FAILURE(begin());
         }
         if ((i + 1) % kEventsARest == 0) {
-            const Json rested = rest();
+            const Json rested = release_unused_memory();
             std::cout << i + 1 << " events: " << memory_text(rested) << std::endl;
             expect_at_rest(rested);
         }
     }
-    after = rest();
+    after = release_unused_memory();
     std::cout << "after, " << ends << " ends by the menu: " << memory_text(after) << std::endl;
     ASSERT_TRUE(program_->running()) << log();
     expect_at_rest(after);

@@ -139,7 +139,7 @@ TEST_F(PresetEditing, UnsavedSettingsAreOfferedAgainWhateverSceneTheyEndedIn) {
     };
     const auto start = [&](const EditorOptions& o) {
         open(o);
-        model().keep();
+        model().write_when_due();
     };
     const auto quit = [&] {
         model().end();
@@ -319,11 +319,11 @@ TEST_F(PresetEditing, AnUndoWhoseSceneIsGoneLeavesEverythingAsItIs) {
 
 TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
     open(remembering());
-    model().keep();
+    model().write_when_due();
     request({.load_preset = "peter-panning"});
     state().settings.bias.constant = 0.0123;
     editor_->settle();
-    model().keep();
+    model().write_when_due();
     const Settings lost = state().settings;
     open(remembering());  // the one before ends without end()
     ASSERT_TRUE(model().facts().lost);
@@ -345,9 +345,9 @@ TEST_F(PresetEditing, WhatACrashLeftIsRestoredAndUndone) {
 
 TEST_F(PresetEditing, ADiscardedSessionIsGone) {
     open(remembering());
-    model().keep();
+    model().write_when_due();
     state().settings.bias.constant = 5;
-    model().keep();
+    model().write_when_due();
     open(remembering());
     ASSERT_TRUE(model().facts().lost);
     request({.discard_lost = true});
@@ -362,9 +362,9 @@ TEST_F(PresetEditing, ALostSceneThatIsGoneStaysOnOffer) {
     EditorOptions o = remembering();
     o.session.scene = path("lost.gltf");
     open(o);
-    model().keep();
+    model().write_when_due();
     state().settings.bias.constant = 5;
-    model().keep();
+    model().write_when_due();
     fs::rename(folder_ / "lost.gltf", folder_ / "moved.gltf");
     open(remembering());
     request({.restore_lost = true});
@@ -401,9 +401,9 @@ TEST_F(PresetEditing, LayoutAndRecentFilesOutliveTheEditor) {
 
 TEST_F(PresetEditing, WithoutAStateFolderNothingIsWritten) {
     open();
-    model().keep();
+    model().write_when_due();
     state().settings.bias.constant = 5;
-    model().keep();
+    model().write_when_due();
     model().end();
     EXPECT_TRUE(fs::is_empty(folder_));
 }

@@ -294,11 +294,11 @@ TEST(ArtefactTour, ASwatchChoosesTheCauseAndShowsIt) {
     ui.error = e;
     ui.frames(4);
     const ArtefactStyle& style = artefact_styles()[1];
-    choose_cause(ui.state, style.artefact);
+    toggle_tour_cause(ui.state, style.artefact);
     ui.frames(2);
     ASSERT_GT(ui.state.settings.view.overlay, 0);
     EXPECT_TRUE(overlays()[std::size_t(ui.state.settings.view.overlay - 1)].names_causes);
-    choose_cause(ui.state, style.artefact);
+    toggle_tour_cause(ui.state, style.artefact);
     EXPECT_EQ(ui.state.settings.view.overlay, 0);
     EXPECT_FALSE(ui.state.artefact_tour.cause);
     // By mouse: some row of the tables.

@@ -154,7 +154,7 @@ TEST(EditorReference, OfOldViewsNothingIsHeldWhileTheEditorRests) {
     state.settings.view.light = 1;
     state.settings.light_count = 2;
     editor.settle();
-    editor.model().rest();
+    editor.model().release_unused_memory();
     EXPECT_EQ(receivers(), others) << "no picture needs any";
 }
 
@@ -335,7 +335,7 @@ TEST(EditorPictureComparison, ThePinIsFlickeredToAndComparedWith) {
         EXPECT_EQ(state.comparison.reference, before.reference);
     }
     EXPECT_EQ(state.settings.map.resolution, 1024) << "it shows settings and sets none";
-    EXPECT_EQ(state.history.at(), 1u);
+    EXPECT_EQ(state.history.index(), 1u);
 
     state.compare = {CompareKind::Pinned, {}};
     state.comparison = {.view = ComparisonView::Swipe, .reference = false, .at = 0};

@@ -24,14 +24,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool overlap(Modifier a, Modifier b) {
+bool can_coincide(Modifier a, Modifier b) {
     return a == Modifier::Any || b == Modifier::Any || a == b;
 }
 
 /// True if one press can match both chords.
-bool overlap(const Chord& a, const Chord& b) {
+bool can_coincide(const Chord& a, const Chord& b) {
     const bool same_key = a.mapped == b.mapped && a.first <= b.last && b.first <= a.last;
-    return same_key && overlap(a.ctrl, b.ctrl) && overlap(a.shift, b.shift) && overlap(a.alt, b.alt);
+    return same_key && can_coincide(a.ctrl, b.ctrl) && can_coincide(a.shift, b.shift) && can_coincide(a.alt, b.alt);
 }
 
 std::string without_spaces(std::string text) {
@@ -45,7 +45,7 @@ TEST(Shortcuts, NoKeyDoesTwoThings) {
         for (std::size_t j = 0; j < i; ++j) {
             const Shortcut &a = rows[i], &b = rows[j];
             if (a.chord.first < 0 || b.chord.first < 0) continue;
-            EXPECT_FALSE(overlap(a.chord, b.chord) && si::overlap(a.when, b.when))
+            EXPECT_FALSE(can_coincide(a.chord, b.chord) && si::can_coincide(a.when, b.when))
                 << chord_text(a.chord) << ": " << a.label << " and " << b.label;
         }
 }

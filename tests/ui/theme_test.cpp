@@ -70,11 +70,11 @@ class ThemeContrast : public testing::TestWithParam<bool> {
 protected:
     ThemeContrast() {
         ImGui::CreateContext();
-        theme::apply(1);
-        theme::use(GetParam());
+        theme::apply_style(1);
+        theme::set_light(GetParam());
     }
     ~ThemeContrast() override {
-        theme::use(false);
+        theme::set_light(false);
         ImGui::DestroyContext();
     }
     static void expect(const std::string& what, const glm::dvec3& text, const glm::dvec3& ground) {

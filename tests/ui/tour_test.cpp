@@ -116,7 +116,7 @@ TEST_P(Tour, AFrozenCameraCountsItsOwnTexels) {
     ASSERT_TRUE(facts().texel_usage);
     const double of_live = facts().texel_usage->utilisation();
     ASSERT_GT(of_live, 0);
-    state().frozen = freeze(*facts().result, state().settings.camera);
+    state().frozen = frozen_camera_of(*facts().result, state().settings.camera);
     editor_->mouse.at.reset();
     frames(3);
     ASSERT_TRUE(facts().frozen_usage);

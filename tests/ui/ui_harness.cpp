@@ -76,7 +76,7 @@ UiHarness::UiHarness(int width, int height, float scale) : width_(width), height
     for (const auto& [key, code] : {std::pair<int, int>{ImGuiKey_A, 'A'}, {ImGuiKey_Y, 'Y'}, {ImGuiKey_Z, 'Z'}})
         io.KeyMap[key] = code;
     theme::load_fonts(scale);
-    theme::apply(scale);
+    theme::apply_style(scale);
     unsigned char* pixels = nullptr;
     int w = 0, h = 0;
     io.Fonts->GetTexDataAsRGBA32(&pixels, &w, &h);

@@ -181,7 +181,7 @@ TEST_F(Window, ShowsTheSamePictureAsWithoutAWindow) {
     ASSERT_NO_FATAL_FAILURE(start());
     mouse(900, 700);
     const auto editor = twin();
-    editor->smooth();
+    editor->add_all_samples();
     const ByteImage expected = editor->picture();
     // The pictures and the settings; the panel of passes shows times.
     const auto differing = [&] {

@@ -48,8 +48,7 @@ TEST(JsonText, NothingMayFollowItsEnd) {
 }
 
 TEST(JsonText, DuplicatesAreNamedAtEveryLevel) {
-    EXPECT_EQ(refusal_of_text(R"({"a":{"b":1},"c":[{"b":1,"d":2,"b":3}]})"),
-              "a.json: \"b\" stands there twice; keep one");
+    EXPECT_EQ(refusal_of_text(R"({"a":{"b":1},"c":[{"b":1,"d":2,"b":3}]})"), "a.json: \"b\" occurs twice; keep one");
     EXPECT_EQ(refusal_of_text(R"([{"a":1},{"a":1}])"), "");
 }
 

@@ -18,8 +18,8 @@ TEST(LogAxis, HoldsItsValuesWithARoundNumberAmongThem) {
         int numbers = 0;
         for (const LogAxis::Tick& tick : axis.ticks) {
             EXPECT_GT(tick.value, last);
-            EXPECT_GE(axis.at(tick.value), 0);
-            EXPECT_LE(axis.at(tick.value), 1);
+            EXPECT_GE(axis.position(tick.value), 0);
+            EXPECT_LE(axis.position(tick.value), 1);
             last = tick.value;
             if (tick.text.empty()) continue;
             ++numbers;
@@ -32,16 +32,16 @@ TEST(LogAxis, HoldsItsValuesWithARoundNumberAmongThem) {
 
 TEST(LogAxis, FactorsAreLengths) {
     const LogAxis axis = log_axis(std::vector{1.0, 1000.0});
-    EXPECT_NEAR(axis.at(10) - axis.at(1), axis.at(1000) - axis.at(100), 1e-12);
-    EXPECT_GT(axis.at(10), axis.at(1));
+    EXPECT_NEAR(axis.position(10) - axis.position(1), axis.position(1000) - axis.position(100), 1e-12);
+    EXPECT_GT(axis.position(10), axis.position(1));
 }
 
 TEST(LogAxis, ZeroHasAPlaceOfItsOwn) {
     const LogAxis without = log_axis(std::vector{1.0, 10.0}), with = log_axis(std::vector{0.0, 1.0, 10.0});
     EXPECT_FALSE(without.zero);
     ASSERT_TRUE(with.zero);
-    EXPECT_EQ(with.at(0), 0);
-    EXPECT_GE(with.at(with.low), LogAxis::kZeroShare);
+    EXPECT_EQ(with.position(0), 0);
+    EXPECT_GE(with.position(with.low), LogAxis::kZeroShare);
     EXPECT_EQ(with.ticks.front().text, "0");
     EXPECT_TRUE(log_axis(std::vector{0.0}).zero);
 }

@@ -114,7 +114,7 @@ TEST(Presets, WrongSettingsAreRefusedWithTheRemedy) {
         {R"("map.reversed_z":1)", "true or false"},
         {R"("light.16.azimuth":1)", "did you mean light.15.azimuth?"},
         {R"("object.Floor.cul":"none")", "did you mean object.Floor.cull?"},
-        {R"("bias.slope":1,"bias.slope":2)", "\"bias.slope\" stands there twice"},
+        {R"("bias.slope":1,"bias.slope":2)", "\"bias.slope\" occurs twice"},
         {R"("light.azimuth":1,"light.0.azimuth":2)", "the same setting as \"light.azimuth\""},
         {R"("bias.slope":1e999)", "line 1, column 74: 1e999 is beyond the range"},
     };

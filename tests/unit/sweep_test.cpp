@@ -199,10 +199,10 @@ TEST(Sweep, AJournalMayBeDamagedAtItsBeginning) {
     // What is swept is not known any more; that a sweep wrote it is.
     write("x" + text);
     EXPECT_THROW(read_journal(f.folder), Error);
-    forget_sweep(f.folder);
+    remove_sweep_files(f.folder);
     EXPECT_FALSE(std::filesystem::exists(f.folder / kJournalFile));
     write("one\ntwo\n");
-    EXPECT_THROW(forget_sweep(f.folder), Error) << "another program's file of that name";
+    EXPECT_THROW(remove_sweep_files(f.folder), Error) << "another program's file of that name";
 }
 
 TEST(Sweep, AnEmptyPictureIsNone) {
@@ -276,7 +276,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
         fs::create_directories(file.parent_path());
         std::ofstream(file) << "mine";
         for (const auto& said :
-             {refusal([&] { require_sweep_folder(folder); }), refusal([&] { forget_sweep(folder); })})
+             {refusal([&] { require_sweep_folder(folder); }), refusal([&] { remove_sweep_files(folder); })})
             EXPECT_NE(said.find(std::string("holds ") + name), std::string::npos) << name << ": " << said;
         EXPECT_EQ(file_bytes(file), "mine") << name;
     }
@@ -286,7 +286,7 @@ TEST(Sweep, ForeignFilesAreNeitherReplacedNorRemoved) {
     f.run(meter, 10'000, {.on = false});
     for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})
         std::ofstream(f.folder / name) << "mine";
-    forget_sweep(f.folder);
+    remove_sweep_files(f.folder);
     EXPECT_FALSE(fs::exists(f.folder / kJournalFile));
     EXPECT_TRUE(lacks_pictures(f.folder, 0));
     for (const char* name : {"pictures/2026-holiday.jpg", "pictures/007.jpg", "notes.txt", "pictures/0001-mine.png"})

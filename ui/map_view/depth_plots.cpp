@@ -15,10 +15,10 @@ namespace {
 
 const ImU32 kNearBand = theme::colour(shared::BAND_NEAR), kMiddleBand = theme::colour(shared::BAND_MIDDLE),
             kFarBand = theme::colour(shared::BAND_FAR);
-constexpr float kMarker = 0.36f;  ///< half a marker's width, ems; it is half as tall again
+constexpr float kMarker = 0.36f;  ///< half a marker's width, ems
 
-/// The plot's frame and its title; returns the area inside, in which the plot is drawn.
-/// @param below what stands between plot and numbers
+/// Draws a plot's frame and title. Returns the area inside, for the curve. @param below height between plot and
+/// numbers, pixels
 std::pair<ImVec2, ImVec2> frame_of_plot(ImVec2 size, const std::string& title, float below = 0) {
     const ImVec2 lo = ImGui::GetCursorScreenPos(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -42,7 +42,7 @@ ImU32 band_colour(const ViewSettings& v, double share) {
     return share < v.band_low ? kNearBand : share < v.band_high ? kMiddleBand : kFarBand;
 }
 
-/// A marker under the plot that is dragged sideways. Returns whether it moved.
+/// Draws a marker under the plot that the mouse drags sideways. Returns true if it has moved.
 bool marker(const char* id, ImVec2 lo, ImVec2 hi, const DepthHistogram& h, double& value, ImU32 colour,
             const char* about, EditorState& state) {
     const float em = ImGui::GetFontSize(), width = hi.x - lo.x;
@@ -79,10 +79,10 @@ void drag_ends(EditorState& state, const FrameResult& result, const DepthHistogr
     const bool moved_black = marker("black", lo, hi, h, black, IM_COL32(20, 20, 20, 255), "Black at", state);
     const bool moved_white = marker("white", lo, hi, h, white, IM_COL32(240, 240, 240, 255), "White at", state);
     if (!moved_black && !moved_white) return;
-    constexpr double kLeast = 1e-6;  // apart
+    constexpr double kMinGap = 1e-6;  // apart
     v.map_fit = false;
-    v.map_black = moved_black ? std::min(black, white - kLeast) : black;
-    v.map_white = moved_white ? std::max(white, black + kLeast) : white;
+    v.map_black = moved_black ? std::min(black, white - kMinGap) : black;
+    v.map_white = moved_white ? std::max(white, black + kMinGap) : white;
 }
 
 }  // namespace
@@ -129,10 +129,10 @@ void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size) {
 
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m,
                       ImVec2 size) {
-    // Rows of a warped map differ in range only: the curve is that of the middle row.
+    // Rows of a warped map differ in their range only; the plot shows the curve of the middle row.
     const DepthCurve curve = result.map_view_curve.curve_at_row(0.5);
     const ImVec2 corner = ImGui::GetCursorScreenPos();
-    // The number that surprises: how little of the way takes half of the depth values under perspective.
+    // Under perspective, half of the depth values cover a small part of the distance; the plot marks that place.
     const double half_m = distance_at_share(curve, 0.5);
     const double half_share = (half_m - curve.near) / (curve.far - curve.near);
     const auto [lo, hi] = frame_of_plot(size, fmt::format("Depth 0.5 at {:.3g} % of range", 100 * half_share));
@@ -150,7 +150,7 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
             list.AddLine({lo.x, p.y}, p, (colour & 0x00ffffff) | 0x90000000);
             list.AddLine(p, {p.x, hi.y}, (colour & 0x00ffffff) | 0x90000000);
         }
-        // Denser towards the near plane, where a perspective curve bends.
+        // Samples are denser towards the near plane, where a perspective curve bends.
         constexpr int kSteps = 96;
         ImVec2 last = at(curve.near);
         for (int i = 1; i <= kSteps; ++i) {
@@ -170,7 +170,7 @@ void draw_depth_curve(const EditorState& state, const FrameResult& result, std::
         if (ImGui::IsMouseHoveringRect(lo, hi)) {
             const double metres = curve.near + (curve.far - curve.near) * double((mouse.x - lo.x) / (hi.x - lo.x));
             const double step_m = std::exp2(-24) / std::max(curve.slope(metres), 1e-300);
-            ImGui::SetTooltip("%s: depth %.6f\n24 bits tell %s apart here", metres_text(metres).c_str(),
+            ImGui::SetTooltip("%s: depth %.6f\n24 bits resolve %s here", metres_text(metres).c_str(),
                               curve.depth(metres), metres_text(step_m).c_str());
         }
     }

@@ -9,15 +9,16 @@
 
 namespace si {
 
-/// Draws the histogram of the shown depths. Black and white (or the thresholds of the band view) are dragged in it.
-/// @param size pixels, from the cursor
+/// Draws the histogram of the shown map's depths. The mouse drags the ends of the grey scale (or the thresholds of the
+/// band view) in it. @param size pixels, from the cursor
 void draw_histogram(EditorState& state, const EditorFrame& frame, ImVec2 size);
 
-/// Draws stored depth over distance, with the band thresholds. @param marked_m distance to mark, metres
-/// @param size pixels, from the cursor
+/// Draws the curve of stored depth over distance from the light, with the band thresholds. @param marked_m distance to
+/// mark, metres @param size pixels, from the cursor
 void draw_depth_curve(const EditorState& state, const FrameResult& result, std::optional<double> marked_m, ImVec2 size);
 
-/// Returns the distance along the view axis at which depth reaches `share` of its range from the near plane.
+/// Returns the distance along the view axis, metres, at which stored depth reaches `share` of its range, counted from
+/// the near plane.
 double distance_at_share(const DepthCurve& curve, double share);
 
 }  // namespace si

@@ -11,7 +11,7 @@
 namespace si {
 namespace {
 
-constexpr float kNumberEms = 5.2f;  ///< least width of a texel that holds its number
+constexpr float kNumberEms = 5.2f;  ///< smallest width of a texel that shows its number, ems
 
 }  // namespace
 
@@ -38,12 +38,12 @@ void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU3
     list.AddRect(lo, hi, colour, 0, 0, em * 0.1f);
 }
 
-bool shows_texel_numbers(const MapRect& rect) {
+bool fits_texel_values(const MapRect& rect) {
     return rect.texel_pixels() >= kNumberEms * theme::small()->FontSize;
 }
 
-void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi) {
-    if (!shows_texel_numbers(rect) || glm::ivec2(values.width, values.height) != rect.texels) return;
+void draw_texel_values(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi) {
+    if (!fits_texel_values(rect) || glm::ivec2(values.width, values.height) != rect.texels) return;
     const glm::dvec2 a = rect.uv({clip_lo.x, clip_hi.y}), b = rect.uv({clip_hi.x, clip_lo.y});
     const glm::ivec2 last = rect.texels - 1;
     const glm::ivec2 from = glm::clamp(glm::ivec2(glm::floor(a * glm::dvec2(rect.texels))), glm::ivec2(0), last);
@@ -62,7 +62,7 @@ void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo
     }
 }
 
-void map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour) {
+void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour) {
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const float em = ImGui::GetFontSize();
     for (const auto& [from, to] : lines) {

@@ -22,20 +22,22 @@ struct MapRect {
     bool holds(glm::ivec2 texel) const {
         return texel.x >= 0 && texel.y >= 0 && texel.x < texels.x && texel.y < texels.y;
     }
-    /// Returns two corners of the screen rectangle of `count` x `count` texels from `first` on.
+    /// Returns two opposite corners, on the screen, of the square of `count` x `count` texels whose lower left texel is
+    /// `first`.
     std::pair<ImVec2, ImVec2> square(glm::ivec2 first, int count) const;
 };
 
-/// Outlines a rectangle of texels. One that is too small to see gets a ring around it.
+/// Draws the outline of a rectangle of texels in the map viewer; a ring around it if the rectangle is too small to see.
+/// @param first lower left texel @param size texels
 void outline_texels(const MapRect& rect, glm::ivec2 first, glm::ivec2 size, ImU32 colour);
 
-/// Writes each visible texel's stored value into it, if texels are large enough.
-/// @param values one channel, top row first, of the image shown
-void texel_numbers(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi);
-/// Returns true if texels are large enough for texel_numbers().
-bool shows_texel_numbers(const MapRect& rect);
+/// Draws the stored value of each visible texel onto the map, if texels are large enough on the screen.
+/// @param values shown image: one channel, top row first @param clip_lo, clip_hi visible part, pixels of the screen
+void draw_texel_values(const MapRect& rect, const FloatImage& values, ImVec2 clip_lo, ImVec2 clip_hi);
+/// Returns true if texels are large enough on the screen for draw_texel_values().
+bool fits_texel_values(const MapRect& rect);
 
-/// Draws segments given in map coordinates.
-void map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
+/// Draws line segments over the map viewer's image. @param lines ends in map coordinates, 0..1
+void draw_map_lines(const MapRect& rect, std::span<const std::pair<glm::dvec2, glm::dvec2>> lines, ImU32 colour);
 
 }  // namespace si

@@ -7,7 +7,7 @@
 namespace si {
 namespace {
 
-/// Six digits: what tells neighbouring texels apart.
+/// Formats a value with six digits, which distinguish neighbouring texels.
 std::string exact_metres(double metres) {
     return std::isfinite(metres) ? fmt::format("{:.6g} m", metres) : "no distance";
 }
@@ -21,7 +21,7 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
     if (usage && usage->resolution() == size.x)
         where += fmt::format("   read by {} {}pixels", usage->pixels(texel), frozen ? "frozen " : "");
     if (shown.mip > 0) {
-        texel = (2 * texel + 1) * shown.texels / (2 * size);  // the one under its middle
+        texel = (2 * texel + 1) * shown.texels / (2 * size);  // texel of the full map under the middle of the mip texel
         where += fmt::format("   in mip level {} texel {}, {}", shown.mip, texel.x, texel.y);
         size = shown.texels;
     }
@@ -33,7 +33,7 @@ std::pair<std::string, std::string> texel_readout(glm::ivec2 texel, glm::ivec2 s
                                    exact_metres(here.near + stored * (here.far - here.near)))};
     if (shown.channel > 0) return {where, fmt::format("{}   {:.9g}", shown.name, stored)};
     const double z = here.distance(stored), share = (z - curve.near) / (curve.far - curve.near);
-    // Nine digits tell any two 32-bit depths apart.
+    // Nine digits distinguish any two 32-bit depths.
     const std::string depth = fmt::format("{}   stored {:.9g}   linear {:.6g}", exact_metres(z), stored, share);
     return {where, stored == curve.convention.far_depth() ? depth + "   nothing drawn" : depth};
 }

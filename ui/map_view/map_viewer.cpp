@@ -1,5 +1,5 @@
-// The depth image beside the scene: the light's map or the camera's own depth, how it is shown, zoom and pan, the exact
-// value of a texel, and which texels the picture reads.
+// Map viewer: the light's depth map or the camera's depth image with its display options, zoom and pan, values of
+// texels, and marks of the texels that the picture reads.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -87,12 +87,12 @@ void place_combo(EditorState& state, float width) {
         ImGui::SetTooltip("%s", with_key("Place of the shadow map in the window", Command::NextMapPlace).c_str());
 }
 
-/// The lights that there are; empty where there is nothing to choose from.
+/// Lists the lights as choices; empty if there is nothing to choose from.
 NamedValues light_choices(const Settings& s) {
     NamedValues out;
     if (s.light_count < 2) return out;
     for (int i = 0; i < s.light_count; ++i) out.emplace_back(i, light_title(s, i));
-    out.back().first = std::max(out.back().first, s.view.light);  // a number past the last means the last
+    out.back().first = std::max(out.back().first, s.view.light);  // a number beyond the last means the last
     return out;
 }
 
@@ -105,13 +105,13 @@ void header(EditorState& state, const FrameResult* result, EditorRequests& reque
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
     const bool plots = has_room_for_plots(state.layout, ImGui::GetContentRegionAvail().y - ImGui::GetFrameHeight());
-    const bool titled = ImGui::GetContentRegionAvail().x > em * 16;  // in less the choices need all of it
+    const bool titled = ImGui::GetContentRegionAvail().x > em * 16;  // narrower viewers have room for the choices only
     Toolbar bar("map tools");
     if (titled) bar.title("Map");
     if (titled && ImGui::IsItemHovered()) {
         ImGui::SetTooltip("%s",
                           with_key("Double-click: alone in the window, and back", Command::MaximisePanel).c_str());
-        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Map);
+        if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) toggle_maximised(state, Panel::Map);
     }
     const auto setting = [&](const char* label, const char* key, float width) {
         bar.item(label, width, [&s, key](float room) { setting_widget(s, key, room); });
@@ -203,12 +203,12 @@ void steer(MapWindow& window, ImVec2 origin, ImVec2 size, glm::ivec2 texels) {
     if (window.zoom <= 1) window.centre = glm::vec2(0.5f);
 }
 
-/// Who reads the map: while the shadow camera is frozen its pixels, not those of the one that flies about.
+/// Returns the texels that the picture reads: those of the frozen camera's pixels while a camera is frozen.
 const TexelUsage* shown_usage(const EditorState& state, const EditorFrame& frame) {
     return state.frozen ? frame.frozen_usage : frame.texel_usage;
 }
 
-/// The texels that the kernel at a pixel of the scene picture reads.
+/// Outlines the texels that the kernel at a pixel of the scene picture reads.
 void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, const MapRect& rect, glm::ivec2 pixel,
                         ImU32 colour) {
     const FloatImage* c = frame.map_coordinates;
@@ -220,7 +220,7 @@ void mark_pixels_texels(const EditorState& state, const EditorFrame& frame, cons
     outline_texels(rect, f.first, glm::ivec2(f.count), colour);
 }
 
-/// The texels that a probed kernel compares, each in the colour of its result.
+/// Outlines the texels that a probed kernel compares, each in the colour of its result.
 void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
     if (p.taps.empty()) return;
     const double heaviest = heaviest_tap(p);
@@ -232,7 +232,7 @@ void mark_taps(const MapRect& rect, const Probe::PerLight& p) {
     outline_texels(rect, p.taps_first, p.taps_size, theme::kProbed);
 }
 
-/// The texel of a finding that was clicked, in the map that it is of.
+/// Outlines the texel of a clicked finding, if its map is shown.
 void mark_finding(const EditorState& state, const FrameResult& result, const MapRect& shown) {
     const auto& mark = state.map.marked_texel;
     if (!mark || mark->light != shown_light(state.settings) || mark->view != shown_face(state.settings, result)) return;
@@ -240,7 +240,7 @@ void mark_finding(const EditorState& state, const FrameResult& result, const Map
         outline_texels(shown, mark->texel, {1, 1}, theme::error());
 }
 
-/// The marks of the texels that the picture's kernels fetch, where they are asked for and this frame has them.
+/// Returns the image that marks the texels fetched by kernels; null: not requested, or not in this frame.
 const Image* exact_marks(const EditorState& state, const EditorFrame& frame) {
     const Image& marks = frame.result->texels_read;
     return state.map.exact_texels && !state.frozen && marks.texture != 0 ? &marks : nullptr;
@@ -254,7 +254,7 @@ std::string usage_text(const EditorState& state, const EditorFrame& frame) {
     return fmt::format("{:.3g} % of texels read{}", 100 * usage->utilisation(), state.frozen ? " (frozen)" : "");
 }
 
-/// Puts `more` behind the shorter line.
+/// Appends `more` to the shorter of two lines.
 void append(std::pair<std::string, std::string>& lines, const std::string& more) {
     const auto width = [](const std::string& text) {
         ImFont* font = theme::small();
@@ -270,7 +270,7 @@ std::string obstacle(const Settings& s, const EditorFrame& frame) {
     if (!of_camera(s)) {
         const int light = shown_light(s);
         if (light < 0) return "No light: light.count is 0.";
-        if (std::size_t(light) >= result.lights.size()) return "...";  // a light was added a moment ago
+        if (std::size_t(light) >= result.lights.size()) return "...";  // a light was just added
         const FittedLight& fitted = result.lights[std::size_t(light)];
         if (!fitted.casts || fitted.views.empty())
             return fmt::format("{} has no shadow map: {}.", light_title(s, light),
@@ -327,10 +327,10 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         list.AddImage(reinterpret_cast<ImTextureID>(std::uintptr_t(marks->texture)), rect.lo, rect_end, {0, 1}, {1, 0},
                       faded(IM_COL32_WHITE, kMarksOpacity));
     list.AddRect(rect.lo, rect_end, theme::line());
-    const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // a mip level's texels are larger
-    if (shows_texel_numbers(shown)) {
+    const MapRect shown{rect.lo, rect.size, result.shown_map.texels};  // texels of the shown mip level
+    if (fits_texel_values(shown)) {
         requests.want_map_values = true;
-        if (frame.map_values) texel_numbers(shown, *frame.map_values, origin, end);
+        if (frame.map_values) draw_texel_values(shown, *frame.map_values, origin, end);
     }
     if (camera) {
         if (state.probe_pixel)
@@ -342,10 +342,10 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
         // The frozen camera's outline, and the live camera's once it has moved away.
         const LightView& light_view = fitted->views[std::size_t(shown_face(state.settings, result))];
         if (state.frozen) {
-            map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
-            map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
+            draw_map_lines(rect, camera_outline_in_map(result.camera, light_view), theme::kLive);
+            draw_map_lines(rect, camera_outline_in_map(state.frozen->camera, light_view), theme::kFrozen);
         } else if (state.settings.view.map_region) {
-            map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
+            draw_map_lines(rect, camera_region_in_map(result.camera, light_view), theme::kLive);
         }
         if (frame.probe && frame.probe->hit)
             for (const Probe::PerLight& p : frame.probe->lights)
@@ -380,7 +380,7 @@ void draw_map_viewer(EditorState& state, const EditorFrame& frame, EditorRequest
             fmt::format("{} in front of the near plane",
                         fitted->clipped_casters == 1 ? "1 object reaches"
                                                      : fmt::format("{} objects reach", fitted->clipped_casters));
-        veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
+        draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, lost, theme::kWarningOnPicture);
     }
     list.PopClipRect();
     ImFont* font = theme::small();

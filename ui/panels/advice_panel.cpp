@@ -27,7 +27,7 @@ std::string list_of(Changes changes) {
     return text;
 }
 
-/// One step of undo.
+/// Draws the button that applies several changes as one step of undo.
 void apply_button(Settings& settings, Changes changes, bool current) {
     ImGui::BeginDisabled(!current || changes.empty());
     if (ImGui::SmallButton("Apply"))

@@ -1,4 +1,4 @@
-// The panel Advice: measured changes of settings that the scene can do with, and the autopilot.
+// The panel Advice: measured changes of settings that the scene allows, and the autopilot.
 #pragma once
 
 #include <optional>
@@ -12,10 +12,10 @@
 namespace si {
 
 struct Settings;
-struct AdviceReport;     // renderer/advise/advice.h
-struct AutopilotResult;  // renderer/advise/autopilot.h
+struct AdviceReport;
+struct AutopilotResult;
 
-/// State of the panel.
+/// State of the panel Advice: bounds of the autopilot.
 struct AdvicePanel {
     CostCase cost = kDefaultCost;  ///< kind of frames that are timed
     bool bound_error = true;
@@ -24,23 +24,23 @@ struct AdvicePanel {
     double max_ms = 10;       ///< longest time of a frame
 };
 
-/// Request for a search: advice without bounds, the autopilot with one.
+/// Request for a search: for advice without a bound, for the autopilot with one.
 struct AdviceRequest {
     CostCase cost = kDefaultCost;
     std::optional<double> max_error;  ///< largest mean error of visibility
     std::optional<double> max_ms;     ///< longest time of a frame
 };
 
-/// Facts of the panel.
+/// Facts of the panel Advice: progress and last results.
 struct AdvicePanelFacts {
     std::optional<SearchProgress> advising;      ///< under way
     const AdviceReport* advice = nullptr;        ///< last result for this scene, if of advice
     const AutopilotResult* autopilot = nullptr;  ///< last result for this scene, if of the autopilot
     std::span<const std::pair<std::string, std::string>> autopilot_changes;  ///< key and value
-    bool advice_current = false;                                             ///< the result is of the present settings
+    bool advice_current = false;  ///< the result belongs to the present settings
 };
 
-/// Requests of the panel.
+/// Requests of the panel Advice.
 struct AdviceRequests {
     std::optional<AdviceRequest> find_advice;
     bool cancel_advice = false;

@@ -38,7 +38,7 @@ bool same_picture(Settings a, const Settings& b) {
     return a == b;
 }
 
-/// Towards the spot on the ray that it was seen along, so that nothing comes between.
+/// Moves the camera towards a cluster along the ray of its pixel, so that no surface comes between.
 void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const ArtefactSpot& spot) {
     const glm::ivec2 size = spot.last - spot.first + 1;
     const double closer =
@@ -58,8 +58,8 @@ void look_at_spot(CameraSettings& camera, const ArtefactSpots& of, const Artefac
     camera.distance = distance * closer;
 }
 
-/// Moves the camera by part of a pixel, so that the target, this point, lies in a pixel's middle and is what is probed.
-void put_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3& point) {
+/// Moves the camera by part of a pixel, so that the target lies in the middle of a pixel and is probed exactly.
+void centre_on_pixel(EditorState& state, const EditorFrame& frame, const glm::dvec3& point) {
     if (!frame.scene || !frame.result) return;
     const Image& picture = frame.result->colour;
     const Camera made = make_camera(*frame.scene, state.settings, frame.result->camera.aspect);
@@ -78,8 +78,8 @@ void go_to_spot(EditorState& state, const EditorFrame& frame) {
     const ArtefactSpot& spot = tour.of.spots[tour.at];
     take_camera(state, frame);
     look_at_spot(state.settings.camera, tour.of, spot);
-    put_on_pixel(state, frame, spot.position_ws);
-    // The surface is probed wherever the new picture has it.
+    centre_on_pixel(state, frame, spot.position_ws);
+    // The probe follows the surface point into the new picture.
     state.probe_pixel = spot.pixel;
     state.probe_anchor = ProbeAnchor{spot.position_ws, spot.normal_ws, state.scene_name, spot.pixel};
     state.keyboard.probe_has_arrows = true;
@@ -103,7 +103,7 @@ Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame)
     return most;
 }
 
-void choose_cause(EditorState& state, Artefact cause) {
+void toggle_tour_cause(EditorState& state, Artefact cause) {
     ArtefactTour& tour = state.artefact_tour;
     const int overlay = artefact_overlay();
     if (tour.cause == cause && state.settings.view.overlay == overlay) {
@@ -144,7 +144,7 @@ bool follow_artefact_tour(EditorState& state, const EditorFrame& frame) {
         give_up("Where the picture is wrong is not known: " + frame.reference->problem);
         return false;
     }
-    // Clusters are known once the reference of this picture is.
+    // Clusters need the reference of this picture.
     if (state.artefacts.number != tour.waits_for) {
         if (!frame.error) return true;
         const Artefact cause = artefact_tour_cause(state, frame);

@@ -11,19 +11,19 @@
 
 namespace si {
 
-/// Request for the clusters of a cause in the shown picture.
+/// Request for the clusters of wrong pixels of one cause in the shown picture.
 struct ArtefactRequest {
     Artefact cause = Artefact::None;
     int number = 0;  ///< differs from that of every earlier request; 0: there was none
 };
 
-/// A cluster and the surface point at its middle.
+/// Cluster of wrong pixels, and the surface point at its middle.
 struct ArtefactSpot : ArtefactCluster {
     glm::dvec3 position_ws{0};
     glm::dvec3 normal_ws{0, 1, 0};
 };
 
-/// Clusters of one picture.
+/// Clusters of wrong pixels of one picture.
 struct ArtefactSpots {
     int number = 0;                   ///< ArtefactRequest::number
     std::vector<ArtefactSpot> spots;  ///< largest first
@@ -31,7 +31,7 @@ struct ArtefactSpots {
     int height = 0;                   ///< height of the picture, pixels
 };
 
-/// Position in the tour. The clusters are those of the picture in which the tour began.
+/// Tour through the clusters of wrong pixels: clusters of the picture in which the tour began, and the position.
 struct ArtefactTour {
     std::optional<Artefact> cause;  ///< chosen cause; none: the most frequent one
     int waits_for = 0;              ///< number of the request that is not fulfilled yet; 0: none
@@ -45,16 +45,18 @@ struct ArtefactTour {
 struct EditorState;
 struct EditorFrame;
 
-/// Returns the cause of the tour: the chosen one, else the most frequent one. None if nothing is known, or no pixel is
-/// wrong.
+/// Returns the cause that the tour of wrong pixels visits: the chosen cause, else the most frequent one. None if errors
+/// are not known, or no pixel is wrong.
 Artefact artefact_tour_cause(const EditorState& state, const EditorFrame& frame);
-/// Chooses a cause and shows the artefact overlay; the same cause again takes both back.
-void choose_cause(EditorState& state, Artefact cause);
-/// Moves the camera to the next cluster and probes its middle, at once or when the clusters are known.
+/// Chooses the cause that the tour of wrong pixels visits, and shows the artefact overlay. The same cause again undoes
+/// both.
+void toggle_tour_cause(EditorState& state, Artefact cause);
+/// Moves the camera to the next cluster of wrong pixels and probes its middle. Waits for the clusters if they are not
+/// known yet.
 void next_artefact(EditorState& state, const EditorFrame& frame);
-/// Continues next_artefact() when the clusters are known. Call once a frame. Returns true while it waits.
+/// Continues next_artefact() once the clusters are known. Call once a frame. Returns true while the tour waits.
 bool follow_artefact_tour(EditorState& state, const EditorFrame& frame);
-/// Returns the position in the tour: "2 of 7: 153 pixels"; empty: no cluster is shown.
+/// Formats the position in the tour of wrong pixels: "2 of 7: 153 pixels"; empty: no cluster is shown.
 std::string artefact_tour_text(const EditorState& state);
 
 }  // namespace si

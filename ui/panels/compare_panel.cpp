@@ -64,7 +64,7 @@ void reference_combo(CompareWith& compare, bool pinned, const PresetsFacts& pres
     ImGui::EndCombo();
 }
 
-/// "Bias", "Light 2", "Root/Box": whose setting it is.
+/// Returns the owner of a setting: "Bias", "Light 2", "Root/Box".
 std::string owner(const Settings& settings, const SettingRef& ref) {
     if (ref.param->scope == Scope::Object) return ref.object;
     if (ref.param->scope == Scope::Light) return light_title(settings, ref.light);
@@ -77,7 +77,7 @@ void cell(const std::string& text, ImU32 colour) {
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopStyleColor();
-    // Long names are cut by the column; all of them under the mouse.
+    // The column cuts long names; the tooltip shows the whole name.
     if (ImGui::IsItemHovered() && ImGui::GetItemRectSize().x > ImGui::GetContentRegionAvail().x)
         ImGui::SetTooltip("%s", text.c_str());
 }

@@ -11,23 +11,23 @@ namespace si {
 struct PresetRequests;
 struct PresetsFacts;
 
-/// Kind of settings to compare with. Pinned: PictureState::pinned.
+/// Source of the settings that the panel Compare compares with. Pinned: PictureState::pinned.
 enum class CompareKind { Scene, Defaults, Preset, Pinned };
-/// Choice of settings to compare with.
+/// Choice of the settings that the panel Compare compares with.
 struct CompareWith {
     CompareKind kind = CompareKind::Scene;
     std::string preset;  ///< built-in key or path, if kind is Preset
     bool operator==(const CompareWith&) const = default;
 };
 
-/// Settings that were kept as A, to compare later ones with.
+/// Settings pinned as A, which later settings are compared with.
 struct PinnedSettings {
     Settings settings;
     std::string scene;  ///< built-in key or path of the scene that they were shown with
     bool operator==(const PinnedSettings&) const = default;
 };
 
-/// Settings that PictureState::compare names.
+/// Settings that PictureState::compare names, once they are loaded.
 struct ComparisonFacts {
     CompareWith with;
     Settings settings;
@@ -35,12 +35,12 @@ struct ComparisonFacts {
     std::string problem;  ///< why there are no settings
 };
 
-/// Returns the name of the other side: "the scene's own settings", or a preset's key or path.
+/// Returns the name of the settings to compare with: "the scene's own settings", or a preset's key or path.
 std::string reference_label(const CompareWith& with);
 
-/// Draws the settings that differ from the compared ones.
-/// @param compare changed by the combo @param pinned offered as a choice @param scene_name of the shown scene
-/// @param other settings that `compare` names; null or of another choice: not read yet
+/// Draws the panel Compare: the settings that differ from those of `other`.
+/// @param compare choice, changed by the combo @param pinned offered as a choice @param scene_name shown scene
+/// @param other settings that `compare` names; null or of another choice: not loaded yet
 void draw_compare(CompareWith& compare, Settings& settings, const std::optional<PinnedSettings>& pinned,
                   const std::string& scene_name, const ComparisonFacts* other, const PresetsFacts& presets,
                   PresetRequests& requests);

@@ -25,7 +25,7 @@
 namespace si {
 namespace {
 
-constexpr int kColumns = 9, kTexts = 3;  ///< the first of them are texts, the last is a checkbox
+constexpr int kColumns = 9, kTexts = 3;  ///< the first kTexts columns are texts, the last is a checkbox
 enum class Column { State, Effect, Why, Ms, CpuMs, Draws, Triangles, Saved, Force };
 
 std::string grouped(std::uint64_t n) {
@@ -34,7 +34,7 @@ std::string grouped(std::uint64_t n) {
     return text;
 }
 
-/// Columns that have room besides reasons of one to three lines.
+/// Width of the panel, by the columns that fit next to reasons of one to three lines.
 enum class Room {
     Least,   ///< reasons are tooltips of the names
     Few,     ///< no column of optimisations: their menu has all that can be forced
@@ -48,10 +48,10 @@ Room room_of(float ems) {
            : ems > 50 ? Room::Usual
            : ems > 43 ? Room::Narrow
            : ems > 35 ? Room::Few
-                      : Room::Least;  // by reasons at least a dozen ems wide
+                      : Room::Least;  // reasons are at least twelve ems wide
 }
 
-/// By shape and word, so that nobody has to tell colours apart.
+/// Draws an effect's state as a shape and a word, readable without colours.
 void state_cell(EffectState state, Room room) {
     static constexpr const char* kShapes[] = {"\u25cf", "\u25c6", "\u25cb"};
     const std::string shape = kShapes[std::size_t(state)], word(effect_state_label(state));
@@ -62,7 +62,7 @@ void state_cell(EffectState state, Room room) {
     if (room <= Room::Narrow) wrapped_tooltip(word);
 }
 
-/// @param together effects that share the saving
+/// Draws the time that an optimisation saves. @param together number of effects that share the optimisation
 void saved_cell(const Spread* ms, std::size_t together, bool current) {
     const std::string shared = together > 1 ? fmt::format(" of {}", together) : "";
     right_aligned(ms ? fmt::format("{:.2f}{}", ms->median, shared) : "–",
@@ -112,7 +112,7 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
     int count = 0;
     for (std::size_t i = 0; i < kOptimisations; ++i) count += forced.contains(Optimisation(i));
     const std::string forced_text = count ? fmt::format("{} forced", count) : "None forced";
-    flow(button_width(forced_text.c_str()));
+    same_line_if_fits(button_width(forced_text.c_str()));
     if (ImGui::Button((forced_text + "###force savings").c_str())) ImGui::OpenPopup("savings");
     wrapped_tooltip("Optimisations that are switched off. A tool: no preset keeps it.");
     if (ImGui::BeginPopup("savings")) {
@@ -120,16 +120,16 @@ void tools(EffectsPanel& panel, const EffectsFacts& facts, EffectsRequests& requ
             force_box(forced, Optimisation(i), std::string(optimisation_rows()[i].label).c_str());
         ImGui::EndPopup();
     }
-    flow(button_width("Reset"));
+    same_line_if_fits(button_width("Reset"));
     ImGui::BeginDisabled(forced.empty());
     if (ImGui::Button("Reset##forced")) forced = {};
     ImGui::EndDisabled();
     wrapped_tooltip("Switches all optimisations on again.");
-    flow(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
+    same_line_if_fits(button_width("Hide what is not needed") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Hide what is not needed", &panel.only_needed);
     if (!facts.saved || facts.saved_times_current) return;
     constexpr const char* kOld = "saved ms are of other settings";
-    flow(ImGui::CalcTextSize(kOld).x);
+    same_line_if_fits(ImGui::CalcTextSize(kOld).x);
     ImGui::TextDisabled("%s", kOld);
 }
 
@@ -145,7 +145,7 @@ void header(Room room) {
     fixed(narrow ? "" : "State", narrow ? 1.2f : 7.5f);
     if (reasons)
         fixed("Effect", narrow ? 13 : 14);
-    else  // what the reasons leave is the names'
+    else  // names get the width that reasons leave
         ImGui::TableSetupColumn("Effect", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("Why", ImGuiTableColumnFlags_WidthStretch | (reasons ? 0 : ImGuiTableColumnFlags_Disabled));
     fixed("Time ms", 4);
@@ -166,7 +166,7 @@ void header(Room room) {
     }
 }
 
-/// Cost of one pass, or the sum of all.
+/// Cost of one pass, or the sum of all passes.
 struct PassCost {
     double gpu_ms = 0, cpu_ms = 0;
     std::uint64_t draws = 0, triangles = 0;
@@ -185,7 +185,7 @@ void cost_cells(const PassCost& cost) {
     cell(Column::Triangles, cost.triangles > 0, grouped(cost.triangles));
 }
 
-/// Behind a time: its share of the longest, as a bar.
+/// Draws a bar behind a time: its share of the longest time.
 void time_bar(const FrameTimes& times, double ms) {
     double longest = ms;
     for (const auto& [name, last] : times.pass_ms) longest = std::max(longest, last);
@@ -256,7 +256,7 @@ void sum_row(const PassCost& sum) {
     ImGui::PopFont();
 }
 
-/// The frames that were timed in the last seconds, as bars along the time.
+/// Draws the frames timed in the last seconds as bars over time.
 void history(const FrameTimes& times) {
     if (times.frames.size() < 2) return;
     const double now = ImGui::GetTime();

@@ -12,32 +12,32 @@ namespace si {
 struct DriverInfo;
 struct FrameResult;
 struct FrameTimes;
-struct Effect;      // renderer/inspect/effects.h
-struct SavedTimes;  // renderer/measure/optimisation_times.h
+struct Effect;
+struct SavedTimes;
 
-/// State of the panel. Forcing is no setting, because it changes no picture.
+/// State of the panel Effects. Forcing is no setting, because it changes no picture.
 struct EffectsPanel {
     OptimisationSet forced;    ///< optimisations that are switched off
     bool only_needed = false;  ///< lists only what is drawn or cached
 };
 
-/// Facts of the panel.
+/// Facts of the panel Effects: effects of the frame, and the times that optimisations save.
 struct EffectsFacts {
     std::span<const Effect> effects;                        ///< empty unless requested
     const SavedTimes* saved = nullptr;                      ///< last measured times; null: none, or of another scene
-    bool saved_times_current = false;                       ///< these times are of the present settings and size
+    bool saved_times_current = false;                       ///< these times belong to the present settings and size
     std::optional<SearchProgress> measuring_optimisations;  ///< under way
 };
 
-/// Requests of the panel.
+/// Requests of the panel Effects.
 struct EffectsRequests {
     bool want_effects = false;         ///< the panel is shown
     bool measure_saved_times = false;  ///< measure the time that each optimisation saves
     bool cancel_measuring = false;     ///< cancel that measurement
 };
 
-/// Draws the panel Effects: a row an effect with its state, reason and cost, then the frame's sum.
-/// @param times of the last frames @param result of the last frame; null: none @param driver null: not known
+/// Draws the panel Effects: a row for each effect with state, reason and cost, then the frame's sum.
+/// @param times times of the last frames @param result last frame; null: none @param driver null: not known
 void draw_effects(EffectsPanel& panel, const FrameTimes& times, const FrameResult* result, const DriverInfo* driver,
                   const EffectsFacts& facts, EffectsRequests& requests);
 

@@ -1,5 +1,4 @@
-// Errors of the shown light's shadows against the ray-traced reference: numbers that follow every setting at once, and
-// causes.
+// Panel Error: errors of the shown light's shadows against the ray-traced reference, live, and their causes.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -23,7 +22,8 @@
 namespace si {
 namespace {
 
-/// The rows of one table, each sum with its parts below it. @param shares of pixels, or all others
+/// Returns the rows of one table, each sum followed by its parts. @param causes shares of wrong pixels; else all other
+/// metrics
 std::vector<const Metric*> rows_of(bool causes, const ErrorMetrics& m) {
     std::vector<const Metric*> rows;
     const auto add = [&](const Metric& row) {
@@ -49,7 +49,7 @@ std::string text_of(const Metric& row, double value) {
     return row.better == Better::NearZero ? fmt::format("{:+.5f}", value) : fmt::format("{:.5f}", value);
 }
 
-/// @param causes the sums of wrong pixels with their parts, or all others
+/// Draws one table of metrics. @param causes sums of wrong pixels with their causes; else all other metrics
 void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
@@ -61,7 +61,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
         const std::string whole = part ? "   " + std::string(row->part) : std::string(row->label);
         std::string name;
         const auto tooltip = [&] {
-            const std::string title = name == whole ? "" : whole + "\n";  // where the column is too narrow for it
+            const std::string title = name == whole ? "" : whole + "\n";  // for columns too narrow for the whole name
             if (ImGui::IsItemHovered())
                 ImGui::SetTooltip("%s%s\n%s", title.c_str(), row->formula.data(), row->help.data());
         };
@@ -79,7 +79,7 @@ void metrics_table(const ErrorMetrics& m, bool causes, const char* id) {
     ImGui::EndTable();
 }
 
-/// Returns whether it was clicked.
+/// Draws the coloured mark and name of a cause. Returns true if it was clicked.
 bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std::size_t counted, bool with_share) {
     const float em = ImGui::GetFontSize();
     ImGui::TableNextRow();
@@ -96,8 +96,8 @@ bool cause_row(const ArtefactStyle& style, bool chosen, std::size_t pixels, std:
     ImDrawList& list = *ImGui::GetWindowDrawList();
     const ImVec2 lo(at.x, at.y + em * 0.2f), hi(at.x + em * 0.7f, at.y + em * 0.9f);
     list.AddRectFilled(lo, hi, theme::rgb(style.rgb));
-    list.AddRect(lo, hi, theme::faint());  // the white one, on white
-    // Two causes differ in their ends: by bias or by offset.
+    list.AddRect(lo, hi, theme::faint());  // outlines a white mark on a white panel
+    // Two causes have names that differ only at the end: by bias, by offset.
     const auto fitted = label.find(" by ") == label.npos ? beginning_that_fits : end_that_fits;
     const std::string shown = fitted(label, width - em * 1.1f, ImGui::GetFont());
     list.AddText({at.x + em * 1.1f, at.y}, theme::text(), shown.c_str());
@@ -123,7 +123,7 @@ void next_button(EditorState& state, const EditorFrame& frame, const std::string
     ImGui::TextDisabled("%s", tour.c_str());
 }
 
-/// @param first, end of artefact_styles() @param shares there is room for them
+/// Draws the list of causes. @param first, end range of artefact_styles() @param shares shares of pixels fit, too
 void causes_table(EditorState& state, const LiveError& error, std::size_t first, std::size_t end, bool shares) {
     constexpr ImGuiTableFlags flags =
         ImGuiTableFlags_RowBg | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings;
@@ -137,7 +137,7 @@ void causes_table(EditorState& state, const LiveError& error, std::size_t first,
         for (const ArtefactStyle& style : artefact_styles().subspan(first, end - first))
             if (cause_row(style, state.artefact_tour.cause == style.artefact, m.artefacts[std::size_t(style.artefact)],
                           m.counted, shares))
-                choose_cause(state, style.artefact);
+                toggle_tour_cause(state, style.artefact);
         ImGui::EndTable();
     }
     ImGui::PopID();
@@ -172,7 +172,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         return;
     }
     const auto labelled = [&](const char* label, const char* key, float width) {
-        flow(ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width);
+        same_line_if_fits(ImGui::CalcTextSize(label).x + ImGui::GetStyle().ItemSpacing.x + width);
         ImGui::AlignTextToFramePadding();
         ImGui::TextDisabled("%s", label);
         ImGui::SameLine();
@@ -182,16 +182,16 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
     labelled("Area light (soft shadows)", "truth.area", ImGui::GetFrameHeight());
     if (s.truth.area) labelled("Noise", "truth.noise", em * 5);
     labelled("Every n-th pixel", "truth.step", em * 4);
-    flow(em * 4);
+    same_line_if_fits(em * 4);
     save_button(state, frame, requests);
-    flow(em * 6);
-    fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
-                 frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
+    same_line_if_fits(em * 6);
+    draw_fixes_button(frame.fixes, requests, {}, frame.result && frame.scene,
+                      frame.error && frame.error->metrics.false_shadow + frame.error->metrics.false_light > 0);
     const std::string tour = artefact_tour_text(state), status = reference_status(frame);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    flow(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
+    same_line_if_fits(button_width("Next artefact") + (tour.empty() ? 0 : gap + ImGui::CalcTextSize(tour.c_str()).x));
     next_button(state, frame, tour);
-    flow(ImGui::CalcTextSize(status.c_str()).x + em * 4);
+    same_line_if_fits(ImGui::CalcTextSize(status.c_str()).x + em * 4);
     ImGui::AlignTextToFramePadding();
     const bool busy = !frame.reference->doing.empty();
     ImGui::TextDisabled("%s", status.c_str());
@@ -199,7 +199,7 @@ void draw_error(EditorState& state, const EditorFrame& frame, EditorRequests& re
         ImGui::SameLine();
         if (ImGui::SmallButton("Cancel")) requests.cancel_reference = true;
     }
-    fix_rows_table(s, frame.fixes, requests, {});
+    draw_fixes_table(s, frame.fixes, requests, {});
     if (!frame.error) return;
     const LiveError& error = *frame.error;
     const float width = ImGui::GetContentRegionAvail().x;

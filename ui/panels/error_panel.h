@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// State of the error table.
+/// State of the panel Error, the table of errors against the ray-traced reference.
 struct ErrorPanel {
     std::string save_path = "error.json";  ///< file that its Save button writes
 };

@@ -8,14 +8,14 @@
 
 namespace si {
 
-struct FixTable;  // renderer/advise/fixes.h
+struct FixTable;
 
-/// Request for a search.
+/// Request for a search for fixes of wrong pixels.
 struct FixRequest {
     std::optional<glm::ivec2> pixel;  ///< pixel to make right; none: the whole picture
 };
 
-/// State and result of the search.
+/// State and result of the search for fixes.
 struct FixSearch {
     std::optional<SearchProgress> running;  ///< none: no search is under way
     const FixTable* table = nullptr;        ///< last result; null: none

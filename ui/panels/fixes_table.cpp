@@ -57,8 +57,8 @@ void row(const MeasuredFix& fix, const FixTable& table, bool current, Settings& 
 
 }  // namespace
 
-void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
-                  bool wrong) {
+void draw_fixes_button(const FixSearch& search, FixRequests& requests, std::optional<glm::ivec2> pixel, bool ready,
+                       bool wrong) {
     if (search.running) {
         const std::string text = fmt::format("{:.0f} %  {}", 100 * search.running->progress, search.running->about);
         ImGui::ProgressBar(float(search.running->progress), {ImGui::GetFontSize() * 12, 0}, text.c_str());
@@ -76,8 +76,8 @@ void fixes_button(const FixSearch& search, FixRequests& requests, std::optional<
                   : "Nothing is wrong here.");
 }
 
-void fix_rows_table(Settings& settings, const FixSearch& search, FixRequests& requests,
-                    std::optional<glm::ivec2> pixel) {
+void draw_fixes_table(Settings& settings, const FixSearch& search, FixRequests& requests,
+                      std::optional<glm::ivec2> pixel) {
     if (!search.table || search.pixel != pixel) return;
     if (search.current)
         ImGui::TextDisabled("%zu pixels are wrong now", search.table->wrong);

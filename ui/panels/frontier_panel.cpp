@@ -1,4 +1,5 @@
-// Error against cost: a sweep over settings, its cases in one plot, and better cases than the present settings.
+// Panel Frontier: a sweep over settings, its cases in a plot of error over cost, and cases better than the present
+// settings.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -27,9 +28,9 @@
 namespace si {
 namespace {
 
-constexpr int kLeastSide = 16, kMostSide = 4096;
+constexpr int kMinSide = 16, kMaxSide = 4096;
 
-/// The axis as it is typed, or why it is none.
+/// Axis of a sweep as typed, or the reason why it is invalid.
 struct Checked {
     std::string text;  ///< "KEY=VALUES"
     std::size_t values = 0;
@@ -78,7 +79,7 @@ void choose_setting(EditorState& state, AxisText& axis) {
     ImGui::EndCombo();
 }
 
-/// The settings that are varied, a line each. Returns the number of combinations; 0 when something is wrong.
+/// Draws the varied settings, one a line. Returns the number of combinations; 0 if an axis is invalid.
 std::size_t draw_axes(EditorState& state, std::vector<std::string>& axes) {
     const float em = ImGui::GetFontSize(), gap = ImGui::GetStyle().ItemSpacing.x;
     std::size_t product = 1;
@@ -116,7 +117,7 @@ void draw_size(SweepPanel& panel) {
         ImGui::SetNextItemWidth(em * 3.4f);
         ImGui::InputInt(id, &value, 0);
         wrapped_tooltip("Size of the picture that is measured, in pixels");
-        if (!ImGui::IsItemActive()) value = std::clamp(value, kLeastSide, kMostSide);
+        if (!ImGui::IsItemActive()) value = std::clamp(value, kMinSide, kMaxSide);
     };
     side("##width", panel.width);
     ImGui::SameLine(0, em * 0.2f);
@@ -124,7 +125,7 @@ void draw_size(SweepPanel& panel) {
     ImGui::SameLine(0, em * 0.2f);
     side("##height", panel.height);
     const char* const area = "Area light (soft shadows)";
-    flow(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(area).x);
+    same_line_if_fits(ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x + ImGui::CalcTextSize(area).x);
     ImGui::Checkbox(area, &panel.area);
     wrapped_tooltip("Compare with an area light (light.size), not a point or direction");
     choose_cost("Times", panel.timed);
@@ -181,12 +182,12 @@ const MeasuredColumn* column_of(const SweepFacts& facts, const std::string& key)
     return nullptr;
 }
 
-/// Written as people read them: "7.4 MiB".
+/// Returns true for numbers of bytes, which are written as "7.4 MiB".
 bool is_bytes(const MeasuredColumn& c) {
     return c.unit == "B";
 }
 
-/// A share or mean of visibilities, which is written without its unit.
+/// Returns true for shares and mean visibilities, which are written without a unit.
 bool is_plain(const MeasuredColumn& c) {
     return c.unit.empty() || c.unit.starts_with("of ") || c.unit.starts_with("share");
 }
@@ -195,7 +196,7 @@ std::string column_title(const MeasuredColumn& c) {
     return is_plain(c) || is_bytes(c) ? c.label : c.label + " [" + c.unit + "]";
 }
 
-/// "Time of a frame" as "time of a frame".
+/// Returns a label with a small first letter: "time of a frame".
 std::string within_sentence(std::string label) {
     const auto is_lower = [](char c) { return std::islower(static_cast<unsigned char>(c)) != 0; };
     if (label.size() > 1 && is_lower(label[1])) label[0] = char(std::tolower(static_cast<unsigned char>(label[0])));
@@ -206,12 +207,12 @@ void choose_column(const SweepFacts& facts, const char* id, bool error, std::str
     const MeasuredColumn* now = column_of(facts, key);
     const std::string title = now ? column_title(*now) : "";
     const float em = ImGui::GetFontSize(), room = ImGui::GetWindowWidth();
-    const float beside = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
-    // Two stand beside each other.
+    const float arrow_width = ImGui::GetFrameHeight() + 2 * ImGui::GetStyle().FramePadding.x;
+    // Two combos share a line.
     const float least = em * (room > em * 36 ? 15 : 10.4f), most = std::max(least, 0.5f * room - em * 4);
-    const float width = std::clamp(text_width(title, ImGui::GetFont()) + beside, least, most);
+    const float width = std::clamp(text_width(title, ImGui::GetFont()) + arrow_width, least, most);
     ImGui::SetNextItemWidth(width);
-    const std::string shown = beginning_that_fits(title, width - beside, ImGui::GetFont());
+    const std::string shown = beginning_that_fits(title, width - arrow_width, ImGui::GetFont());
     if (!begin_combo(id, shown, ImGuiComboFlags_HeightLarge)) {
         if (now) wrapped_tooltip(now->help);
         return;
@@ -236,8 +237,8 @@ double value_of(const SweepFacts& facts, const MeasuredCase& c, const MeasuredCo
     return at < c.values.size() ? c.values[at] : NAN;
 }
 
-/// Undoable: the settings that the case varied, as it had them.
-void take(EditorState& state, const MeasuredCase& c) {
+/// Applies a case's values of the varied settings, as a step of undo.
+void apply_case(EditorState& state, const MeasuredCase& c) {
     for (const auto& [key, value] : c.settings) set_setting(state.settings, key, value);
     state.sweep.chosen = c.number;
 }
@@ -253,8 +254,8 @@ void case_tooltip(const SweepFacts& facts, const MeasuredCase& c) {
     ImGui::EndTooltip();
 }
 
-/// "18 % less error for 73 % more time": what the present settings are to those before.
-std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& cost) {
+/// Compares the present settings' numbers with the earlier ones: "18 % less error for 73 % more time".
+std::string change_text(const Dot& before, const Dot& now, const MeasuredColumn& cost) {
     const auto share = [](double from, double to) { return from > 0 ? to / from - 1 : 0.0; };
     const auto percent = [](double by) { return fmt::format("{:.0f} %", 100 * std::abs(by)); };
     const double error = share(before.error, now.error), price = share(before.cost, now.cost);
@@ -263,7 +264,7 @@ std::string worth_text(const Dot& before, const Dot& now, const MeasuredColumn& 
     const std::string what = cost.unit == "ms" ? "time" : "cost";
     const std::string by_error =
         same_error ? std::string("the same error") : percent(error) + (error < 0 ? " less error" : " more error");
-    // Numbers that look unlike want a word of why they count as one.
+    // Different numbers that count as equal need the reason (noise).
     constexpr double kLooksAlike = 0.05;
     if (same_cost && std::abs(price) > kLooksAlike)
         return fmt::format("{}; the {} differs by less than its noise (± {})", by_error, what,
@@ -279,7 +280,7 @@ void draw_before(const SweepFacts& facts, const MeasuredColumn& cost, const Meas
     const std::string name = facts.before_is_pinned ? "A" : "Before";
     const std::string text =
         fmt::format("{} {} at {}.  {}: {}", name, number_text(view.before->error, error),
-                    number_text(view.before->cost, cost), facts.change, worth_text(*view.before, *view.present, cost));
+                    number_text(view.before->cost, cost), facts.change, change_text(*view.before, *view.present, cost));
     ImGui::PushTextWrapPos(0);
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
@@ -316,8 +317,8 @@ void draw_advice(EditorState& state, const SweepFacts& facts, const MeasuredColu
     const auto offer = [&](const char* id, const std::string& text, std::size_t mark) {
         const MeasuredCase& c = facts.cases[view.marks[mark].of];
         const std::string button = text + "##" + id;
-        flow(button_width(text.c_str()));
-        if (ImGui::Button(button.c_str())) take(state, c);
+        same_line_if_fits(button_width(text.c_str()));
+        if (ImGui::Button(button.c_str())) apply_case(state, c);
         if (ImGui::IsItemHovered()) case_tooltip(facts, c);
     };
     if (view.advice.better)
@@ -350,7 +351,7 @@ void draw_state(const SweepFacts& facts, EditorRequests& requests) {
             for (const std::string& s : facts.other_settings) list += (list.empty() ? "" : "\n") + s;
             wrapped_tooltip(list);
         }
-        flow(button_width("Set them back"));
+        same_line_if_fits(button_width("Set them back"));
         if (ImGui::Button("Set them back")) requests.apply_sweep_base = true;
         wrapped_tooltip("To what all cases of the sweep share; undo gives the present ones back");
     }
@@ -364,7 +365,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
     const float em = ImGui::GetFontSize();
     requests.want_present = state.sweep.follow;
     const float room = ImGui::GetContentRegionAvail().x, controls = std::clamp(room * 0.36f, em * 15, em * 24);
-    // Side by side both would be cut: the panel scrolls instead.
+    // Side by side both would be cut, so that they stand one below the other and the panel scrolls.
     const bool stacked = room < em * 40;
     if (stacked) {
         draw_controls(state, facts, requests);
@@ -387,7 +388,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
     if (const MeasuredColumn* wanted = column_of(facts, state.sweep.cost); wanted && across != state.sweep.cost) {
         const std::string text =
             fmt::format("Not measured{}: {}", facts.running ? " yet" : "", within_sentence(wanted->label));
-        flow(ImGui::CalcTextSize(text.c_str()).x);
+        same_line_if_fits(ImGui::CalcTextSize(text.c_str()).x);
         ImGui::TextDisabled("%s", text.c_str());
         wrapped_tooltip(facts.running ? "The plot goes over to it when all cases have a value"
                                       : "No case of this sweep has a value of it");
@@ -396,7 +397,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
         const std::string count =
             facts.failed > 0 ? fmt::format("{} of {} cases, {} failed", facts.cases.size(), facts.total, facts.failed)
                              : fmt::format("{} of {} cases", facts.cases.size(), facts.total);
-        flow(ImGui::CalcTextSize(count.c_str()).x);
+        same_line_if_fits(ImGui::CalcTextSize(count.c_str()).x);
         ImGui::TextDisabled("%s", count.c_str());
         if (ImGui::IsItemHovered()) {
             std::string text = facts.about;
@@ -406,7 +407,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
             wrapped_tooltip(text);
         }
         if (facts.software) {
-            flow(ImGui::CalcTextSize("CPU rasteriser").x);
+            same_line_if_fits(ImGui::CalcTextSize("CPU rasteriser").x);
             ImGui::PushStyleColor(ImGuiCol_Text, theme::warning());
             ImGui::TextUnformatted("CPU rasteriser");
             ImGui::PopStyleColor();
@@ -428,7 +429,7 @@ void draw_frontier(EditorState& state, const EditorFrame& frame, EditorRequests&
                 draw_frontier_plot(facts, is_bytes(*cost), state.sweep.chosen, {size.x, std::max(size.y, em * 6)});
             if (r.hovered) case_tooltip(facts, facts.cases[*r.hovered]);
             if (r.present_hovered && facts.present) case_tooltip(facts, *facts.present);
-            if (r.clicked) take(state, facts.cases[*r.clicked]);
+            if (r.clicked) apply_case(state, facts.cases[*r.clicked]);
         }
     }
     ImGui::EndChild();

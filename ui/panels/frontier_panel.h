@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// A kind of measured number. On an axis of the plot smaller values are better.
+/// Measured number that can be an axis of the frontier plot. Smaller values are better.
 struct MeasuredColumn {
     std::string key;
     std::string label;
@@ -20,7 +20,7 @@ struct MeasuredColumn {
     bool error = false;  ///< an error of the picture; else a cost
 };
 
-/// A case of a sweep, or the present settings.
+/// Dot of the frontier plot: a case of a sweep or the present settings, with its measured numbers.
 struct MeasuredCase {
     int number = -1;                                            ///< number in the sweep; -1: the present settings
     std::string name;                                           ///< "1024 · PCF 3×3"
@@ -30,9 +30,9 @@ struct MeasuredCase {
     std::string failed;  ///< reason why there are no values; empty: it did not fail
 };
 
-/// Cases on the two chosen axes.
+/// Cases of a sweep, placed on the two chosen axes of the frontier plot.
 struct FrontierView {
-    /// A case in the plot.
+    /// Case of a sweep in the frontier plot.
     struct Mark {
         std::size_t of = 0;  ///< index in the cases
         Dot dot;
@@ -45,26 +45,26 @@ struct FrontierView {
     FrontierAdvice advice;       ///< better cases than the present settings, as indices of marks
 };
 
-/// Facts of the panel.
+/// Facts of the panel Frontier: results and progress of the sweep, and the present settings' numbers.
 struct SweepFacts {
     std::vector<MeasuredColumn> columns;
     std::vector<MeasuredCase> cases;  ///< finished and failed
     std::size_t total = 0;            ///< cases of the sweep; 0: there is no sweep
     std::size_t failed = 0;
-    std::string about;      ///< "stage, 640 x 360 pixels, hard truth; llvmpipe"
+    std::string about;      ///< "stage, 640 x 360 pixels, hard reference; llvmpipe"
     bool software = false;  ///< a CPU rasteriser took the times
     bool other_scene = false;
     std::vector<std::string>
         other_settings;  ///< "Slope bias: 0.5 -> 1 texels": differ from the sweep's, and not varied
     bool running = false;
     bool timing = false;                  ///< the round of timings is under way
-    double progress = 0;                  ///< of the whole sweep, 0..1
-    double seconds_left = 0;              ///< of the whole sweep; 0: not known yet
+    double progress = 0;                  ///< progress of the whole sweep, 0..1
+    double seconds_left = 0;              ///< seconds left of the whole sweep; 0: not known yet
     std::string current;                  ///< "round 2 of at most 10: filter.kernel=pcf3"
     std::string problem;                  ///< reason why the last sweep ended early; empty: it did not
     std::optional<MeasuredCase> present;  ///< the shown settings, measured at the sweep's size
     bool measuring_present = false;
-    bool present_is_old = false;         ///< its numbers are of earlier settings, until the shown ones are measured
+    bool present_is_old = false;         ///< its numbers belong to earlier settings, until the shown ones are measured
     std::optional<MeasuredCase> before;  ///< other settings of the same picture: pinned A, else those measured last
     bool before_is_pinned = false;
     std::string change;  ///< difference from `before` to the present settings: "Kernel: PCF 3×3 → Poisson disk"
@@ -74,13 +74,13 @@ struct SweepFacts {
     FrontierView view;  ///< by `cost` and SweepPanel::error
 };
 
-/// "KEY=VALUES" as being typed.
+/// Axis of a sweep while it is typed in the panel Frontier: a setting's key and its values.
 struct AxisText {
     std::string key, values;
     bool operator==(const AxisText&) const = default;
 };
 
-/// State of the panel.
+/// State of the panel Frontier: axes and options of the next sweep, and axes of the plot.
 struct SweepPanel {
     std::vector<AxisText> axes = {
         {"filter.kernel", "hard,hw2x2,pcf3,pcf5"}, {"map.resolution", "512:4096:*2"}, {"bias.slope", "0,1,2"}};
@@ -95,7 +95,7 @@ struct SweepPanel {
     std::string folder = "sweep";               ///< folder that results are saved to and opened from
 };
 
-/// Description of a sweep.
+/// Request for a sweep: axes, picture size and kind of frames.
 struct SweepRequest {
     std::vector<std::string> axes;  ///< "KEY=VALUES"
     int width = 0, height = 0;
@@ -103,7 +103,7 @@ struct SweepRequest {
     CostCase timed = kDefaultCost;
 };
 
-/// Requests of the panel.
+/// Requests of the panel Frontier.
 struct SweepRequests {
     std::optional<SweepRequest> start_sweep;
     bool cancel_sweep = false;

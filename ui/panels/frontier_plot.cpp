@@ -18,7 +18,8 @@ struct Area {
     ImVec2 lo, hi;  ///< corners of the area inside the axes, pixels
     LogAxis x, y;
     ImVec2 at(const Dot& dot) const {
-        return {lo.x + float(x.at(dot.cost)) * (hi.x - lo.x), hi.y - float(y.at(dot.error)) * (hi.y - lo.y)};
+        return {lo.x + float(x.position(dot.cost)) * (hi.x - lo.x),
+                hi.y - float(y.position(dot.error)) * (hi.y - lo.y)};
     }
 };
 
@@ -35,7 +36,7 @@ void draw_axes(const Area& a) {
     const float line = theme::small()->FontSize;
     float free_x = a.lo.x;
     for (const LogAxis::Tick& t : a.x.ticks) {
-        const float x = a.lo.x + float(a.x.at(t.value)) * (a.hi.x - a.lo.x), w = text_width(t.text);
+        const float x = a.lo.x + float(a.x.position(t.value)) * (a.hi.x - a.lo.x), w = text_width(t.text);
         list.AddLine({x, a.lo.y}, {x, a.hi.y}, theme::line());
         const float left = std::clamp(x - 0.5f * w, a.lo.x, a.hi.x - w);
         if (t.text.empty() || left < free_x) continue;
@@ -44,7 +45,7 @@ void draw_axes(const Area& a) {
     }
     float free_y = a.hi.y + line;
     for (const LogAxis::Tick& t : a.y.ticks) {
-        const float y = a.hi.y - float(a.y.at(t.value)) * (a.hi.y - a.lo.y);
+        const float y = a.hi.y - float(a.y.position(t.value)) * (a.hi.y - a.lo.y);
         list.AddLine({a.lo.x, y}, {a.hi.x, y}, theme::line());
         const float top = std::clamp(y - 0.5f * line, a.lo.y, a.hi.y - line);
         if (t.text.empty() || top + line > free_y) continue;
@@ -69,7 +70,7 @@ void draw_stair(const Area& a, const std::vector<FrontierView::Mark>& marks) {
     ImGui::GetWindowDrawList()->AddPolyline(path.data(), int(path.size()), kStair, 0, ImGui::GetFontSize() * 0.1f);
 }
 
-/// Names beside the dots of the frontier where there is room.
+/// Draws the names of the frontier's dots where they fit.
 void draw_names(const Area& a, const SweepFacts& facts) {
     const float line = theme::small()->FontSize, gap = line * 0.55f;
     struct Box {
@@ -98,7 +99,7 @@ void draw_names(const Area& a, const SweepFacts& facts) {
             });
             if (!inside || !free) continue;
             taken.push_back({lo, hi});
-            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::well());  // the stair may pass here
+            ImGui::GetWindowDrawList()->AddRectFilled(lo, hi, theme::well());  // hides the stair behind the name
             small_text(lo, name, theme::text());
             break;
         }

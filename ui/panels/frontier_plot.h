@@ -9,15 +9,15 @@
 
 namespace si {
 
-/// Mouse input of the plot in this frame.
+/// Dots of the frontier plot that the mouse hovers or has clicked in this frame.
 struct FrontierPlotResult {
     std::optional<std::size_t> hovered;  ///< index in SweepFacts::cases
     std::optional<std::size_t> clicked;  ///< index in SweepFacts::cases
     bool present_hovered = false;
 };
 
-/// Draws the plot, `size` pixels from the cursor, without names of its axes. @param bytes costs are bytes
-/// @param chosen number of the case that gets a ring
+/// Draws the frontier plot without names of its axes. Returns its mouse input. @param bytes costs are bytes
+/// @param chosen number of the case that gets a ring @param size pixels, from the cursor
 FrontierPlotResult draw_frontier_plot(const SweepFacts& facts, bool bytes, std::optional<int> chosen, ImVec2 size);
 
 }  // namespace si

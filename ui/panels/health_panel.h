@@ -12,13 +12,13 @@ namespace si {
 struct FrameResult;
 struct Settings;
 
-/// Facts of the panel.
+/// Facts of the panel Numbers.
 struct HealthFacts {
-    const NumericHealth* health = nullptr;  ///< of the shown frame; null: not requested, or not there yet
-    const MemoryReport* memory = nullptr;   ///< of the process; null: not requested, or not there yet
+    const NumericHealth* health = nullptr;  ///< faulty numbers of the shown frame; null: not searched yet
+    const MemoryReport* memory = nullptr;   ///< memory of the process; null: not sampled yet
 };
 
-/// A texel that the map viewer outlines.
+/// Texel of a shadow map that the map viewer outlines.
 struct MarkedTexel {
     int light = 0;
     int view = 0;         ///< index of the light's view (cube face, cascade)
@@ -27,7 +27,7 @@ struct MarkedTexel {
     bool operator==(const MarkedTexel&) const = default;
 };
 
-/// Requests of the panel.
+/// Requests of the panel Numbers.
 struct HealthRequests {
     bool want_health = false;               ///< search the frame, while the panel is shown
     bool want_memory = false;               ///< sample the memory, while the panel is shown
@@ -37,8 +37,8 @@ struct HealthRequests {
 };
 
 /// Draws the panel Numbers: faulty values of the frame, and the process's memory.
-/// @param settings of which a click changes the shown map @param marked texel that the map viewer outlines
-/// @param result of the last frame; null: none
+/// @param settings changed by a click that shows another map @param marked texel that the map viewer outlines
+/// @param result last frame; null: none
 void draw_health(Settings& settings, const std::optional<MarkedTexel>& marked, const FrameResult* result,
                  const HealthFacts& facts, HealthRequests& requests);
 

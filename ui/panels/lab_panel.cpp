@@ -29,7 +29,7 @@ void heading(const char* text) {
     ImGui::PopFont();
 }
 
-/// Buttons that show the overlays of what single precision costs, or take them off again.
+/// Draws the buttons that show or hide the overlays of the error of single precision.
 void precision_overlays(Settings& settings) {
     for (std::size_t i = 0; i < overlays().size(); ++i) {
         const Overlay& row = overlays()[i];
@@ -63,7 +63,7 @@ void place_rows(Settings& settings) {
     precision_overlays(settings);
 }
 
-/// A button that starts a measurement, or how far it is and one that ends it.
+/// Draws the button that starts a measurement, or its progress with a button that cancels it.
 bool measure_button(const char* label, const char* about, const std::optional<SearchProgress>& running, bool ready,
                     bool& cancel) {
     bool pressed = false;
@@ -164,7 +164,7 @@ void motion_widgets(ShimmerOptions& options) {
     ImGui::SameLine();
     ImGui::SetNextItemWidth(em * 4);
     ImGui::InputDouble("texels each", &options.step_texels, 0, 0, "%.3g");
-    wrapped_tooltip("Texels of the light's first map that each step moves what is looked at by");
+    wrapped_tooltip("Length of a step, in texels of the light's first map");
     options.step_texels = std::clamp(options.step_texels, 1e-3, 100.0);
 }
 

@@ -13,29 +13,29 @@ namespace si {
 struct FrameResult;
 struct Scene;
 
-/// State of the panel.
+/// State of the panel Lab.
 struct LabPanel {
     ShimmerOptions shimmer;
 };
 
-/// Shimmer of one variant of the settings.
+/// Shimmer of shadow edges under one variant of the settings, with the variant's name.
 struct ShimmerShown {
     std::string_view label;  ///< name of the variant
     Shimmer shimmer;
 };
 
-/// Facts of the panel.
+/// Facts of the panel Lab: progress and last results of its measurements.
 struct LabFacts {
     std::optional<SearchProgress> comparing_pipelines;  ///< none: not under way
     std::optional<SearchProgress> measuring_shimmer;    ///< none: not under way
     std::span<const PipelineError> pipelines;           ///< last result for this scene; empty: none
     std::span<const ShimmerShown> shimmer;              ///< last result for this scene; empty: none
     ShimmerOptions shimmer_of;                          ///< options of `shimmer`
-    bool pipelines_current = false;                     ///< `pipelines` are of the present settings and size
+    bool pipelines_current = false;                     ///< `pipelines` belong to the present settings and size
     bool shimmer_current = false;                       ///< `shimmer` is of the present settings and size
 };
 
-/// Requests of the panel.
+/// Requests of the panel Lab.
 struct LabRequests {
     bool compare_pipelines = false;
     bool cancel_pipelines = false;
@@ -44,7 +44,7 @@ struct LabRequests {
 };
 
 /// Draws the panel Lab: placement of the scene, error of single precision, shimmer of shadow edges.
-/// @param scene null: none is loaded @param result of the last frame; null: none
+/// @param scene null: none is loaded @param result last frame; null: none
 void draw_lab(LabPanel& panel, Settings& settings, const Scene* scene, const FrameResult* result, const LabFacts& facts,
               LabRequests& requests);
 

@@ -23,7 +23,7 @@
 namespace si {
 namespace {
 
-// IEC 61966-2-1: settings are linear, what a person chooses is what the screen shows.
+// IEC 61966-2-1: settings are linear, the colour chooser shows screen colours (sRGB).
 float shown(double linear) {
     const double v = std::clamp(linear, 0.0, 1.0);
     return float(v <= 0.0031308 ? 12.92 * v : 1.055 * std::pow(v, 1 / 2.4) - 0.055);
@@ -33,7 +33,7 @@ double linear(float shown) {
     return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
 }
 
-/// Looks pressed while `on`.
+/// Draws a button that looks pressed while `on`. Returns true at a click.
 bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
@@ -42,11 +42,11 @@ bool toggle(const char* label, bool on, ImVec2 size = {0, 0}) {
     return pressed;
 }
 
-/// @param number of the light, for its keys
+/// Draws the widgets of a light's colour and intensity. @param number number of the light, for its setting keys
 void swatch(LightSettings& light, int number) {
     float rgb[] = {shown(light.red), shown(light.green), shown(light.blue)};
     if (ImGui::ColorEdit3("##colour", rgb, ImGuiColorEditFlags_NoInputs | ImGuiColorEditFlags_NoTooltip)) {
-        // A part that was not moved keeps all of its digits.
+        // Unchanged channels keep all digits.
         double* parts[] = {&light.red, &light.green, &light.blue};
         for (int i = 0; i < 3; ++i)
             if (rgb[i] != shown(*parts[i])) *parts[i] = linear(rgb[i]);
@@ -56,7 +56,7 @@ void swatch(LightSettings& light, int number) {
                                 setting_key(*find_setting(fmt::format("light.{}.red", number)))));
 }
 
-/// In the place of the light's name. Enter, or a click elsewhere, takes what was typed; Escape does not.
+/// Draws the text field that renames a light. Enter or a click elsewhere accepts the name; Escape does not.
 void rename_field(EditorState& state) {
     LightRename& rename = *state.lights.rename;
     if (!rename.begun) ImGui::SetKeyboardFocusHere();
@@ -129,7 +129,7 @@ void list_buttons(Settings& s) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing,
                         {ImGui::GetStyle().ItemInnerSpacing.x, ImGui::GetStyle().ItemSpacing.y});
     const auto button = [&](bool possible, const char* label, const std::string& tip) {
-        if (!std::exchange(first, false)) flow(button_width(label));
+        if (!std::exchange(first, false)) same_line_if_fits(button_width(label));
         ImGui::BeginDisabled(!possible);
         const bool pressed = ImGui::Button(label);
         ImGui::EndDisabled();
@@ -148,7 +148,7 @@ void list_buttons(Settings& s) {
     ImGui::PopStyleVar();
 }
 
-/// The faces of a cube unfolded, as they are numbered: +x -x +y -y +z -z.
+/// Draws the six faces of a cube map as a cross; a click shows a face. Faces are numbered +x -x +y -y +z -z.
 void cube_cross(Settings& s, const FrameResult& result) {
     constexpr int kFaces = 6, kAcross = 4;
     constexpr int kColumn[kFaces] = {2, 0, 1, 1, 1, 3}, kRow[kFaces] = {1, 1, 0, 2, 1, 1};
@@ -182,7 +182,7 @@ void begin_light_rename(EditorState& state, int light) {
 void draw_lights(EditorState& state, const FrameResult* result) {
     Settings& s = state.settings;
     const float em = ImGui::GetFontSize();
-    // Narrow, the name goes first: the shown light's intensity stands among its settings below, too.
+    // In a narrow panel the name has priority: the intensity is also among the settings below.
     const bool intensities = ImGui::GetContentRegionAvail().x >= em * 20;
     if (shown_light(s) >= 0 && ImGui::BeginTable("lights", intensities ? 5 : 4,
                                                  ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_NoSavedSettings)) {

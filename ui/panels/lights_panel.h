@@ -9,7 +9,7 @@ namespace si {
 struct EditorState;
 struct FrameResult;
 
-/// A name being typed in the list of lights.
+/// Name of a light while it is typed in the list of lights.
 struct LightRename {
     int light = 0;
     std::string name;
@@ -22,11 +22,11 @@ struct LightsPanel {
     bool listed = false;  ///< the list was drawn in the last frame
 };
 
-/// A line for each light: which one is shown, whether it shines, alone or with others, its colour and intensity; what
-/// can be done with the list; and of a light with six maps the cube's cross, which chooses the one that is shown.
-/// @param result of the last frame; null: not known
+/// Draws the list of lights: a row for each light (shown, on, alone, colour, intensity) and the buttons of the list.
+/// For a point light a cross of six faces follows, which chooses the shown map. @param result last frame; null: not
+/// known
 void draw_lights(EditorState& state, const FrameResult* result);
-/// Opens the text field that renames a light of the list.
+/// Opens the text field that renames a light in the list of lights. @param light index
 void begin_light_rename(EditorState& state, int light);
 
 }  // namespace si

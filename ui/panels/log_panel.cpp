@@ -18,7 +18,7 @@ ImU32 colour_of(LogKind kind) {
 }  // namespace
 
 void draw_log(Log& log, std::string_view shader_log) {
-    log.seen();
+    log.mark_seen();
     if (ImGui::SmallButton("Copy")) {
         std::string all;
         for (const LogLine& line : log.lines()) all += line.text + "\n";

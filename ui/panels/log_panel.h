@@ -7,7 +7,7 @@ namespace si {
 
 class Log;
 
-/// Draws the messages, newest last, and the shader compiler's output where there is one. Marks all messages as seen.
+/// Draws the panel Log: messages, newest last, and the shader compiler's output, if any. Marks all messages as seen.
 void draw_log(Log& log, std::string_view shader_log);
 
 }  // namespace si

@@ -1,5 +1,5 @@
-// The tree of objects, and what single ones do differently from the scene: culling, casting, receiving; which of them
-// culling loses.
+// Panel Objects: the tree of objects with their own settings (culling, casting, receiving), and marks of casters that
+// culling removes from the map.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_internal.h>
@@ -25,14 +25,14 @@
 namespace si {
 namespace {
 
-/// A node of the tree: one that places a mesh, or one above such.
+/// Row of the tree: a node with a mesh, or an ancestor of one.
 struct Row {
     int node = 0, depth = 0;
     const std::string* path = nullptr;
-    bool placed = false;               ///< it places a mesh itself, and so has settings
-    bool above = false;                ///< rows stand below it
-    std::size_t triangles = 0;         ///< with all below it
-    const LostCaster* lost = nullptr;  ///< one of its objects leaves nothing in the shown light's map
+    bool placed = false;               ///< the node has a mesh, and so has settings
+    bool above = false;                ///< the node has rows below it
+    std::size_t triangles = 0;         ///< triangles of the node and all nodes below it
+    const LostCaster* lost = nullptr;  ///< an object that leaves no texel in the shown light's map
 };
 
 /// Order of the list.
@@ -63,7 +63,7 @@ Tree tree_of(const EditorState& state, const EditorFrame& frame) {
     for (const LostCaster& l : frame.lost_casters)
         if (std::size_t(l.object) < scene.objects.size())
             tree.rows[std::size_t(scene.objects[std::size_t(l.object)].node)].lost = &l;
-    for (std::size_t i = count; i-- > 0;) {  // parents stand before their children
+    for (std::size_t i = count; i-- > 0;) {  // parents precede their children
         Row& row = tree.rows[i];
         row.node = int(i);
         row.path = &scene.nodes[i].path;
@@ -99,8 +99,8 @@ std::vector<double> ranks(const Tree& tree, const Scene& scene, const Settings& 
     return out;
 }
 
-/// By settings as they were when it was asked for: a row that is changed stays where it is.
-void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Param* const> params, Order order) {
+/// Sorts the rows by their settings at the time of the click, so that a changed row keeps its place.
+void sort_rows(Tree& tree, const Scene& scene, EditorState& state, std::span<const Param* const> params, Order order) {
     if (order.column < 0) return;
     std::vector<double> rank;
     std::vector<std::string> name;
@@ -121,7 +121,7 @@ void sort(Tree& tree, const Scene& scene, EditorState& state, std::span<const Pa
     for (auto& list : tree.children) std::ranges::stable_sort(list, before);
 }
 
-/// The rows that are on view, from top to bottom. What is searched for shows, whatever is closed.
+/// Returns the visible rows, from top to bottom. A search shows matches below closed nodes, too.
 std::vector<const Row*> open_rows(Tree& tree, const EditorState& state) {
     const bool all = !state.objects.search.empty() || state.objects.only_lost;
     std::vector<const Row*> list;
@@ -141,7 +141,7 @@ std::vector<const Row*> open_rows(Tree& tree, const EditorState& state) {
     return list;
 }
 
-/// A copy of all but the objects' settings.
+/// Returns a copy of the settings without those of objects.
 Settings without_objects(Settings& s) {
     std::map<std::string, ObjectSettings> aside;
     aside.swap(s.objects);
@@ -154,8 +154,8 @@ bool has_override(const Settings& s, const std::string& path) {
     return s.objects.count(path) > 0;
 }
 
-/// Lets the objects cast with all of their faces.
-void keep(Settings& s, const Tree& tree) {
+/// Makes the objects cast with all of their faces.
+void cast_with_all_faces(Settings& s, const Tree& tree) {
     for (const Row& row : tree.rows)
         if (row.placed && row.lost) s.objects[*row.path].cull = ObjectCull::None;
 }
@@ -174,14 +174,14 @@ void lost_line(EditorState& state, const EditorFrame& frame, const Tree& tree) {
             "Objects that are to cast a shadow but leave nothing in light %d's map: every one of their\n"
             "triangles faces the way that is culled. Floors and open meshes have no back.",
             shown_light(state.settings));
-    flow(button_width("Show only lost") + ImGui::GetFrameHeight());
+    same_line_if_fits(button_width("Show only lost") + ImGui::GetFrameHeight());
     ImGui::Checkbox("Show only lost", &state.objects.only_lost);
-    flow(button_width("Cast from both sides"));
-    if (ImGui::Button("Cast from both sides")) keep(state.settings, tree);
+    same_line_if_fits(button_width("Cast from both sides"));
+    if (ImGui::Button("Cast from both sides")) cast_with_all_faces(state.settings, tree);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Set object.<path>.cull to none for each, so that all faces cast");
 }
 
-/// Opens and closes what lies below a row.
+/// Draws the arrow that opens or closes the rows below a node.
 void arrow(EditorState& state, const Row& row, float width) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float size = ImGui::GetFrameHeight();
@@ -195,9 +195,9 @@ void arrow(EditorState& state, const Row& row, float width) {
                        0.8f);
 }
 
-/// A click chooses what the row places, or what lies below one that places nothing: alone, with Ctrl one more or less,
-/// with Shift all from the one that was chosen first.
-void choose(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
+/// Selects the row's object, or for a node without a mesh all objects below it: alone, with Ctrl in addition (or
+/// removed), with Shift all rows from the first selected one.
+void select_row(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
     const ImGuiIO& io = ImGui::GetIO();
     const Row& row = *list[at];
     const auto first = std::ranges::find_if(list, [&](const Row* r) { return *r->path == state.selection.first; });
@@ -223,7 +223,7 @@ void end_seeking(EditorState& state) {
     state.objects.scroll_frames = 0;
 }
 
-/// The object's name, which selects it.
+/// Draws the object's name, which selects the object by a click.
 void name_cell(EditorState& state, const Scene& scene, const std::vector<const Row*>& list, std::size_t at) {
     const Row& row = *list[at];
     const float em = ImGui::GetFontSize();
@@ -240,8 +240,8 @@ void name_cell(EditorState& state, const Scene& scene, const std::vector<const R
     const std::string name = last_path_part(*row.path);
     const std::string label = row.lost ? name + "   lost by culling" : name;
     if (ImGui::Selectable((label + "###" + *row.path).c_str(), is_selected(state, *row.path))) {
-        choose(state, scene, list, at);
-        end_seeking(state);  // it is where the click was
+        select_row(state, scene, list, at);
+        end_seeking(state);  // the row is under the mouse already
     }
     ImGui::PopStyleColor();
     ImGui::PopStyleVar();
@@ -274,7 +274,7 @@ void setting_cells(EditorState& state, Settings& alone, const Row& row, std::spa
 /// Frames in which the list scrolls to a row, because its place is an estimate at first.
 constexpr int kSeekFrames = 4;
 
-/// Opens what lies above an object that was chosen elsewhere.
+/// Opens the nodes above an object that was selected elsewhere.
 void begin_seeking(EditorState& state) {
     const std::string& path = state.objects.sought;
     if (path.empty() || state.objects.scroll_frames > 0) return;
@@ -283,7 +283,7 @@ void begin_seeking(EditorState& state) {
         state.objects.closed_nodes.erase(path.substr(0, at));
 }
 
-/// Scrolls to the row that was drawn last until all of it is seen.
+/// Scrolls the list until the row drawn last is fully visible.
 void bring_into_view(EditorState& state) {
     const ImDrawList& list = *ImGui::GetWindowDrawList();
     const bool seen =
@@ -292,29 +292,29 @@ void bring_into_view(EditorState& state) {
     if (seen || --state.objects.scroll_frames == 0) end_seeking(state);
 }
 
-/// A column beside the names.
-struct BesideNames {
+/// Column of settings right of the names.
+struct SettingColumn {
     std::string label;
-    float width = 0;   ///< pixels
-    int given_up = 0;  ///< order in which columns are dropped without room: 1 first; 0 never
+    float width = 0;     ///< pixels
+    int drop_order = 0;  ///< order in which columns are dropped without room: 1 first; 0 never
     bool shown = true;
 };
 
-/// So many of them that names can be read.
-std::vector<BesideNames> columns_beside_names(std::span<const Param* const> params) {
-    constexpr float kLeastName = 8;  // ems
+/// Returns the columns that fit while names stay readable.
+std::vector<SettingColumn> fitting_columns(std::span<const Param* const> params) {
+    constexpr float kMinName = 8;  // ems
     const float em = ImGui::GetFontSize(), padding = 2 * ImGui::GetStyle().CellPadding.x;
-    std::vector<BesideNames> all{{"Triangles", em * 5, 1}};
+    std::vector<SettingColumn> all{{"Triangles", em * 5, 1}};
     for (const Param* p : params)
         all.push_back({std::string(p->label), p->choices ? em * 9 : em * 5,
                        p->key == "object.receive" ? 2
                        : p->key == "object.cull"  ? 3
                                                   : 0});
     float name = ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ScrollbarSize - padding;
-    for (const BesideNames& c : all) name -= c.width + padding;
-    for (int next = 1; next <= 3 && name < em * kLeastName; ++next)
-        for (BesideNames& c : all)
-            if (c.given_up == next) {
+    for (const SettingColumn& c : all) name -= c.width + padding;
+    for (int next = 1; next <= 3 && name < em * kMinName; ++next)
+        for (SettingColumn& c : all)
+            if (c.drop_order == next) {
                 c.shown = false;
                 name += c.width + padding;
             }
@@ -346,13 +346,13 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
                                           tree.placed == 1 ? "" : "s", state.settings.objects.size());
     const bool all = all_shown(state.settings);
     const float gap = ImGui::GetStyle().ItemSpacing.x;
-    const float beside = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
+    const float count_width = ImGui::CalcTextSize(count.c_str()).x + gap + (all ? 0 : button_width("Show all") + gap);
     search_field("objects", "Search objects", state.objects.search,
-                 std::clamp(ImGui::GetContentRegionAvail().x - beside, em * 6, em * 24));
+                 std::clamp(ImGui::GetContentRegionAvail().x - count_width, em * 6, em * 24));
     ImGui::SameLine();
     ImGui::TextDisabled("%s", count.c_str());
     if (!all) {
-        flow(button_width("Show all"));
+        same_line_if_fits(button_width("Show all"));
         if (ImGui::Button("Show all")) show_all(state.settings);
         wrapped_tooltip(with_key("Brings back what is hidden", Command::ShowAllObjects));
     }
@@ -365,18 +365,18 @@ void draw_objects(EditorState& state, const EditorFrame& frame) {
     constexpr ImGuiTableFlags flags = ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollY | ImGuiTableFlags_Sortable |
                                       ImGuiTableFlags_SortTristate | ImGuiTableFlags_SizingStretchProp |
                                       ImGuiTableFlags_NoSavedSettings;
-    const std::vector<BesideNames> columns = columns_beside_names(rows);
+    const std::vector<SettingColumn> columns = fitting_columns(rows);
     if (!ImGui::BeginTable("objects", int(rows.size()) + 2, flags)) return;
     ImGui::TableSetupScrollFreeze(0, 1);
     ImGui::TableSetupColumn("Object", ImGuiTableColumnFlags_WidthStretch, 3);
-    for (const BesideNames& c : columns) {
+    for (const SettingColumn& c : columns) {
         ImGuiTableColumnFlags of = ImGuiTableColumnFlags_WidthFixed;
         if (&c == &columns.front()) of |= ImGuiTableColumnFlags_PreferSortDescending;
         if (!c.shown) of |= ImGuiTableColumnFlags_Disabled;
         ImGui::TableSetupColumn(c.label.c_str(), of, c.width);
     }
     ImGui::TableHeadersRow();
-    sort(tree, *frame.scene, state, rows, order_of());
+    sort_rows(tree, *frame.scene, state, rows, order_of());
     begin_seeking(state);
     const std::vector<const Row*> list = open_rows(tree, state);
     const auto sought =

@@ -1,4 +1,4 @@
-// Strips between the top bar and the pictures: what to look at in the open preset, and the session that a crash left.
+// Strips between the top bar and the pictures: the note of the open preset, and the session that a crash has left.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -19,7 +19,7 @@ namespace si {
 namespace {
 
 constexpr float kGap = 0.53f;      ///< between buttons, in text heights
-constexpr float kPadding = 0.67f;  ///< left and right of a strip's text, likewise
+constexpr float kPadding = 0.67f;  ///< left and right of a strip's text, in text heights
 
 float buttons_width(std::initializer_list<const char*> labels) {
     float width = 0;
@@ -40,9 +40,9 @@ struct Flowed {
     bool cut = false;  ///< the last line ends in "…"
 };
 
-/// Runs of text one after the other, broken between words at `width`, in `most` lines (0: as many as it takes). Draws
-/// from `at` on, unless `draw` is null.
-Flowed flow(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
+/// Lays out runs of text one after the other, broken between words at `width`, in at most `most` lines (0: no limit).
+/// Draws them from `at` on, unless `draw` is null.
+Flowed lay_out_runs(const std::vector<Run>& runs, ImVec2 at, float width, int most, ImDrawList* draw) {
     const float size = ImGui::GetFontSize(), line = ImGui::GetTextLineHeight();
     constexpr const char* kMore = "…";
     const float more = ImGui::CalcTextSize(kMore).x;
@@ -85,18 +85,18 @@ float text_room(float width, float buttons) {
 }
 
 /// Returns the number of lines that the runs take in a strip.
-int lines_beside(float width, float buttons, const std::vector<Run>& runs) {
-    return flow(runs, {}, text_room(width, buttons), 0, nullptr).lines;
+int line_count(float width, float buttons, const std::vector<Run>& runs) {
+    return lay_out_runs(runs, {}, text_room(width, buttons), 0, nullptr).lines;
 }
 
-/// A band as high as the runs beside buttons of `buttons` pixels need, or as `lines` of text, where what is beyond them
-/// stands in a tooltip; `draw` adds the buttons.
+/// Draws a strip with text runs and buttons (`buttons` pixels wide, drawn by `draw`). The strip has `lines` lines of
+/// text, or as many as the runs need; a tooltip shows text that does not fit.
 void strip(const char* id, float width, float buttons, const std::vector<Run>& runs, int lines, const auto& draw) {
     const float em = ImGui::GetFontSize(), pad_x = em * kPadding, pad_y = em * 0.35f;
     const bool below = buttons_below(width, buttons);
     const float wrap = text_room(width, buttons);
     const float frame = ImGui::GetFrameHeight();
-    const Flowed flowed = flow(runs, {}, wrap, lines, nullptr);
+    const Flowed flowed = lay_out_runs(runs, {}, wrap, lines, nullptr);
     const float text = lines > 0 ? float(lines) * ImGui::GetTextLineHeight() : flowed.height;
     const float gap = em * 0.33f;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::colours().note);
@@ -106,7 +106,7 @@ void strip(const char* id, float width, float buttons, const std::vector<Run>& r
         ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float room = below ? text : std::max(text, frame);
-    flow(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
+    lay_out_runs(runs, {at.x, at.y + (room - flowed.height) / 2}, wrap, lines, ImGui::GetWindowDrawList());
     ImGui::Dummy({wrap, text});
     if (flowed.cut) wrapped_tooltip(runs.back().text);
     ImGui::SetCursorScreenPos(below ? ImVec2(at.x, at.y + text + gap)
@@ -127,13 +127,14 @@ bool hint_button(const char* label, const char* hint, bool enabled = true) {
     return pressed;
 }
 
-/// "3/38  Title  What to look at."
-std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string& key, const std::string& title,
+/// Returns the runs of a preset's note: "3/38  Title  Description."
+std::vector<Run> note_runs(std::span<const PresetEntry> sequence, const std::string& key, const std::string& title,
                            const std::string& about) {
     std::vector<Run> runs;
-    const auto at = std::ranges::find(walk, key, &PresetEntry::key);
-    if (at != walk.end())
-        runs.push_back({fmt::format("{}/{}", at - walk.begin() + 1, walk.size()), ImGui::GetFont(), theme::muted()});
+    const auto at = std::ranges::find(sequence, key, &PresetEntry::key);
+    if (at != sequence.end())
+        runs.push_back(
+            {fmt::format("{}/{}", at - sequence.begin() + 1, sequence.size()), ImGui::GetFont(), theme::muted()});
     if (!title.empty()) runs.push_back({title, theme::strong(), theme::text()});
     runs.push_back({about, ImGui::GetFont(), theme::text()});
     return runs;
@@ -142,26 +143,27 @@ std::vector<Run> note_runs(std::span<const PresetEntry> walk, const std::string&
 void draw_guide(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {
     const GuideNote& guide = state.files.guide;
     if (guide.about.empty() || state.files.hidden_guide == guide.key) return;
-    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
-    const auto at = std::ranges::find(walk, guide.key, &PresetEntry::key);
-    const bool built_in = at != walk.end();
-    const std::vector<Run> runs = note_runs(walk, guide.key, guide.title, guide.about);
+    const std::span<const PresetEntry> sequence = open_preset_sequence(state, frame);
+    const auto at = std::ranges::find(sequence, guide.key, &PresetEntry::key);
+    const bool built_in = at != sequence.end();
+    const std::vector<Run> runs = note_runs(sequence, guide.key, guide.title, guide.about);
     const float buttons = built_in ? buttons_width({"Previous", "Next", "Hide"}) : buttons_width({"Hide"});
     // The number of lines is the same for all presets of the sequence, so that the picture keeps its place and size.
-    constexpr int kLeastLines = 2, kMostLines = 3;
-    int lines = kLeastLines;
-    for (const PresetEntry& preset : walk) {
-        if (lines >= kMostLines) break;
-        lines = std::max(lines, lines_beside(width, buttons, note_runs(walk, preset.key, preset.title, preset.about)));
+    constexpr int kMinLines = 2, kMaxLines = 3;
+    int lines = kMinLines;
+    for (const PresetEntry& preset : sequence) {
+        if (lines >= kMaxLines) break;
+        lines =
+            std::max(lines, line_count(width, buttons, note_runs(sequence, preset.key, preset.title, preset.about)));
     }
-    strip("guide", width, buttons, runs, std::min(lines, kMostLines), [&] {
+    strip("guide", width, buttons, runs, std::min(lines, kMaxLines), [&] {
         if (built_in) {
             if (hint_button("Previous", with_key("The preset before this", Command::PreviousPreset).c_str(),
-                            at != walk.begin()))
+                            at != sequence.begin()))
                 requests.load_preset = neighbour_preset(state, frame, -1);
             ImGui::SameLine();
             if (hint_button("Next", with_key("The preset after this", Command::NextPreset).c_str(),
-                            std::next(at) != walk.end()))
+                            std::next(at) != sequence.end()))
                 requests.load_preset = neighbour_preset(state, frame, +1);
             ImGui::SameLine();
         }
@@ -207,15 +209,15 @@ std::span<const PresetEntry> open_preset_sequence(const EditorState& state, cons
 }
 
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step) {
-    const std::span<const PresetEntry> walk = open_preset_sequence(state, frame);
-    const int count = int(walk.size());
+    const std::span<const PresetEntry> sequence = open_preset_sequence(state, frame);
+    const int count = int(sequence.size());
     if (count == 0) return {};
     int at = -1;
     for (int i = 0; i < count; ++i)
-        if (walk[std::size_t(i)].key == state.files.guide.key) at = i;
+        if (sequence[std::size_t(i)].key == state.files.guide.key) at = i;
     const int to = at < 0 ? (step > 0 ? 0 : count - 1) : at + step;
     if (to < 0 || to >= count) return {};
-    return walk[std::size_t(to)].key;
+    return sequence[std::size_t(to)].key;
 }
 
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width) {

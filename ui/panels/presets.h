@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// A preset that ships with the program.
+/// Built-in preset as lists show it: key, title, topic and description.
 struct PresetEntry {
     std::string key;
     std::string title;
@@ -15,13 +15,13 @@ struct PresetEntry {
     std::string about;  ///< sentence on what to look at
 };
 
-/// Session that a crash has left.
+/// Session that a crash has left, as the editor offers it.
 struct LostFacts {
     std::string scene;
     std::string when;  ///< age in words: "3 minutes ago"
 };
 
-/// An existing file that is replaced once a person agrees.
+/// Existing preset file that saving replaces once the user agrees.
 struct Replacement {
     std::string path;
     std::optional<std::string> about;  ///< sentence to save in the preset

@@ -1,4 +1,4 @@
-// Guided presets and hard cases by topic, each with its sentence.
+// Menu of guided presets and hard cases by topic, each with its description.
 #include <imgui.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-/// Title and sentence as one thing to click. Returns whether it was.
+/// Draws title and description as one item. Returns true if it was clicked.
 bool entry(const PresetEntry& preset, bool current, float width) {
     const float em = ImGui::GetFontSize(), indent = em * 0.8f, wrap = width - 2 * indent;
     const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -1,4 +1,4 @@
-// The shadow test of one pixel written out, step by step.
+// Panel Probe: the shadow test of one pixel, step by step.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -33,7 +33,7 @@ void row(const char* name, const std::string& value, const char* about = nullptr
     if (about && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", about);
 }
 
-/// With that many digits after the point; never "-0".
+/// Formats a number with a fixed number of digits after the point; never "-0".
 std::string fixed(double value, int digits) {
     std::string text = fmt::format("{:.{}f}", value, digits);
     if (text.find_first_not_of("-0.") == std::string::npos && text[0] == '-') text.erase(0, 1);
@@ -57,7 +57,7 @@ void verdict(const std::string& text) {
     ImGui::PopFont();
 }
 
-/// Draws the texels around the probed one into the scene, or takes them away.
+/// Draws the button that shows or hides the texels around the probed one as quads in the scene.
 void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
     if (p.place != MapPlace::Inside || resolution <= 0) return;
     const TexelPlace place{p.light, p.face, (p.texel.x + 0.5) / resolution, (p.texel.y + 0.5) / resolution};
@@ -70,7 +70,7 @@ void slabs_button(Settings& s, const Probe::PerLight& p, int resolution) {
             s.view.slabs_texels, key_text(Command::ToggleDepthQuads));
 }
 
-/// An amount of depth in its three currencies, as one row. @param endless what an infinite one is called
+/// Draws an amount of bias in texels, depth units and metres as one row. @param endless text for an infinite amount
 void amount_row(const char* name, const DepthShift& a, const char* about, const char* endless = "infinite") {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
@@ -98,7 +98,7 @@ void bias_terms(const BiasBreakdown& a) {
     amount_row("constant", a.amount(a.constant), "bias.constant; 0 where the slope bias is larger");
     amount_row("slope", a.amount(a.slope), "bias.slope times (1 - N·L); 0 where bias.constant is larger");
     if (a.bias_of_kind != 0)
-        amount_row("of itself", a.amount(a.bias_of_kind), "Bias of bias.kind itself, whatever the numbers are");
+        amount_row("of itself", a.amount(a.bias_of_kind), "Bias that bias.kind itself adds, at any numbers");
     amount_row(
         "normal offset", a.amount(a.normal),
         "Equivalent depth bias of bias.normal: offset / cos(angle of light), as the look-up moves along the plane");
@@ -191,7 +191,8 @@ void reference_column(const PixelDiagnosis& d) {
         amount_row("needed", d.least, "The window of right depth biases begins here");
         amount_row("have", d.has, "Equivalent depth bias of all bias, against acne");
         amount_row("shift towards the light", d.shift, "Shift of the compared depth towards the light by bias");
-        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: as much bias loses it", "none");
+        amount_row("occluder", d.occluder, "To the surface nearest the light, traced: this much bias loses its shadow",
+                   "none");
         ImGui::EndTable();
     }
     std::string reference = d.reference.lit ? "reference: lit" : "reference: in shadow";
@@ -200,8 +201,8 @@ void reference_column(const PixelDiagnosis& d) {
     ImGui::TextUnformatted(reference.c_str());
 }
 
-/// Formats a fix for its button: "Fix: Normal offset 0.445 texels (equivalent depth bias 0.63 texels)". The bias is
-/// left out where there is no room.
+/// Formats the proposed fix with its equivalent depth bias: "Fix: Normal offset 0.445 texels (...)", the part in
+/// parentheses only if it fits.
 std::string fix_label(const SuggestedFix& fix, const Settings& settings) {
     const std::string brief = "Fix: " + fix_text(fix, settings);
     const std::string whole = brief + equivalent_bias_text(fix);
@@ -225,7 +226,7 @@ void classification(const Probe::PerLight& p, const PixelDiagnosis* d, bool trac
                           equivalent_bias_text(*d->fix).c_str(), key_text(Command::ApplyFix), key_text(Command::Undo));
 }
 
-/// Blocks beside each other as far as they fit.
+/// Layout of blocks in columns, as many as fit into the width.
 class BlockFlow {
 public:
     void block(float width, const auto& draw) {
@@ -240,7 +241,7 @@ public:
         const float from = ImGui::GetCursorPosX();
         draw();
         ImGui::SetCursorPosX(from);
-        ImGui::Dummy({width, 0});  // as wide as it counts, however little is in it
+        ImGui::Dummy({width, 0});  // reserves the block's full width
         ImGui::EndGroup();
     }
 
@@ -248,13 +249,13 @@ private:
     float room_ = ImGui::GetContentRegionAvail().x, used_ = 0;
 };
 
-/// Draws all numbers that the verdict depends on. @param cures draws the fixes of the pixel
+/// Draws all numbers that the verdict depends on. @param fixes_button, fixes_table draw the search for fixes
 template <typename Button, typename Table>
 void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settings, int resolution,
-             Button&& fixes_button, Table&& fix_rows_table) {
-    if (fixes_button()) si::flow(button_width("Hide stored-depth quads"));
+             Button&& fixes_button, Table&& fixes_table) {
+    if (fixes_button()) si::same_line_if_fits(button_width("Hide stored-depth quads"));
     slabs_button(settings, p, resolution);
-    fix_rows_table();
+    fixes_table();
     const float em = ImGui::GetFontSize();
     BlockFlow blocks;
     blocks.block(em * 15, [&] {
@@ -268,13 +269,13 @@ void reasons(const Probe::PerLight& p, const PixelDiagnosis* d, Settings& settin
     blocks.block(em * 36, [&] { space(p); });
 }
 
-/// The verdict.
+/// Draws the verdict of one light's shadow test.
 void heading(const Probe::PerLight& p, const PixelDiagnosis* d, bool tracing, Settings& settings) {
     if (p.casts) return classification(p, d, tracing, settings);
     verdict(p.verdict.empty() ? fmt::format("{} casts no shadow: lit.", light_title(settings, p.light)) : p.verdict);
 }
 
-/// Room for the drawing left of the verdict; 0: too little for both.
+/// Returns the width of the drawing left of the verdict, pixels; 0: too narrow for both.
 float section_width(const Sections& sections, std::size_t light, float room) {
     const float em = ImGui::GetFontSize();
     if (!sections || light >= sections->size() || !(*sections)[light].shadowed || room < em * 58) return 0;
@@ -315,21 +316,21 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
     const auto write_out = [&](const Probe::PerLight& light) {
         const PixelDiagnosis* const diagnosis = diagnosis_of(light);
         const bool wrong = diagnosis && diagnosis->cause().artefact != Artefact::None;
-        // Cures are those of the light whose shadows are judged.
+        // Fixes belong to the light whose shadows are measured.
         const bool classified = wrong && light.light == state.settings.view.light;
         reasons(
             light, diagnosis, state.settings, frame.result ? frame.result->map_resolution : 0,
             [&] {
                 if (classified)
-                    fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
+                    draw_fixes_button(frame.fixes, requests, state.probe_pixel, frame.result && frame.scene, wrong);
                 return classified;
             },
             [&] {
-                if (classified) fix_rows_table(state.settings, frame.fixes, requests, state.probe_pixel);
+                if (classified) draw_fixes_table(state.settings, frame.fixes, requests, state.probe_pixel);
             });
     };
     if (probe->lights.empty()) return;
-    // The light whose shadows are judged stands on top: its drawing, and beside it its verdict, both pinned.
+    // The light whose shadows are measured comes first: its drawing and, next to it, its verdict, which do not scroll.
     const std::size_t first =
         std::clamp<std::size_t>(std::size_t(std::max(state.settings.view.light, 0)), 0, probe->lights.size() - 1);
     const ImVec2 room = ImGui::GetContentRegionAvail();
@@ -338,10 +339,10 @@ void draw_probe(EditorState& state, const EditorFrame& frame, EditorRequests& re
         const ImVec2 at = ImGui::GetCursorScreenPos(), size(drawn, std::min(room.y, 0.75f * drawn));
         draw_section_view(state.probe_panel.section_views, frame.sections, first, size);
         state.shots.drawing_rect = {{at.x, at.y}, {size.x, size.y}};
-        if (ImGui::IsItemClicked()) maximise(state, Panel::Tabs);
+        if (ImGui::IsItemClicked()) toggle_maximised(state, Panel::Tabs);
         if (ImGui::BeginPopupContextItem("drawing")) {
             if (ImGui::MenuItem(state.window.maximised ? "Small again (click)" : "As large as the window (click)"))
-                maximise(state, Panel::Tabs);
+                toggle_maximised(state, Panel::Tabs);
             if (ImGui::MenuItem("Save the drawing (PNG and SVG)")) state.shots.next = Shot::Drawing;
             ImGui::EndPopup();
         }

@@ -7,13 +7,13 @@
 
 namespace si {
 
-/// State of the reference of the shown frame.
+/// State, progress and times of the ray-traced reference of the shown frame.
 struct ReferenceFacts {
     bool current = false;          ///< the shown frame has all references that it needs
     bool wanted = false;           ///< a panel, overlay or light source needs it
     bool lacks_light_map = false;  ///< a light map is missing
     std::string doing;             ///< work in the background: "Tracing rays"; empty: none
-    double progress = 0;           ///< of that work, 0..1
+    double progress = 0;           ///< progress of the background work, 0..1
     std::string problem;           ///< reason why there is no reference; empty: no problem
     // Wall times of the last trace; 0: the result was cached.
     double build_ms = 0;
@@ -25,7 +25,7 @@ struct ReferenceFacts {
     int height = 0;     ///< pixels
 };
 
-/// Requests of the error panel.
+/// Requests of the panel Error about the reference.
 struct ReferenceRequests {
     bool want_error = false;                ///< the error panel is shown
     bool cancel_reference = false;          ///< stop tracing until something changes

@@ -103,7 +103,7 @@ const SectionDrawing& drawing_of(SectionViews& views, const Sections& sections, 
     return views.views.back().drawing;
 }
 
-/// Place and columns of the legend's window.
+/// Position and number of columns of the legend's window.
 struct LegendPlace {
     ImVec2 at;
     std::size_t columns = 1;
@@ -112,9 +112,8 @@ struct LegendPlace {
 
 constexpr float kBetweenColumns = 1.5f;  ///< ems
 
-/// Beside the last item, which may be saved as it is seen, and nowhere above its top, where the tabs' titles and the
-/// words on the pixel are: as low as the item, so that what is on top beside it can be read, and in further columns
-/// where it is higher than the screen is below there.
+/// Places the legend next to the last item, so that a screenshot of the item stays free, and not above its top, where
+/// tabs and texts are. A legend too high for the screen gets more columns.
 LegendPlace place_of(const std::vector<LegendRow>& legend) {
     const ImGuiStyle& style = ImGui::GetStyle();
     const float em = ImGui::GetFontSize(), gap = em * kTooltipGap;
@@ -187,7 +186,7 @@ SectionSheet section_sheet(const Section& section) {
     ImFont* const font = theme::small();
     const SectionPage as_svg;
     const double em = font->FontSize, scale = em / as_svg.em;
-    // Strong letters are the widest: no line is longer than the page.
+    // The bold font is the widest: lines are broken for it, so that none is longer than the page.
     const auto text_width = [](std::string_view text) {
         return std::max(width_of(theme::small(), text), width_of(theme::strong(), text));
     };

@@ -9,19 +9,19 @@
 
 namespace si {
 
-/// Draws one light's section as an item, `size` pixels from the cursor, with tooltips on its marks. Does nothing
-/// without a section.
+/// Draws the cross-section of one light's shadow test into the panel, with tooltips on its marks. Does nothing without
+/// a section. @param light index @param size pixels, from the cursor
 void draw_section_view(SectionViews& views, const Sections& sections, std::size_t light, ImVec2 size);
 
-/// Draw list of a picture. Coordinates are pixels from the upper left corner.
+/// Drawing of a cross-section for a picture of its own. Coordinates are pixels from the upper left corner.
 struct SectionSheet {
     std::unique_ptr<ImDrawList> list;
     int width = 0;   ///< pixels
     int height = 0;  ///< pixels
 };
 
-/// Returns the section with verdict and legend, in the editor's fonts and colours. Call between ImGui::NewFrame() and
-/// the next, in any window.
+/// Lays out a cross-section with verdict and legend as a picture of its own, in the editor's fonts and colours. Call
+/// within an ImGui frame, in any window.
 SectionSheet section_sheet(const Section& section);
 
 }  // namespace si

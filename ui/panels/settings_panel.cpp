@@ -1,4 +1,4 @@
-// All settings, grouped by the first part of their key.
+// Column of all settings, grouped by the first part of their key.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -23,11 +23,10 @@ namespace {
 
 struct Group {
     std::string_view prefix, label;
-    bool open;  ///< at the start
+    bool open;  ///< unfolded at the start
 };
 
-// Headings for the groups there are; a group that is missing here is called by its prefix.
-// Most turned first.
+// Headings of groups, the most used first. A group without a row here has its prefix as heading.
 constexpr Group kGroups[] = {
     {"bias", "Bias", true},
     {"filter", "Filter", true},
@@ -45,7 +44,8 @@ constexpr Group kGroups[] = {
     {"truth", "Reference", false},
 };
 
-// Turned seldom: while they are as at first, their groups keep them back until they are asked for or searched.
+// Rarely used settings. Their groups fold them away while they have their defaults, until the user unfolds the group or
+// searches.
 constexpr std::string_view kRare[] = {
     "bias.normal_source", "bias.raster_slope", "bias.raster_units", "bias.raster_clamp", "filter.method",
     "filter.point",       "map.wrap",          "map.outside",       "map.far_guard",     "map.compare",
@@ -57,12 +57,12 @@ std::string_view prefix_of(std::string_view key) {
     return key.substr(0, key.find('.'));
 }
 
-/// The prefixes in the order in which they are shown.
+/// Returns the prefixes of all groups in the order in which the panel shows them.
 std::vector<Group> groups() {
     std::vector<Group> list(std::begin(kGroups), std::end(kGroups));
     for (const Param& p : params()) {
         const auto prefix = prefix_of(p.key);
-        if (p.scope == Scope::Object) continue;  // these have a panel of their own
+        if (p.scope == Scope::Object) continue;  // objects' settings are in the panel Objects
         if (std::none_of(list.begin(), list.end(), [&](const Group& g) { return g.prefix == prefix; }))
             list.push_back({prefix, prefix, false});
     }
@@ -84,7 +84,7 @@ Rows rows_of(const EditorState& state, std::string_view prefix) {
         if (p.scope == Scope::Light && state.settings.light_count <= 0) continue;
         SettingRef ref{&p, p.scope == Scope::Light ? light : 0, {}};
         if (state.settings_panel.search.empty() && !unused_setting_reason(state.settings, ref).empty())
-            continue;  // found by its name alone
+            continue;  // matched by its name alone
         if (!setting_matches(ref, state.settings_panel.search)) continue;
         if (state.settings_panel.only_changed && !setting_changed(state.settings, ref)) continue;
         const bool folds =
@@ -122,8 +122,8 @@ bool begin_rows(const char* id) {
     return true;
 }
 
-/// At the right end of a group's heading: how many of its settings are changed, and a button for those that it keeps
-/// back. @param label how much of the width the heading itself takes
+/// Draws, at the right end of a group's heading, the number of changed settings and a button that unfolds the rarely
+/// used ones. @param label width of the heading's text, pixels
 void heading_end(EditorState& state, const Group& group, const Rows& rows, bool open, ImVec2 corner, float width,
                  float label) {
     const float em = ImGui::GetFontSize(), padding = ImGui::GetStyle().FramePadding.y;
@@ -143,7 +143,7 @@ void heading_end(EditorState& state, const Group& group, const Rows& rows, bool 
                 state.settings_panel.unfolded.emplace(group.prefix);
         }
         ImGui::PopID();
-        std::string names = unfolded ? "Only what is turned often, or is changed" : "Turned seldom:";
+        std::string names = unfolded ? "Only frequently used and changed settings" : "Rarely used:";
         for (const SettingRef& ref : rows.folded)
             names += fmt::format("{} {}", &ref == &rows.folded.front() ? "" : ",", ref.param->label);
         wrapped_tooltip(names);

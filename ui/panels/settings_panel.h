@@ -7,7 +7,7 @@
 
 namespace si {
 
-/// State of the settings' column.
+/// State of the column that lists all settings: search and folded groups.
 struct SettingsPanel {
     std::string search;
     bool only_changed = false;                    ///< lists only settings that differ from their defaults

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// A line of the overview; without a meaning the heading of those that follow.
+/// Line of the overview; without a meaning it is the heading of the lines below.
 struct OverviewLine {
     std::string keys;
     std::string meaning;
@@ -69,7 +69,7 @@ float width_of_meanings() {
     return width;
 }
 
-/// @param meanings width that the texts are wrapped at
+/// Draws one column of the overview. @param meanings width at which texts are wrapped, pixels
 void column(std::size_t first, std::size_t end, float keys, float meanings) {
     ImGui::PushID(int(first));
     if (ImGui::BeginTable("keys", 2, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) {
@@ -110,7 +110,7 @@ void draw_shortcuts(EditorState& state) {
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, {padding.x, padding.y * 0.3f});
     const float keys = width_of_keys(), wide = width_of_meanings();
     const float room = screen.x - 2 * style.WindowPadding.x - style.ScrollbarSize, column_gap = em;
-    // Two columns need their keys in full; their texts wrap where they must.
+    // In two columns keys are not wrapped, only texts.
     const float half = (room - column_gap) / 2 - keys - 4 * padding.x;
     const bool two = half > em * 14;
     const float meanings = std::min(wide, two ? half : std::max(room - keys - 4 * padding.x, em * 10));

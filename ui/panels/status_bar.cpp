@@ -1,4 +1,4 @@
-// The line below all panels.
+// Status bar below all panels.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -1,4 +1,4 @@
-// File menu, scene, guided presets, the preset in work, undo.
+// Top bar: file menu, scene, guided presets, open preset, undo.
 #include <fmt/format.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
@@ -44,7 +44,7 @@ void file_menu(EditorState& state, const EditorFrame& frame, EditorRequests& req
     menu_button("File", "file", "Open, save, compare, copy the command line", ImGui::GetFontSize() * 20);
     if (!ImGui::BeginPopup("file")) return;
     const auto item = [&](const char* label, Command command) {
-        if (ImGui::MenuItem(label, key_text(command))) run(command, state, frame, requests);
+        if (ImGui::MenuItem(label, key_text(command))) run_command(command, state, frame, requests);
     };
     item("Open…", Command::OpenFile);
     recent_menu("Recent scenes", frame.recent_scenes, requests.load_scene);
@@ -138,7 +138,7 @@ void view_menu(EditorState& state, const char* label) {
     constexpr std::pair<const char*, Panel> kPanels[] = {
         {"Scene alone", Panel::Scene}, {"Map alone", Panel::Map}, {"Tabs alone", Panel::Tabs}};
     for (const auto& [name, which] : kPanels)
-        if (ImGui::MenuItem(name, key_text(Command::MaximisePanel))) maximise(state, which);
+        if (ImGui::MenuItem(name, key_text(Command::MaximisePanel))) toggle_maximised(state, which);
     ImGui::Separator();
     ImGui::MenuItem("Desktop's file dialogs", nullptr, &layout.desktop_dialogs);
     if (ImGui::IsItemHovered())
@@ -152,7 +152,7 @@ void view_menu(EditorState& state, const char* label) {
     ImGui::EndPopup();
 }
 
-/// All steps, to go to any of them.
+/// Draws the menu of all steps of undo; a click goes to a step.
 void steps_menu(EditorState& state) {
     const float em = ImGui::GetFontSize();
     menu_button("Steps", "steps", "What was changed, step by step; a click goes there", em * 24);
@@ -160,8 +160,8 @@ void steps_menu(EditorState& state) {
     if (!ImGui::BeginPopup("steps")) return;
     const std::vector<std::string> names = state.history.names();
     for (std::size_t i = names.size(); i-- > 0;) {
-        const bool here = i == state.history.at();
-        const bool undone = i > state.history.at();
+        const bool here = i == state.history.index();
+        const bool undone = i > state.history.index();
         if (undone) ImGui::PushStyleColor(ImGuiCol_Text, theme::muted());
         if (ImGui::Selectable(fmt::format("{}##{}", names[i], i).c_str(), here)) go_to_step(state, i);
         if (undone) ImGui::PopStyleColor();

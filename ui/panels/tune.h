@@ -11,7 +11,7 @@
 
 namespace si {
 
-/// Limits of a search, as typed.
+/// State of the controls of the bias search: limits as typed.
 struct TunePanel {
     bool bound_error = true;
     bool bound_ms = false;
@@ -27,14 +27,14 @@ struct SearchProgress {
     double progress = 0;  ///< 0..1
 };
 
-/// Request for a search. Without limits it finds the smallest bias without acne.
+/// Request for a bias search. Without limits the search finds the smallest bias without acne.
 struct TuneRequest {
     std::optional<double> max_error, max_ms;  ///< limits; with one, kernel and resolution are searched, too
     bool area = false;                        ///< compares with an area light instead of a point
     CostCase cost = kDefaultCost;             ///< kind of frames that max_ms bounds
 };
 
-/// Result of a search for one kind of bias (constant, slope, normal offset).
+/// Result of a bias search for one kind of bias (constant, slope, normal offset).
 struct TunedFamily {
     std::string name;
     std::string bias_text;
@@ -47,14 +47,14 @@ struct TunedFamily {
     bool chosen = false;     ///< the fewest lost pixels
 };
 
-/// Facts of the search.
+/// Facts of the bias search: progress and last results.
 struct TunePanelFacts {
     std::optional<SearchProgress> tuning;  ///< none: not under way
     std::span<const TunedFamily> tuned;    ///< results of the last search for this scene
     bool tuned_current = false;            ///< a search from the present settings would give the same
 };
 
-/// Requests of the controls.
+/// Requests of the controls of the bias search.
 struct TuneRequests {
     std::optional<TuneRequest> tune;
     bool cancel_tune = false;

@@ -57,7 +57,7 @@ std::string shown_length(double m) {
     return m == 0 ? "0" : metres_text(m);
 }
 
-/// All ways that were tried, side by side.
+/// Draws the table of all kinds of bias that the search tried.
 void families_table(std::span<const TunedFamily> families, bool current, Settings& settings) {
     if (families.empty()) return;
     if (!current) ImGui::TextDisabled("of other settings: search again");

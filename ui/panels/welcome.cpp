@@ -1,4 +1,4 @@
-// The welcome of the first start.
+// Welcome dialog of the first start.
 #include <fmt/format.h>
 #include <imgui.h>
 

@@ -8,23 +8,26 @@
 
 namespace si {
 
-/// Turns the camera about its target. @param dx, dy mouse movement, pixels, y down
-void orbit(CameraSettings& camera, double dx, double dy);
-/// Moves camera and target so that the point at the focus stays under the mouse. @param height of the picture, pixels
-void pan(CameraSettings& camera, const Camera& seen, double dx, double dy, int height);
-/// Moves closer (positive steps of the wheel) or away. The point at the focus on the ray `towards` stays in place in
-/// the picture.
-void zoom(CameraSettings& camera, const Camera& seen, const Ray& towards, double steps);
+/// Orbits the camera about its target. @param dx, dy mouse movement, pixels, y down
+void orbit_camera(CameraSettings& camera, double dx, double dy);
+/// Pans the camera: moves eye and target so that the point at the focus stays under the mouse.
+/// @param seen camera of the picture @param dx, dy mouse movement, pixels, y down @param height picture height, pixels
+void pan_camera(CameraSettings& camera, const Camera& seen, double dx, double dy, int height);
+/// Moves the camera closer to its focus or away from it. The point at the focus on the ray `towards` keeps its place in
+/// the picture. @param seen camera of the picture @param steps notches of the wheel; positive: closer
+void zoom_camera(CameraSettings& camera, const Camera& seen, const Ray& towards, double steps);
 /// Turns the camera about its own eye. @param dx, dy mouse movement, pixels, y down
-void look_around(CameraSettings& camera, double dx, double dy);
+void turn_camera(CameraSettings& camera, double dx, double dy);
 /// Moves the camera to its right, upwards (world y) and forwards, metres. An orthographic camera narrows its view
 /// instead of moving forwards, because distance does not change its picture.
-void fly(CameraSettings& camera, const glm::dvec3& right_up_forward);
-/// Looks at the camera's target along an axis (0 x, 1 y, 2 z), from its positive or negative side.
-void look_along(CameraSettings& camera, int axis, bool positive);
+void move_camera(CameraSettings& camera, const glm::dvec3& right_up_forward);
+/// Turns the camera so that it looks at its target along a world axis. @param axis 0 x, 1 y, 2 z @param positive looks
+/// from the axis's positive side
+void look_along_axis(CameraSettings& camera, int axis, bool positive);
 /// Moves the camera along its direction of view until `bounds` fill the picture.
-void look_at_bounds(CameraSettings& camera, const Bounds& bounds, double aspect);
-/// Turns a light about its target, to the right of the picture and upwards with the mouse.
+void fill_picture_with(CameraSettings& camera, const Bounds& bounds, double aspect);
+/// Turns a light about its target, following the mouse to the right and upwards in the picture.
+/// @param seen camera of the picture @param dx, dy mouse movement, pixels, y down
 void turn_light(LightSettings& light, const Camera& seen, double dx, double dy);
 
 }  // namespace si

@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 constexpr double kFarInFocus = 20;
-constexpr double kBeforeLight = 1e-3;  // of a perspective map's near plane: what is nearer is not projected
+constexpr double kBeforeLight = 1e-3;  // share of a perspective map's near distance, at which lines are clipped
 
 }  // namespace
 
@@ -35,7 +35,7 @@ std::vector<std::pair<glm::dvec3, glm::dvec3>> camera_edges(const Camera& camera
 std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_outline_in_map(const Camera& camera, const LightView& view) {
     std::vector<std::pair<glm::dvec2, glm::dvec2>> lines;
     const glm::dmat3 to_view = glm::transpose(view.axes);
-    // Lines end where w is as good as 0: before the light, or where a warped map reaches infinity.
+    // Lines are clipped at w near 0: at the light, or where a warped map reaches infinity.
     const double least = view.warped() ? 1e-6 : kBeforeLight * view.curve.near;
     const auto w_of = [&](const glm::dvec3& v) { return (view.projection * glm::dvec4(v, 1)).w; };
     const auto in_map = [&](const glm::dvec3& v) {
@@ -63,7 +63,7 @@ std::vector<std::pair<glm::dvec2, glm::dvec2>> camera_region_in_map(const Camera
     for (const auto& [from, to] : camera_edges(camera))
         for (const glm::dvec3& p : {from, to})
             points.push_back(0.5 + 0.5 * glm::dvec2(view.projection * glm::dvec4(to_view * (p - view.eye), 1)));
-    // Closed along the map's rim: a region that reaches beyond it would be a stray line or two.
+    // The outline is closed along the map's rim; else a region beyond it would leave stray lines.
     Polygon region;
     for (const glm::dvec2& p : convex_hull(std::move(points))) region.emplace_back(p, 0);
     for (const HalfSpace& side :

@@ -17,10 +17,10 @@ namespace si {
 namespace {
 
 constexpr double kWheelSeconds = 0.4;    ///< turns of the wheel closer than this are one step of undo
-constexpr double kRadiiPerSecond = 0.4;  ///< a flight's speed at factor 1, in radii of the scene
-constexpr double kFast = 4;              ///< with Shift
+constexpr double kRadiiPerSecond = 0.4;  ///< flying speed at factor 1, in radii of the scene per second
+constexpr double kFast = 4;              ///< factor of the speed with Shift
 constexpr double kSpeedPerStep = 1.25;   ///< factor of the speed per step of the wheel
-constexpr double kLongestStep = 0.5;     ///< s; a frame that took longer does not leap
+constexpr double kLongestStep = 0.5;     ///< s; limits the step of a frame that took longer
 
 /// Returns the direction of the held keys: right, up, forward.
 glm::dvec3 wanted_way() {
@@ -29,7 +29,7 @@ glm::dvec3 wanted_way() {
             held(Command::FlyForwards) - held(Command::FlyBackwards)};
 }
 
-void fly_on(EditorState& state, const EditorFrame& frame) {
+void fly_camera(EditorState& state, const EditorFrame& frame) {
     Flight& flight = state.viewport.flight;
     const ImGuiIO& io = ImGui::GetIO();
     if (io.MouseWheel != 0)
@@ -39,20 +39,20 @@ void fly_on(EditorState& state, const EditorFrame& frame) {
     if (io.MouseDelta.x != 0 || io.MouseDelta.y != 0 || moving) take_camera(state, frame);
     state.viewport.camera_flew |=
         moving || io.MouseWheel != 0 || std::ranges::any_of(io.KeysDown, [](bool down) { return down; });
-    look_around(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
-    // The time of the frame in which a key goes down passed before it did: an editor that slept would leap.
+    turn_camera(state.settings.camera, io.MouseDelta.x, io.MouseDelta.y);
+    // The time before a key's press does not count; else an editor that slept would jump.
     if (moving && flight.moving) {
         const double radius = frame.scene ? std::max(frame.scene->bounds.radius(), 1e-6) : 1;
         const double seconds = std::min(double(io.DeltaTime), kLongestStep);
         const double metres = radius * kRadiiPerSecond * flight.speed * (io.KeyShift ? kFast : 1) * seconds;
-        fly(state.settings.camera, glm::normalize(way) * metres);
+        move_camera(state.settings.camera, glm::normalize(way) * metres);
     }
     flight.moving = moving;
 }
 
 void frame_bounds(EditorState& state, const EditorFrame& frame, const Bounds& bounds) {
     take_camera(state, frame);
-    look_at_bounds(state.settings.camera, bounds, frame.result ? frame.result->camera.aspect : 1.5);
+    fill_picture_with(state.settings.camera, bounds, frame.result ? frame.result->camera.aspect : 1.5);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
     if (ImGui::IsItemActivated()) state.viewport.camera_flew = false;
     if (state.viewport.flight.on) {
         state.viewport.dragging = state.viewport.press_moved = true;
-        return fly_on(state, frame);
+        return fly_camera(state, frame);
     }
     state.viewport.flight.moving = false;
     if (ImGui::IsItemActive() && moved) {
@@ -83,14 +83,14 @@ void steer_camera(EditorState& state, const EditorFrame& frame, const PictureVie
         } else {
             take_camera(state, frame);
             if (left && !io.KeyShift)
-                orbit(state.settings.camera, d.x, d.y);
+                orbit_camera(state.settings.camera, d.x, d.y);
             else
-                pan(state.settings.camera, view.camera, d.x, d.y, int(view.size.y));
+                pan_camera(state.settings.camera, view.camera, d.x, d.y, int(view.size.y));
         }
     }
     if (ImGui::IsItemHovered() && io.MouseWheel != 0 && !io.KeyCtrl) {
         take_camera(state, frame);
-        zoom(state.settings.camera, view.camera, view.ray({io.MousePos.x, io.MousePos.y}), io.MouseWheel);
+        zoom_camera(state.settings.camera, view.camera, view.ray({io.MousePos.x, io.MousePos.y}), io.MouseWheel);
         state.viewport.wheel_until = ImGui::GetTime() + kWheelSeconds;
     }
 }
@@ -128,7 +128,7 @@ void toggle_light_camera(EditorState& state) {
     state.viewport.camera_before_light.reset();
 }
 
-FrozenCamera freeze(const FrameResult& result, const CameraSettings& settings) {
+FrozenCamera frozen_camera_of(const FrameResult& result, const CameraSettings& settings) {
     const bool manual = settings.source == CameraSource::Manual;
     return {.camera = result.camera,
             .settings = manual ? settings : camera_settings(result.camera),
@@ -140,7 +140,7 @@ void toggle_frozen_camera(EditorState& state, const EditorFrame& frame) {
     if (state.frozen)
         state.frozen.reset();
     else if (frame.result)
-        state.frozen = freeze(*frame.result, state.settings.camera);
+        state.frozen = frozen_camera_of(*frame.result, state.settings.camera);
 }
 
 }  // namespace si

@@ -10,14 +10,14 @@
 
 namespace si {
 
-/// Flying with the right mouse button held.
+/// State of the camera that flies while the right mouse button is held.
 struct Flight {
     bool on = false;      ///< the button was down in the last frame
     bool moving = false;  ///< a key of movement was down in the last frame
     double speed = 1;     ///< factor of the usual speed
 };
 
-/// Camera that maps are made for while another one moves.
+/// Frozen camera: shadow maps are made for it while another camera moves.
 struct FrozenCamera {
     Camera camera;
     CameraSettings settings;          ///< manual settings with this camera

@@ -11,7 +11,7 @@ namespace si {
 namespace {
 
 constexpr double kReach = 28, kCorner = 44, kLetterDisc = 7.5, kPlainDisc = 5, kHit = 8;  // pixels at scale 1
-constexpr double kLeastWidth = 390;  // of the picture, at scale 1: in a smaller one the axes would be in the way
+constexpr double kMinPictureWidth = 390;  // smallest picture with axes, pixels at scale 1
 
 struct AxisEnd {
     int axis = 0;
@@ -21,14 +21,14 @@ struct AxisEnd {
 };
 
 bool is_shown(const EditorState& state, const PictureView& view) {
-    return state.settings.view.axes && view.size.x >= kLeastWidth * view.ui_scale;
+    return state.settings.view.axes && view.size.x >= kMinPictureWidth * view.ui_scale;
 }
 
 glm::dvec2 middle(const PictureView& view) {
     return view.origin + view.size - kCorner * view.ui_scale;
 }
 
-/// From the farthest to the nearest.
+/// Returns the ends of the axes from the farthest to the nearest.
 std::array<AxisEnd, 6> axis_ends(const PictureView& view) {
     std::array<AxisEnd, 6> ends;
     for (int i = 0; i < 6; ++i) {
@@ -66,7 +66,7 @@ void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureVie
     if (!ImGui::IsItemActivated() || !ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     state.viewport.press_taken = true;
     take_camera(state, frame);
-    look_along(state.settings.camera, end->axis, end->positive);
+    look_along_axis(state.settings.camera, end->axis, end->positive);
 }
 
 void draw_gnomon(const EditorState& state, const PicturePainter& p) {

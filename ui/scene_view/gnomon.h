@@ -6,10 +6,10 @@
 
 namespace si {
 
-/// Handles the mouse over the axes. Call right after the picture's item. Takes a press (state.viewport.press_taken) on
-/// the end of an axis.
+/// Handles the mouse over the gnomon (the world axes in a corner of the scene picture). Call right after the picture's
+/// ImGui item. A press on the end of an axis sets state.viewport.press_taken.
 void steer_gnomon(EditorState& state, const EditorFrame& frame, const PictureView& view);
-/// Draws the axes.
+/// Draws the gnomon: the world axes in a corner of the scene picture.
 void draw_gnomon(const EditorState& state, const PicturePainter& painter);
 
 }  // namespace si

@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// Dark by the surface itself: the colour of acne wherever artefacts are coloured.
+/// Returns the colour of self-shadowed taps: that of acne in the artefact overlay.
 ImU32 self_shadow() {
     const auto& rgb = artefact_styles()[std::size_t(Artefact::Acne) - 1].rgb;
     return IM_COL32(rgb[0], rgb[1], rgb[2], 255);
@@ -103,7 +103,7 @@ void draw_tap_key() {
 void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& p) {
     if (p.taps.empty() || std::size_t(p.face) >= p.fitted.views.size() || !faces_light(p.n_dot_l)) return;
     const LightView& view = p.fitted.views[std::size_t(p.face)];
-    // One texel across is texel_m wide; the map's resolution follows from it.
+    // A texel is texel_m wide, which gives the map's resolution.
     const double n = view.texel_size_at(p.point.position_ws, 1).longest / p.texel_m;
     const auto corner = [&](const glm::ivec2& texel) {
         const glm::dvec2 uv = glm::dvec2(texel) / n;

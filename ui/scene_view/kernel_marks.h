@@ -8,19 +8,20 @@
 
 namespace si {
 
-/// Returns the colour of a tap: lit, shadowed by another surface, or by the surface itself. Small weights are faint.
+/// Returns the colour of a kernel's tap: lit, shadowed by another surface, or shadowed by the surface itself. Small
+/// weights are faint. @param heaviest heaviest_tap()
 ImU32 tap_colour(const KernelTap& tap, double heaviest);
-/// Returns the largest weight of a kernel's taps.
+/// Returns the largest weight among the taps of a probed pixel's kernel.
 double heaviest_tap(const Probe::PerLight& light);
 
-/// Draws the kernel as a square grid at the cursor, the map's top row first. Returns the tap under the mouse, whose
-/// numbers are its tooltip; null: none. @param side width, pixels
+/// Draws a probed pixel's kernel as a square grid of taps at the cursor, the map's top row first. Returns the tap under
+/// the mouse, whose numbers the tooltip shows; null: none. @param side width of the grid, pixels
 const KernelTap* draw_tap_grid(const Probe::PerLight& light, float side);
 
-/// Draws the colours with their meaning, one a line.
+/// Draws the legend of the tap colours, one a line.
 void draw_tap_key();
 
-/// Outlines each texel of the kernel on the plane of the probed surface, in its tap's colour.
+/// Draws the outline of each texel of the probed pixel's kernel on the plane of the surface, in its tap's colour.
 void draw_kernel_on_surface(const PicturePainter& painter, const Probe::PerLight& light);
 
 }  // namespace si

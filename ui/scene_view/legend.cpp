@@ -1,4 +1,4 @@
-// The overlay's colour scale.
+// Legend of an overlay: colour scale, numbers, unit and sliders.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -27,7 +27,7 @@ Stops stops_of(const Overlay& overlay) {
     return {theme::colour(SEQUENTIAL_LOW), theme::colour(SEQUENTIAL_MIDDLE), theme::colour(SEQUENTIAL_HIGH)};
 }
 
-constexpr float kSmall = 14;        ///< ems that a picture is high at least to have room for the overlay's name
+constexpr float kSmall = 14;        ///< smallest height of a picture with the overlay's name, ems
 constexpr float kRounding = 0.25f;  ///< radius of corners, ems
 
 /// Returns the legend of the shown light's views; empty if it has one only.
@@ -54,7 +54,7 @@ std::vector<LegendWidget> legend_widgets(const Settings& settings, const Pane& p
     return out;
 }
 
-/// Returns the width of their box, pixels.
+/// Returns the width of the box around the legend's widgets, pixels.
 float width_of(const std::vector<LegendWidget>& widgets) {
     const float em = ImGui::GetFontSize(), gap = em * 0.5f;
     float width = gap;
@@ -102,7 +102,7 @@ void draw_legend(const Pane& pane, const FittedLight* light, float left, float b
     const Overlay& overlay = overlays()[std::size_t(index)];
     const float em = ImGui::GetFontSize();
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    // A small picture stands below the name of its overlay: there the scale alone has to do.
+    // A small picture has the overlay's name above it, so that the legend shows only the scale.
     const bool small = room.y < em * kSmall;
     if (small && !overlay.scalar) return;
     const std::string unit = overlay.unit.empty() ? std::string() : fmt::format(" ({})", overlay.unit);

@@ -16,9 +16,9 @@ namespace si {
 namespace {
 
 constexpr double kSnapDegrees = 5;
-constexpr double kLeast = 1e-4;       // of the distance or range: what near, extent and distance stay above
-constexpr double kLeastRange = 0.01;  // of far: what far stays beyond near
-constexpr double kMostRange = 1e8;    // m, as the setting has it
+constexpr double kMinShare = 1e-4;  // lower limit of near, extent and distance, as a share of distance or range
+constexpr double kMinRange = 0.01;  // smallest difference of far and near, as a share of far
+constexpr double kMaxRange = 1e8;   // m, limit of the setting
 
 double snapped(double value, double step) {
     return step > 0 ? std::round(value / step) * step : value;
@@ -33,7 +33,7 @@ void set_target(LightSettings& s, const glm::dvec3& target, const glm::dvec3& ce
     s.target_z = target.z - centre.z;
 }
 
-/// Azimuth and elevation of a unit vector; straight up or down the azimuth stays as it is.
+/// Sets azimuth and elevation from a unit vector. For vertical vectors the azimuth stays.
 void set_angles(LightSettings& s, const glm::dvec3& to_light, double step) {
     const double level = std::hypot(to_light.x, to_light.z);
     if (level > 1e-9) s.azimuth = std::atan2(to_light.x, to_light.z) / kDegree;
@@ -44,11 +44,11 @@ void set_angles(LightSettings& s, const glm::dvec3& to_light, double step) {
     }
 }
 
-/// The light at `position`, looking at `target`.
+/// Sets the light's settings so that the light is at `position` and looks at `target`.
 void set_place(LightSettings& s, const glm::dvec3& position, const glm::dvec3& target, const LightPose& start) {
     set_target(s, target, start.centre);
     const glm::dvec3 d = position - target;
-    const double distance = glm::length(d), least = kLeast * start.distance;
+    const double distance = glm::length(d), least = kMinShare * start.distance;
     s.distance = std::max(distance, least);
     if (distance > least) set_angles(s, d / distance, 0);
 }
@@ -61,12 +61,12 @@ void move_place(LightSettings& s, const glm::dvec3& position, const LightPose& s
         set_place(s, position, start.target, start);
 }
 
-/// The point of a ball's surface that a ray shows, as a unit vector from its centre. Beyond the ball's outline the far
-/// side is reached as in a mirror, so that every direction can be had without letting go.
+/// Returns the point of a ball that a ray hits, as a unit vector from the centre. Beyond the ball's outline the far
+/// side is mirrored, so that one drag reaches every direction.
 glm::dvec3 on_ball(const Ray& ray, const glm::dvec3& centre, double radius, bool front) {
     const glm::dvec3 to_centre = centre - ray.origin;
     const double along = glm::dot(to_centre, ray.direction);
-    glm::dvec3 aside = ray.origin + along * ray.direction - centre;  // from the centre, across the ray
+    glm::dvec3 aside = ray.origin + along * ray.direction - centre;  // perpendicular from the centre to the ray
     double off = glm::length(aside);
     if (off > radius) {
         const double mirrored = std::max(2 * radius - off, 0.0);
@@ -100,7 +100,7 @@ bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ra
     if (!at) return false;
     const glm::dvec3 d = *at - start.position;
     double angle = std::atan2(glm::dot(d, side), glm::dot(d, axis));
-    if (angle < 0) angle = half > 0.5 * std::numbers::pi ? std::numbers::pi : 0;  // across the axis
+    if (angle < 0) angle = half > 0.5 * std::numbers::pi ? std::numbers::pi : 0;  // the mouse has crossed the axis
     s.cone = std::clamp(step > 0 ? snapped(2 * angle / kDegree, kSnapDegrees) : 2 * angle / kDegree, 0.2, 360.0);
     return true;
 }
@@ -108,7 +108,7 @@ bool drag_cone(LightSettings& s, const LightPose& start, LightHandle h, const Ra
 bool drag_range(LightSettings& s, const LightPose& start, const Ray& ray, double step) {
     const auto metres = nearest_on_line(ray, start.position, range_axis(start));
     if (!metres) return false;
-    s.range = std::clamp(snapped(*metres, step), std::max(kLeast * start.settings.range, step), kMostRange);
+    s.range = std::clamp(snapped(*metres, step), std::max(kMinShare * start.settings.range, step), kMaxRange);
     return true;
 }
 
@@ -117,13 +117,13 @@ bool drag_plane(LightSettings& s, const LightPose& start, LightHandle h, const R
     if (!z) return false;
     const double wanted = snapped(*z, step);
     if (h == LightHandle::Far) {
-        s.far = std::max(wanted, start.view.curve.near + kLeastRange * std::abs(start.view.curve.far));
+        s.far = std::max(wanted, start.view.curve.near + kMinRange * std::abs(start.view.curve.far));
         return true;
     }
-    const double far = start.view.curve.far, most = far - kLeastRange * std::abs(far);
-    const double least = std::max(kLeast * far, step);
+    const double far = start.view.curve.far, most = far - kMinRange * std::abs(far);
+    const double least = std::max(kMinShare * far, step);
     if (wanted < least && start.type == LightType::Directional && start.orthographic()) {
-        // A directional light has no place of its own: it stands back, and its other planes stay where they are.
+        // A directional light has no fixed position: it moves back, and its other plane stays in place.
         const double back = least - wanted;
         s.distance += back;
         s.far += back;
@@ -145,7 +145,7 @@ LightPose grab_light(const LightPose& pose, LightHandle h, const FittedLight& fi
         return start;
     }
     start.settings = manual_light(pose.settings, fitted);
-    // To keep near positive the light may have stood back.
+    // The light may have moved back to keep near positive.
     const double back = start.settings.distance - pose.distance;
     if (directional && back > 0) {
         start.position += start.to_light * back;
@@ -188,7 +188,7 @@ std::optional<LightSettings> drag_light(const LightPose& start, LightHandle h, c
         const glm::dvec3 way = handle_axis(start, h);
         const auto t = nearest_on_line(ray, handle_position(start, h, view) - way * start.view.half_width, way);
         if (!t) return {};
-        s.extent = std::max(snapped(*t, step), std::max(kLeast * start.view.half_width, step));
+        s.extent = std::max(snapped(*t, step), std::max(kMinShare * start.view.half_width, step));
     } else if (is_cone(h)) {
         if (!drag_cone(s, start, h, ray, step)) return {};
     } else if (h == LightHandle::Range) {
@@ -207,7 +207,7 @@ double snap_step(double scene_radius) {
 
 std::string handle_numbers(const LightPose& pose, LightHandle h) {
     const LightSettings& s = pose.settings;
-    // Lengths that are negligible at the light's distance become 0.
+    // Lengths negligible at the light's distance become 0.
     const auto metres = [&](double v) { return metres_text(std::abs(v) < 1e-9 * pose.distance ? 0 : v); };
     const auto place = [&](const glm::dvec3& p) {
         return fmt::format("x {}   y {}   z {}", metres(p.x), metres(p.y), metres(p.z));

@@ -8,25 +8,26 @@
 
 namespace si {
 
-/// Returns the pose that a drag starts from. Values chosen by the fit become settings as far as the handle needs it:
+/// Returns the pose that a drag of a light's handle starts from. Values that the fit chose become settings as far as
+/// the handle needs them:
 /// - extent, near, far, and a directional light's place and target set light.fit to manual;
 /// - place, direction, cone and target of other lights keep the distance, and the map is fitted again;
 /// - a range, and a directional light's direction, change nothing else.
 LightPose grab_light(const LightPose& pose, LightHandle handle, const FittedLight& fitted);
 
-/// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if it cannot appear there.
-/// @param start pose at the press @param step step of lengths, metres, with steps of 5 degrees for angles; 0: no steps
+/// Returns the light's settings with `handle` dragged to `to` (pixels); nothing if the handle cannot appear there.
+/// @param start pose at the press @param step step of lengths, metres (angles then step by 5 degrees); 0: no steps
 std::optional<LightSettings> drag_light(const LightPose& start, LightHandle handle, const PictureView& view,
                                         const glm::dvec2& to, double step = 0);
 
-/// A light's mark in the picture: a handle of the shown light, or (without a handle) another light's mark or the
+/// Light's mark under the mouse: a handle of the shown light, or (without a handle) another light's mark, or the
 /// pointer to the shown light outside the picture.
 struct LightHit {
     int light = 0;
     std::optional<LightHandle> handle;
 };
 
-/// A drag of a handle that is under way.
+/// Drag of a light's handle that is under way.
 struct HandleDrag {
     int light = 0;
     LightHandle handle = LightHandle::Position;
@@ -38,10 +39,11 @@ struct HandleDrag {
     bool over = false;         ///< cancelled, while the button is still held
 };
 
-/// Returns a round step for lengths, metres: 1, 2 or 5 times a power of ten, about a fiftieth of the scene's radius.
+/// Returns a round step for dragged lengths, metres: 1, 2 or 5 times a power of ten, about a fiftieth of the scene's
+/// radius (metres).
 double snap_step(double scene_radius);
 
-/// Returns the numbers that the handle changes, with units. @param pose of the light as it is now
+/// Formats the numbers that a light's handle changes, with units. @param pose present pose of the light
 std::string handle_numbers(const LightPose& pose, LightHandle handle);
 
 }  // namespace si

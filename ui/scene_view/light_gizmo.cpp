@@ -18,12 +18,12 @@ bool shows_lights(const EditorState& state, const EditorFrame& frame) {
     return state.settings.view.frustum && frame.result && shown_light(state.settings) >= 0;
 }
 
-/// Lights that both the settings and the last frame know.
+/// Returns the number of lights that both the settings and the last frame have.
 int light_count(const EditorState& state, const FrameResult& result) {
     return std::min(state.settings.light_count, int(result.lights.size()));
 }
 
-/// Seen through itself a light has no handles: the camera would move with each.
+/// Returns true if handles are shown. The view through a light has none, because a drag would move the camera.
 bool shows_handles(const EditorState& state) {
     return state.settings.camera.source != CameraSource::Light;
 }
@@ -122,7 +122,7 @@ void draw_lights(const EditorState& state, const EditorFrame& frame, const Pictu
         if (i != shown)
             draw_other_light(painter, pose_of(state, result, i), result.lights[std::size_t(i)],
                              hovered && hovered->light == i);
-    if (shown >= count) return;  // a light was added a moment ago
+    if (shown >= count) return;  // a light was just added
     const LightPose pose = pose_of(state, result, shown);
     const bool busy = hovered && hovered->light == shown;
     draw_shown_light(painter, pose, busy, busy && !hovered->handle);

@@ -12,8 +12,8 @@ namespace si {
 namespace {
 
 constexpr double kArrowPixels = 58, kBallPixels = 92;  // at scale 1
-constexpr double kRim = 0.7;                           // of the distance to the target
-constexpr double kMinSine = 0.12;                      // between the line of sight and the way a handle moves
+constexpr double kRim = 0.7;                           // share of the distance to the target
+constexpr double kMinSine = 0.12;                      // smallest sine between the line of sight and a handle's axis
 
 /// Returns true if the handle does not move along the line of sight, where small movements would become large.
 bool can_move(const LightPose& pose, const PlacedHandle& placed, const PictureView& view) {

@@ -9,7 +9,7 @@
 
 namespace si {
 
-/// Kind of a handle.
+/// Kind of a light's handle in the scene picture.
 enum class LightHandle {
     Position,
     AxisX,
@@ -30,19 +30,22 @@ enum class LightHandle {
     Far
 };
 
+/// Returns true for the arrows that move a light along a world axis.
 bool is_axis(LightHandle handle);
+/// Returns true for the handles of a directional light's width and height.
 bool is_extent(LightHandle handle);
+/// Returns true for the handles of a spot light's cone angle.
 bool is_cone(LightHandle handle);
 
-/// Returns the name for tooltips: "Near plane".
+/// Returns the name of a light's handle for tooltips: "Near plane".
 std::string_view handle_name(LightHandle handle);
 
-/// Light with the values that its handles show.
+/// Pose of a light: position, direction and planes, which its handles show and change.
 struct LightPose {
     LightSettings settings;
     LightType type = LightType::Directional;
     LightView view;                   ///< shown view, which near, far and extent act on
-    std::vector<LightView> cascades;  ///< all views of a cascaded or warped light, which only the fit changes
+    std::vector<LightView> cascades;  ///< views of a cascaded or warped light, which only the fit changes; else empty
     glm::dvec3 centre{0};             ///< world; origin of settings.target_x, y, z
     glm::dvec3 target{0};             ///< world; point that the light turns about or looks at
     glm::dvec3 position{0};           ///< world; place of the light's mark
@@ -54,37 +57,38 @@ struct LightPose {
     bool ranged() const { return type != LightType::Directional && settings.range > 0; }
 };
 
-/// Returns the pose of a light. @param face index of its shown view
+/// Returns the pose of a light for its handles. @param face index of the light's shown view
 LightPose light_pose(const LightSettings& settings, const FittedLight& fitted, int face);
 
-/// Returns all handles of the light, visible or not.
+/// Returns all handles that the light has, visible in the picture or not.
 std::vector<LightHandle> handles_of(const LightPose& pose);
 
-/// Returns the place of a handle, world. Arrows and the direction's ball have a constant size on the screen, so that
-/// their places depend on the view.
+/// Returns the position of a light's handle in world space. Arrows and the direction's ball have a constant size on the
+/// screen, so that their positions depend on the view.
 glm::dvec3 handle_position(const LightPose& pose, LightHandle handle, const PictureView& view);
 
-/// Returns the radius of the ball on which the direction's handle moves, about the target (directional) or the light
-/// (spot); metres.
+/// Returns the radius, metres, of the ball on which the handle of a light's direction moves. Its centre is the target
+/// of a directional light, or the spot light.
 double direction_ball_radius(const LightPose& pose, const PictureView& view);
-/// Returns the distance from the light at which the rim of a spot light's cone is drawn; metres.
+/// Returns the distance, metres, from a spot light at which the rim of its cone is drawn.
 double cone_rim_distance(const LightPose& pose);
-/// Returns the unit vector along which an arrow, extent or cone handle moves; world.
+/// Returns the unit vector, world, along which an arrow, extent or cone handle of a light moves.
 glm::dvec3 handle_axis(const LightPose& pose, LightHandle handle);
-/// Returns the unit vector from a light to the handle of its range: on the cone's rim between two handles (spot), or
-/// across the line to the target (point).
+/// Returns the unit vector, world, from a light to the handle of its range: on the cone's rim between two handles
+/// (spot), or across the line to the target (point).
 glm::dvec3 range_axis(const LightPose& pose);
-/// Returns half the angle of a spot light's cone.
+/// Returns half the angle of a spot light's cone, radians.
 double half_cone_rad(const LightSettings& settings);
 
-/// A handle and its place.
+/// Handle of a light with its position in the world and on the screen.
 struct PlacedHandle {
     LightHandle handle = LightHandle::Position;
     glm::dvec3 at{0};         ///< world
     glm::dvec2 on_screen{0};  ///< pixels
 };
 
-/// Returns the handles that can be dragged in this view: inside the picture and not along the line of sight.
+/// Returns the light's handles that can be dragged in this view: inside the picture, and not moving along the line of
+/// sight.
 std::vector<PlacedHandle> place_handles(const LightPose& pose, const PictureView& view);
 
 }  // namespace si

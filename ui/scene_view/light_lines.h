@@ -10,17 +10,18 @@
 
 namespace si {
 
-/// A line segment.
+/// Line segment of a light's frustum, world.
 struct Segment {
     glm::dvec3 from{0};  ///< world
     glm::dvec3 to{0};    ///< world
     bool far = false;    ///< edge of the far plane
 };
 
-/// Returns the twelve edges of a light view's frustum.
+/// Returns the twelve edges of a light view's frustum, world.
 std::vector<Segment> frustum_edges(const LightView& view);
 
-/// Returns the part of a segment in front of the camera, in pixels (0, 0 at the top left); nothing if all is behind it.
+/// Projects a world segment into a camera's picture: the part in front of the camera, in pixels (0, 0 at the top left).
+/// Returns nothing if all of the segment is behind the camera. @param width, height pixels
 std::optional<std::pair<glm::dvec2, glm::dvec2>> project_segment(const Camera& camera, glm::dvec3 from, glm::dvec3 to,
                                                                  int width, int height);
 

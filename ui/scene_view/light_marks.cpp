@@ -20,7 +20,7 @@ namespace {
 
 constexpr ImU32 kHot = IM_COL32_WHITE;
 constexpr int kRimSegments = 64;
-constexpr int kRest = 70;  ///< opacity of lines while nobody reaches for the light, of 255
+constexpr int kIdleOpacity = 70;  ///< opacity of lines while the light is not hovered, of 255
 // Distance of the pointer to a light outside from the picture's edges, pixels at scale 1.
 constexpr double kEdge = 12, kCaptionEdge = 42;
 
@@ -59,7 +59,7 @@ void square(const PicturePainter& p, const glm::dvec2& at, double half, ImU32 co
     shape(half, colour);
 }
 
-/// A triangle with its tip at `at`.
+/// Draws a triangle with its tip at `at`.
 void arrow_head(const PicturePainter& p, const glm::dvec2& at, const glm::dvec2& way, double size, ImU32 colour) {
     if (!(glm::length(way) > 0)) return;
     const glm::dvec2 along = glm::normalize(way), aside(-along.y, along.x);
@@ -70,7 +70,7 @@ void arrow_head(const PicturePainter& p, const glm::dvec2& at, const glm::dvec2&
     p.list().AddTriangle(tip, a, b, theme::kShade, p.px(1));
 }
 
-/// The circle of radius |u| = |v| about a point.
+/// Draws the circle of radius |u| = |v| about a point.
 void draw_circle(const PicturePainter& p, const glm::dvec3& centre, const glm::dvec3& u, const glm::dvec3& v,
                  ImU32 colour) {
     const auto at = [&](int i) {
@@ -101,7 +101,7 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
     const auto seen = view.point(pose.position);
     if (seen && view.contains(*seen)) return {};
     const glm::dvec3 v = glm::transpose(view.camera.axes) * (pose.position - view.camera.eye);
-    // Captions stand along the upper edge.
+    // Captions are along the upper edge.
     const glm::dvec2 lo = view.origin + glm::dvec2(kEdge, kCaptionEdge) * view.ui_scale;
     const glm::dvec2 hi = view.origin + view.size - kEdge * view.ui_scale, middle = 0.5 * (lo + hi);
     glm::dvec2 way = seen ? *seen - middle : glm::dvec2(v.x, -v.y);
@@ -114,7 +114,7 @@ std::optional<glm::dvec2> pointer_place(const LightPose& pose, const PictureView
 }
 
 void draw_shown_light(const PicturePainter& p, const LightPose& pose, bool busy, bool pointer_hovered) {
-    const int near_alpha = busy ? 220 : kRest, far_alpha = busy ? 110 : kRest / 2;
+    const int near_alpha = busy ? 220 : kIdleOpacity, far_alpha = busy ? 110 : kIdleOpacity / 2;
     for (std::size_t i = 0; i < pose.cascades.size(); ++i)
         for (const Segment& s : frustum_edges(pose.cascades[i]))
             p.line(s.from, s.to, faded(theme::colour(shared::view_colour(int(i))), s.far ? far_alpha : near_alpha));
@@ -172,7 +172,7 @@ void draw_handles(const PicturePainter& p, const LightPose& pose, std::optional<
             diamond(p, h.on_screen, 5.5 + more, colour);
         }
     }
-    // The light itself over its arrows.
+    // The light is drawn over its arrows.
     if (const auto at = view.point(pose.position)) {
         const bool hot = hovered == LightHandle::Position;
         p.dot(*at, hot ? 7 : 5.5, hot ? kHot : theme::kLight);

@@ -1,4 +1,4 @@
-// Over the scene picture while another scene is being read: which one, how far, and a way out.
+// Strip over the scene picture while another scene is loading: name, progress and a button to cancel.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -29,7 +29,7 @@ void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left
     ImGui::SetCursorScreenPos({left + (width - wide) / 2, top + em * 2});
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::kVeil);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(pad, pad));
-    // A window of its own, so that the mouse over it is not over the picture.
+    // The strip is a window of its own, so that the mouse over it does not act on the picture.
     ImGui::BeginChild("loading", {wide, ImGui::GetFrameHeight() + 2 * pad}, false,
                       ImGuiWindowFlags_AlwaysUseWindowPadding | ImGuiWindowFlags_NoScrollbar);
     const float button = button_width("Cancel");

@@ -9,7 +9,7 @@ namespace si {
 namespace {
 
 struct LocalRay {
-    glm::dvec3 origin, direction;  ///< of any length, so that distances along it are the same in all coordinates
+    glm::dvec3 origin, direction;  ///< not normalised, so that distances along the ray are equal in all spaces
     double begin;
 };
 
@@ -18,7 +18,7 @@ bool meets_box(const LocalRay& ray, const Bounds& box, double end) {
     for (int axis = 0; axis < 3; ++axis) {
         double a = (box.lo[axis] - ray.origin[axis]) / ray.direction[axis];
         double b = (box.hi[axis] - ray.origin[axis]) / ray.direction[axis];
-        if (std::isnan(a) || std::isnan(b)) continue;  // along a face
+        if (std::isnan(a) || std::isnan(b)) continue;  // the ray is parallel to a face
         if (a > b) std::swap(a, b);
         from = std::max(from, a);
         to = std::min(to, b);

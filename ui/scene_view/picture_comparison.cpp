@@ -1,4 +1,4 @@
-// The picture against another one of the same frame: under a line that is dragged, beside it, or as their difference.
+// Comparison of the picture with another one of the same frame: swipe, side by side, or difference.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -48,7 +48,7 @@ std::string other_side(const EditorState& state, const EditorFrame& frame) {
 void label(ImVec2 corner, float room, const std::string& text, bool right) {
     const float em = ImGui::GetFontSize(), width = ImGui::CalcTextSize(text.c_str()).x;
     if (width + em * 1.6f > room) return;
-    veiled_text({right ? corner.x - width - em * 0.8f : corner.x + em * 0.8f, corner.y}, text);
+    draw_text_on_picture({right ? corner.x - width - em * 0.8f : corner.x + em * 0.8f, corner.y}, text);
 }
 
 }  // namespace
@@ -140,7 +140,8 @@ void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::ve
                                ? frame.picture_comparison->problem
                            : a.reference && frame.reference ? reference_status(frame)
                                                             : "Drawing the other side …";
-        if (a.view != ComparisonView::SideBySide || right_half) veiled_text({p.x + em * 0.8f, q.y - em * 2.2f}, text);
+        if (a.view != ComparisonView::SideBySide || right_half)
+            draw_text_on_picture({p.x + em * 0.8f, q.y - em * 2.2f}, text);
         return;
     }
     const PictureComparisonFacts& facts = *frame.picture_comparison;
@@ -191,7 +192,7 @@ void pin_settings(EditorState& state) {
         return;
     }
     state.pinned = PinnedSettings{state.settings, state.scene_name};
-    if (state.comparison.view == ComparisonView::Off) {  // what is compared from now on, as nothing is yet
+    if (state.comparison.view == ComparisonView::Off) {  // starts a comparison
         state.compare = {CompareKind::Pinned, {}};
         state.comparison.reference = false;
     }

@@ -7,9 +7,9 @@
 
 namespace si {
 
-/// Arrangement of both pictures. Alone: only the other picture, while a key is held.
+/// Arrangement of the compared pictures. Alone: only the other picture, while a key is held.
 enum class ComparisonView { Off, Swipe, SideBySide, Difference, Alone };
-/// State of the comparison.
+/// State of the comparison of the shown picture with another one.
 struct PictureComparison {
     ComparisonView view = ComparisonView::Off;
     bool reference = true;  ///< compares with the ray-traced reference; else with the settings of PictureState::compare
@@ -17,7 +17,7 @@ struct PictureComparison {
     bool held = false;  ///< the line is being dragged
 };
 
-/// The other picture.
+/// Other picture of the comparison, and the difference image of both.
 struct PictureComparisonFacts {
     Image picture;        ///< without a texture: not there yet
     Image difference;     ///< without a texture: not there yet

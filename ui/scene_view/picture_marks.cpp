@@ -60,7 +60,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     const std::string colour =
         fmt::format("{}, {}   {} {} {}", loupe->at.x, loupe->at.y, middle[0], middle[1], middle[2]);
     const float across = std::max(side, font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, colour.c_str()).x + em * 0.4f);
-    // On the other side where it would lie over what it shows.
+    // The loupe moves to the other side if it would cover its own pixels.
     const float at_x = (float(loupe->at.x) + 0.5f) * size.x / float(std::max(frame.result->colour.width, 1));
     const bool right = at_x < side * 2;
     const ImVec2 lo(std::round(right ? origin.x + size.x - across - em : origin.x + em), std::round(origin.y + above)),
@@ -95,7 +95,7 @@ void draw_loupe(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     if (visibility) line(1, fmt::format("visibility {:.3g}", *visibility));
 }
 
-void veiled_text(ImVec2 at, const std::string& text, ImU32 colour) {
+void draw_text_on_picture(ImVec2 at, const std::string& text, ImU32 colour) {
     const float em = ImGui::GetFontSize();
     const ImVec2 size = ImGui::CalcTextSize(text.c_str());
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -114,7 +114,7 @@ std::string artefact_of(const glm::vec3& colour) {
     return "nothing wrong";
 }
 
-void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
+void draw_hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, glm::ivec2 pixel) {
     std::string text = fmt::format("{}, {}", pixel.x, pixel.y);
     const int overlay = pane.overlay;
     const FloatImage* values = frame.overlay_values;
@@ -138,7 +138,7 @@ void hover_readout(const EditorFrame& frame, const Pane& pane, ImVec2 origin, gl
                                 values->at(pixel.x, pixel.y, 2));
     }
     const float em = ImGui::GetFontSize();
-    veiled_text({origin.x + em * 0.8f, origin.y + em * 0.6f}, text);
+    draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 0.6f}, text);
 }
 
 }  // namespace si

@@ -11,7 +11,7 @@ namespace {
 
 constexpr ImU32 kHalo = IM_COL32(0, 0, 0, 115);
 constexpr double kDash = 5, kGap = 4;  // pixels at scale 1
-constexpr double kBeyond = 8;          // pixels that a line may leave the picture by, so that its end is not seen
+constexpr double kBeyond = 8;  // pixels beyond the picture at which lines are clipped, so that their ends stay hidden
 
 }  // namespace
 
@@ -49,7 +49,7 @@ void PicturePainter::dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 
 }
 
 void PicturePainter::dot(const glm::dvec2& at, double radius, ImU32 colour) const {
-    if (!view_.contains(at)) return;  // a place close to the camera's plane appears beyond what a float holds
+    if (!view_.contains(at)) return;  // points close to the camera's plane project beyond the range of a float
     list_.AddCircleFilled(to_imgui(at), px(radius + 1.4), theme::kShade, 24);
     list_.AddCircleFilled(to_imgui(at), px(radius), colour, 24);
 }

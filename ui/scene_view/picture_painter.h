@@ -9,10 +9,10 @@
 
 namespace si {
 
-/// Painter of one scene picture.
+/// Painter of lines, marks and captions over one scene picture.
 class PicturePainter {
 public:
-    /// The arguments outlive the painter.
+    /// @param view, list outlive the painter
     PicturePainter(const PictureView& view, ImDrawList& list) : view_(view), list_(list) {}
 
     const PictureView& view() const { return view_; }
@@ -20,20 +20,22 @@ public:
     /// Returns `units` of scale 1 in pixels of the screen.
     float px(double units) const { return float(units * view_.ui_scale); }
 
-    /// Draws a line with a dark edge, visible on any picture. @param width at scale 1
+    /// Draws a world line with a dark edge, visible on any picture. @param from, to world @param width pixels at scale
+    /// 1
     void line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.4) const;
-    /// Draws a line without an edge, for many or faint lines.
+    /// Draws a world line without an edge, for many or faint lines. @param from, to world
     void thin_line(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour) const;
-    /// Draws a dashed line. @param width at scale 1
+    /// Draws a dashed world line. @param from, to world @param width pixels at scale 1
     void dashes(const glm::dvec3& from, const glm::dvec3& to, ImU32 colour, double width = 1.2) const;
-    /// Draws a filled circle. @param at pixels @param radius at scale 1
+    /// Draws a filled circle over the picture. @param at centre, pixels of the screen @param radius pixels at scale 1
     void dot(const glm::dvec2& at, double radius, ImU32 colour) const;
 
-    /// Draws text on a dark veil with its upper left corner at `at`, moved into the picture if it would leave it.
+    /// Draws text on a dark background, moved into the picture if it would leave it. @param at upper left corner,
+    /// pixels of the screen
     void caption(const glm::dvec2& at, const std::string& text, ImU32 colour) const;
 
 private:
-    /// Returns the part of a segment inside the picture, pixels.
+    /// Returns the part of a world segment inside the picture, pixels of the screen.
     std::optional<std::pair<glm::dvec2, glm::dvec2>> visible(const glm::dvec3& from, const glm::dvec3& to) const;
 
     const PictureView& view_;

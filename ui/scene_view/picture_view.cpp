@@ -24,7 +24,7 @@ std::optional<std::pair<glm::dvec2, glm::dvec2>> PictureView::segment(const glm:
     if (on) {
         on->first += origin + 0.5;
         on->second += origin + 0.5;
-    }  // pixel centres are at whole numbers there
+    }  // project() has pixel centres at whole numbers
     return on;
 }
 

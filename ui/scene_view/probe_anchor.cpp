@@ -10,7 +10,7 @@ namespace si {
 namespace {
 
 constexpr double kNearerShare = 1e-3;  ///< share of the distance by which another surface is nearer
-constexpr double kNearerPixels = 2;    ///< or by so many of the picture's pixels there
+constexpr double kNearerPixels = 2;    ///< or number of pixels, at that distance
 
 }  // namespace
 
@@ -24,7 +24,7 @@ bool hides(const Probe& probe, const ProbeAnchor& anchor) {
     if (!probe.hit) return false;
     const Camera& camera = probe.camera;
     const PictureView view{camera, {0, 0}, {double(probe.width), double(probe.height)}, 1};
-    // The pixel's ray meets the anchor's plane elsewhere than in the anchor, up to its corner.
+    // The pixel's ray meets the anchor's plane up to half a pixel away from the anchor.
     const Ray ray = view.ray({probe.x + 0.5, probe.y + 0.5});
     const glm::dvec3 away = anchor.position_ws - camera.eye;
     const double across = 1.5 * view.metres_per_pixel(anchor.position_ws);

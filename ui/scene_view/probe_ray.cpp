@@ -9,7 +9,7 @@ std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& p, 
     ray.to = probe.position_ws;
     const glm::dvec3 to_light = view.axes[2];
     ray.from = view.curve.perspective ? view.eye : ray.to + to_light * (p.own_m - p.account.curve.near);
-    // Beyond the far plane nothing is compared, and outside the map the border's depth is no surface.
+    // Beyond the far plane no depth is compared; outside the map the border's depth is no surface.
     ray.blocked = p.place == MapPlace::Inside && p.visibility < 1 && p.stored_m < p.own_m;
     ray.occluder = ray.to;
     if (!ray.blocked) return ray;

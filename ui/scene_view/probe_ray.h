@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Ray of a shadow test.
+/// Ray of a probed pixel's shadow test, from the light to the surface.
 struct ProbeRay {
     glm::dvec3 from{0};      ///< world; the light, or for parallel rays a point of the near plane
     glm::dvec3 occluder{0};  ///< world; point at the texel's stored depth; `to` if nothing nearer is stored
@@ -16,7 +16,8 @@ struct ProbeRay {
     bool blocked = false;    ///< the stored depth keeps light from the surface
 };
 
-/// Returns the ray of one light; nothing if the light has no map, or the surface is behind it.
+/// Returns the shadow test's ray from one light to the probed pixel; nothing if the light has no map, or the surface is
+/// behind the light.
 std::optional<ProbeRay> probe_ray(const Probe& probe, const Probe::PerLight& light, const FittedLight& fitted);
 
 }  // namespace si

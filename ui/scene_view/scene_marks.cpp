@@ -20,9 +20,9 @@
 namespace si {
 namespace {
 
-constexpr double kLeastTick = 3;  // pixels at scale 1: a shorter normal offset is not drawn
+constexpr double kMinTick = 3;  // shortest drawn normal offset, pixels at scale 1
 
-constexpr int kMaxSelected = 200;  // boxes of chosen objects that are drawn
+constexpr int kMaxSelected = 200;  // largest number of drawn boxes of selected objects
 
 void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
     for (int i = 0; i < 8; ++i)
@@ -33,7 +33,8 @@ void box(const PicturePainter& p, const Box& corners, ImU32 colour, bool thin) {
         }
 }
 
-/// The probe's answer about the shown light, and the light; nothing when they do not belong together.
+/// Returns the ray of the probe's shadow test for the shown light; nothing if probe and light belong to different
+/// frames. @param answer receives the probe's result for the light
 std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& frame, const Probe::PerLight** answer) {
     const int light = shown_light(state.settings);
     if (!frame.probe || !frame.result || light < 0 || std::size_t(light) >= frame.result->lights.size()) return {};
@@ -48,14 +49,14 @@ std::optional<ProbeRay> shown_ray(const EditorState& state, const EditorFrame& f
 /// Returns true if the normal offset is long enough on the screen to be drawn.
 bool shows_offset(const PictureView& view, const ProbeRay& ray, const Probe::PerLight& p) {
     const auto surface = view.point(ray.to), moved = view.point(p.offset_position_ws);
-    return p.normal_offset_m > 0 && surface && moved && glm::distance(*surface, *moved) > kLeastTick * view.ui_scale;
+    return p.normal_offset_m > 0 && surface && moved && glm::distance(*surface, *moved) > kMinTick * view.ui_scale;
 }
 
 bool same_view(const Camera& a, const Camera& b) {
     return glm::distance(a.eye, b.eye) < 1e-3 * a.focus && glm::dot(a.axes[2], b.axes[2]) > 1 - 1e-6;
 }
 
-/// A word with a stroke of its colour before it.
+/// Word of a legend with the colour of the stroke in front.
 struct LegendWord {
     ImU32 colour;
     const char* word;

@@ -6,12 +6,12 @@
 
 namespace si {
 
-/// Draws all marks of this file and the lights.
+/// Draws all marks over the scene picture: selection, caster boxes, frozen camera, probe ray, captions and lights.
 void draw_scene_marks(const PicturePainter& painter, const EditorState& state, const EditorFrame& frame);
 
-/// Draws the boxes of the selected objects, with the first one's name, and of the hovered row of the list.
+/// Draws the boxes of the selected objects (with the name of the first) and of the object hovered in the list.
 void draw_selection(const PicturePainter& painter, const EditorState& state, const Scene& scene);
-/// Draws the boxes of casters that the light fit uses; at most kMaxBoxes.
+/// Draws the bounding boxes of casters that the light fit uses, at most kMaxBoxes.
 void draw_caster_bounds(const PicturePainter& painter, const Scene& scene, const Settings& settings);
 inline constexpr int kMaxBoxes = 2000;
 

@@ -19,20 +19,20 @@ namespace {
 
 constexpr const char* kMenu = "scene menu";
 
-/// The setting of each of these objects.
+/// Returns the reference to one setting of each object.
 std::vector<SettingRef> refs_of(const Param& p, const std::set<std::string>& paths) {
     std::vector<SettingRef> refs;
     for (const std::string& path : paths) refs.push_back({&p, 0, path});
     return refs;
 }
 
-/// The help of an object's setting with its key; the path stands for all where several objects are selected.
+/// Returns the help of an object's setting with its key; "<path>" stands for several selected objects.
 std::string tooltip_text(const Param& p, const std::vector<SettingRef>& refs) {
     const std::string path = refs.size() == 1 ? refs.front().object : std::string("<path>");
     return fmt::format("{}\n{}", p.help, setting_key({&p, 0, path}));
 }
 
-/// Sets all of them, where not all are so already.
+/// Draws a menu item that switches a setting of all selected objects: on, or off if all have it on already.
 void object_switch(Settings& s, const Param& p, const std::set<std::string>& paths) {
     const std::vector<SettingRef> refs = refs_of(p, paths);
     const bool all = std::ranges::all_of(refs, [&](const auto& r) { return std::get<bool>(get_value(s, r)); });

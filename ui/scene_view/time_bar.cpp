@@ -1,4 +1,4 @@
-// Below the pictures of a scene that moves: which animation, which time, and playing.
+// Controls of the animation below the pictures: choice, time, play and speed.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -23,7 +23,7 @@ std::string speed_text(double speed) {
     return fmt::format("{}×", speed);
 }
 
-/// A triangle to play, two bars to pause.
+/// Draws the play button: a triangle to play, two bars to pause.
 bool play_button(bool playing, bool enabled) {
     const float size = ImGui::GetFrameHeight();
     if (!enabled) ImGui::BeginDisabled();
@@ -70,7 +70,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     SceneSettings& scene = state.settings.scene;
     const Animation* animation = chosen_animation(frame, scene);
     const double end = animation ? animation->duration_s : 0;
-    // In a small window the speed and the switch give way; the switch stands among the settings, too.
+    // A small window has no room for speed and loop; the loop switch is also among the settings.
     const float room = ImGui::GetContentRegionAvail().x;
     const bool has_steady = room > em * 36, has_speed = room > em * 28;
     if (play_button(state.playback.playing, end > 0)) toggle_play(state, frame);
@@ -89,7 +89,7 @@ void draw_time_bar(EditorState& state, const EditorFrame& frame) {
     const std::string format = fmt::format("%.2f of {:.2f} s", end);
     if (slider("##time", ImGuiDataType_Double, &scene.time, &start, &last, format.c_str(),
                ImGuiSliderFlags_AlwaysClamp))
-        state.playback.playing = false;  // the drag that goes on is the step of undo
+        state.playback.playing = false;  // the drag itself becomes the step of undo
     if (!(end > 0)) ImGui::EndDisabled();
     if (ImGui::IsItemHovered() && !ImGui::IsItemActive())
         ImGui::SetTooltip("The time that is shown (scene.time); Ctrl+click to type it");

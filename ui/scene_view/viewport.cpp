@@ -1,4 +1,4 @@
-// The scene pictures, one or several beside each other: mouse and keys over them, what is drawn onto them.
+// Viewport: one or several scene pictures, mouse and keys over them, and marks drawn onto them.
 #include <fmt/format.h>
 #include <imgui.h>
 
@@ -33,14 +33,14 @@ ImTextureID texture_id(unsigned texture) {
     return reinterpret_cast<ImTextureID>(std::uintptr_t(texture));
 }
 
-/// Some light's source is ray traced or a light map, and its rays are still to be traced.
+/// Returns true if a light's source is ray traced or a light map, and is not computed yet.
 bool awaits_rays(const FrameResult& result) {
     const auto awaits = [](const auto& n) { return n.key != 0 && !n.met; };
     return std::any_of(result.traced.begin(), result.traced.end(), awaits) ||
            std::any_of(result.light_maps.begin(), result.light_maps.end(), awaits);
 }
 
-/// A button that stays down while `on`; returns whether it was pressed.
+/// Draws a button that looks pressed while `on`. Returns true at a click.
 bool toggle(const char* label, bool on, const char* help) {
     if (on) ImGui::PushStyleColor(ImGuiCol_Button, ImGui::GetStyleColorVec4(ImGuiCol_ButtonActive));
     if (on) ImGui::PushStyleColor(ImGuiCol_Text, theme::accent());
@@ -55,7 +55,8 @@ void header(EditorState& state, const EditorFrame& frame) {
     const float em = ImGui::GetFontSize();
     Toolbar bar("scene tools");
     bar.title("Scene");
-    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) maximise(state, Panel::Scene);
+    if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left))
+        toggle_maximised(state, Panel::Scene);
     bar.item("Overlay", em * 9, [&s](float room) { overlay_widget(s, overlay_setting(0), room); });
     bar.item("Compare", em * 6.5f, [&state](float room) { comparison_view_widget(state, room); });
     bar.item("", em * 9, [&](float room) { comparison_other_widget(state, frame, room); });
@@ -84,7 +85,7 @@ void header(EditorState& state, const EditorFrame& frame) {
     bar.end();
 }
 
-/// A double click chooses the object that its probe finds; the background chooses none.
+/// Selects the object that a double click has probed; the background selects none.
 void select_probed(EditorState& state, const EditorFrame& frame) {
     if (!state.viewport.select_probed || !frame.probe || ImGui::IsMouseDown(ImGuiMouseButton_Left)) return;
     if (!state.probe_pixel || glm::ivec2(frame.probe->x, frame.probe->y) != *state.probe_pixel) return;
@@ -113,9 +114,9 @@ void no_picture(const EditorState& state, const EditorFrame& frame, ImVec2 origi
     ImGui::PopTextWrapPos();
 }
 
-/// The panes on the screen.
+/// Placement of the panes on the screen.
 struct Panorama {
-    PaneGrid grid;  ///< in pixels of the pictures
+    PaneGrid grid;  ///< rectangles in pixels of the pictures
     ImVec2 origin;
     float pixels;  ///< pixels of a picture per unit of the screen
     ImVec2 lo(int pane) const {
@@ -123,7 +124,7 @@ struct Panorama {
         return {origin.x + corner.x, origin.y + corner.y};
     }
     ImVec2 size() const { return {float(grid.width) / pixels, float(grid.height) / pixels}; }
-    /// The pixel of `pane` at a place of the screen, which may lie outside of it.
+    /// Returns the pixel of `pane` at a point of the screen; it may lie outside the pane.
     glm::ivec2 pixel(int pane, ImVec2 at) const {
         const ImVec2 corner = lo(pane);
         return {int(std::floor((at.x - corner.x) * pixels)), int(std::floor((at.y - corner.y) * pixels))};
@@ -133,7 +134,7 @@ struct Panorama {
     }
 };
 
-/// Mouse and keys over the panes. The pane in which a press began keeps it to the end.
+/// Handles mouse and keys over the panes. The pane in which a press began keeps the mouse until the release.
 void steer(EditorState& state, const EditorFrame& frame, EditorRequests& requests, const Panorama& panes) {
     const bool hovered = ImGui::IsItemHovered();
     const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -167,14 +168,14 @@ void steer(EditorState& state, const EditorFrame& frame, EditorRequests& request
     requests.want_links = requests.want_overlay_values = !state.viewport.dragging;
 }
 
-/// The probe sticks to its surface: where that lies now is the probed pixel. @param wanted size of the picture
+/// Moves the probed pixel to the present place of its surface point. @param wanted size of the picture, pixels
 void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wanted) {
     const bool settled = state.viewport.wanted_size == wanted;
     state.viewport.wanted_size = wanted;
     if (state.probe_anchor &&
         (state.probe_anchor->pixel != state.probe_pixel || state.probe_anchor->scene != state.scene_name))
         state.probe_anchor.reset();
-    // A pixel chosen in a picture of another size is clamped into this one, as probes are.
+    // A pixel chosen in a picture of another size is clamped into this one.
     if (state.probe_pixel && !state.probe_anchor && settled)
         state.probe_pixel = glm::clamp(*state.probe_pixel, glm::ivec2(0), glm::max(wanted, 1) - 1);
     if (!state.probe_pixel || !frame.probe) return;
@@ -188,7 +189,7 @@ void follow_probe(EditorState& state, const EditorFrame& frame, glm::ivec2 wante
     }
 }
 
-/// Whose pixels the loupe shows.
+/// Returns the pixel at the centre of the loupe; none: it is hidden.
 std::optional<glm::ivec2> loupe_pixel(const EditorState& state, const EditorFrame& frame) {
     if (state.loupe == LoupeMode::Off) return {};
     if (state.loupe == LoupeMode::Mouse && state.viewport.hovered_pixel) return state.viewport.hovered_pixel;
@@ -201,7 +202,7 @@ const FittedLight* shown_fit(const EditorState& state, const FrameResult& result
     return light >= 0 && std::size_t(light) < result.lights.size() ? &result.lights[std::size_t(light)] : nullptr;
 }
 
-/// The first pane with an overlay, whose legend has the widgets of all; below 0: none has one.
+/// Returns the first pane with an overlay, whose legend has the sliders of all panes; below 0: no pane has one.
 int overlaid_pane(const FrameResult& result) {
     const auto at = std::ranges::find_if(result.panes, [](const Pane& pane) { return pane.overlay > 0; });
     return at == result.panes.end() ? -1 : int(at - result.panes.begin());
@@ -209,7 +210,7 @@ int overlaid_pane(const FrameResult& result) {
 
 void draw_pane(const EditorState& state, const EditorFrame& frame, const Panorama& panes, int index) {
     const FrameResult& result = *frame.result;
-    // Beside the picture stands the other one; both under the same marks.
+    // The compared picture is next to the picture; both get the same marks.
     const Pane& pane = result.panes[std::min(std::size_t(index), result.panes.size() - 1)];
     const ImVec2 lo = panes.lo(index), size = panes.size(), hi(lo.x + size.x, lo.y + size.y);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -227,10 +228,10 @@ void draw_pane(const EditorState& state, const EditorFrame& frame, const Panoram
     else
         draw_legend(pane, shown_fit(state, result), lo.x, bottom, size);
     if (state.viewport.hovered_pixel && index == state.active_pane) {
-        // Above it stands which overlay the pane has, or which side of a comparison it is.
+        // The caption names the pane's overlay, or the side of a comparison.
         const bool named = panes.grid.count() > 1 || state.comparison.view != ComparisonView::Off;
         const float below = named ? ImGui::GetFrameHeight() * 1.3f : 0;
-        hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
+        draw_hover_readout(frame, pane, {lo.x, lo.y + below}, *state.viewport.hovered_pixel);
     }
     if (index == state.active_pane) draw_loupe(state, frame, lo, size);
     list.PopClipRect();
@@ -257,7 +258,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
     ImDrawList& list = *ImGui::GetWindowDrawList();
     list.AddRectFilled(origin, {origin.x + size.x, origin.y + size.y}, theme::well());
     state.shots.scene_rect = {{origin.x, origin.y}, {size.x, size.y}};
-    // After a change of view.panes the pictures are there with the next frame.
+    // After a change of view.panes the pictures follow in the next frame.
     const int pictures = picture_comparison == ComparisonView::Off ? panes.grid.count() : 1;
     if (!frame.result || frame.result->colour.texture == 0 || int(frame.result->panes.size()) != pictures) {
         no_picture(state, frame, origin, size);
@@ -268,7 +269,7 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         "scene picture", size,
         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
     ImGui::SetItemAllowOverlap();
-    // The picture or panel that was clicked last has the arrow keys.
+    // The arrow keys belong to the picture or panel that was clicked last.
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) state.keyboard.probe_has_arrows = ImGui::IsItemHovered();
     follow_probe(state, frame, {panes.grid.width, panes.grid.height});
     steer(state, frame, requests, panes);
@@ -289,8 +290,8 @@ void draw_viewport(EditorState& state, const EditorFrame& frame, EditorRequests&
         draw_legend_widgets(state.settings, frame.result->panes[std::size_t(i)], panes.lo(i).x,
                             panes.lo(i).y + panes.size().y, panes.size());
     if (!frame.shader_log.empty())
-        veiled_text({origin.x + em * 0.8f, origin.y + em * 2.2f},
-                    "A shader does not compile; the last good one is in use (see Log)");
+        draw_text_on_picture({origin.x + em * 0.8f, origin.y + em * 2.2f},
+                             "A shader does not compile; the last good one is in use (see Log)");
     for (int i = 0; i < pictures; ++i)
         if (frame.result->panes[std::size_t(i)].lacks_reference || (i == 0 && awaits_rays(*frame.result))) {
             ImGui::PushID(i);

@@ -25,22 +25,22 @@
 namespace si {
 namespace {
 
-constexpr float kPictures = 10;        ///< least height of the pictures that the tabs below leave, ems
-constexpr float kTabs = 13;            ///< height of the tabs below, ems
-constexpr float kHighTabs = 18;        ///< height of tabs with a drawing, a plot or many numbers, ems
-constexpr float kAllTabs = 40;         ///< width in which all of them have room, ems
-constexpr float kEveryday = 24.6f;     ///< height in which the settings of every day need no scrolling, ems
-constexpr float kMapTexts = 6.2f;      ///< height of what stands above and below the map, ems
-constexpr float kMapPlots = 6.5f;      ///< height of the plots under the map, ems
-constexpr float kBesideSettings = 40;  ///< width that settings wider than a third leave, ems
-constexpr float kFindingTexels = 24;   ///< width of the map viewer about a texel of a finding, texels
-constexpr float kSplitter = 5;         ///< at scale 1, pixels
+constexpr float kPictures = 10;             ///< smallest height of the pictures above the tabs, ems
+constexpr float kTabs = 13;                 ///< height of the tabs below, ems
+constexpr float kHighTabs = 18;             ///< height of tabs with a drawing, a plot or many numbers, ems
+constexpr float kAllTabs = 40;              ///< width that fits all tabs, ems
+constexpr float kFrequentSettings = 24.6f;  ///< height that fits the frequently used settings, ems
+constexpr float kMapTexts = 6.2f;           ///< height of the texts above and below the map, ems
+constexpr float kMapPlots = 6.5f;           ///< height of the plots under the map, ems
+constexpr float kWidthLeftOfSettings = 40;  ///< width that settings wider than a third leave, ems
+constexpr float kFindingTexels = 24;        ///< width of the map viewer about a texel of a finding, texels
+constexpr float kSplitter = 5;              ///< at scale 1, pixels
 
 bool popup_is_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/// A picture of this frame, which shows what is to be seen in it.
+/// Requests a screenshot of a part of this frame.
 void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
     const ImVec2 all = ImGui::GetIO().DisplaySize;
     const ScreenRect rect = of == Shot::Scene     ? state.shots.scene_rect
@@ -59,10 +59,10 @@ void take_shot(EditorState& state, EditorRequests& requests, Shot of) {
 
 struct Dragged {
     float by = 0;        ///< along its axis, pixels
-    bool reset = false;  ///< a double click asks for the place at first
+    bool reset = false;  ///< a double click resets the splitter
 };
 
-/// A bar to drag.
+/// Draws a splitter that the mouse drags.
 Dragged splitter(const char* id, bool vertical, ImVec2 size) {
     ImGui::InvisibleButton(id, size);
     const bool hot = ImGui::IsItemHovered() || ImGui::IsItemActive();
@@ -92,16 +92,16 @@ void tab(EditorState& state, BottomTab which, const char* label, const auto& dra
     ImGui::EndTabItem();
 }
 
-/// The legend of that overlay has numbers.
+/// Returns true if a pane shows the artefact overlay, whose legend has pixel counts.
 bool shows_artefacts(const Settings& settings) {
     return any_pane_shows(settings.view, &Overlay::names_causes);
 }
 
-/// On a tab, or in the row beside them; the arrows that scroll them are pressed fast, too, and lie without.
+/// Returns true at a double click on a tab or the row of tabs, except on the arrows that scroll the tabs.
 bool double_click_on_tabs() {
     const ImGuiTabBar* bar = ImGui::GetCurrentContext()->CurrentTabBar;
     return ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
-           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&  // its tab is
+           ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem) &&  // the active item is the tab
            bar->BarRect.Contains(ImGui::GetIO().MousePos);
 }
 
@@ -117,7 +117,7 @@ void numbers_tab(EditorState& state, const EditorFrame& frame, EditorRequests& r
 }
 
 void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
-    // Tabs that have no room are scrolled to and listed, not squeezed to a letter.
+    // Tabs without room are scrolled and listed, not squeezed.
     ImGuiTabBarFlags flags = ImGuiTabBarFlags_FittingPolicyScroll;
     if (ImGui::GetContentRegionAvail().x < ImGui::GetFontSize() * kAllTabs)
         flags |= ImGuiTabBarFlags_TabListPopupButton;
@@ -146,7 +146,7 @@ void bottom_tabs(EditorState& state, const EditorFrame& frame, EditorRequests& r
     requests.redraw |= state.window.open_tab.has_value();
     requests.want_timing = state.tab == BottomTab::Effects;
     requests.want_error = state.tab == BottomTab::Error;
-    if (double_click_on_tabs()) maximise(state, Panel::Tabs);
+    if (double_click_on_tabs()) toggle_maximised(state, Panel::Tabs);
     ImGui::EndTabBar();
 }
 
@@ -158,7 +158,7 @@ void child(const char* id, ImVec2 size, const auto& draw) {
     ImGui::EndChild();
 }
 
-/// Draws with the usual gaps inside, where there are none between the parts of the window.
+/// Draws a part of the window with the usual gaps inside; the window itself has none between its parts.
 auto spaced(const auto& draw) {
     return [draw] {
         const float em = ImGui::GetFontSize();
@@ -185,7 +185,7 @@ void tabs_panel(EditorState& state, const EditorFrame& frame, EditorRequests& re
     panel(state, Panel::Tabs, "bottom", size, [&] { bottom_tabs(state, frame, requests); });
 }
 
-/// The panel that fills the window.
+/// Draws the panel that fills the window.
 void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     ImVec2 rest = ImGui::GetContentRegionAvail();
     rest.y -= status_bar_height();
@@ -203,7 +203,7 @@ void one_panel(EditorState& state, const EditorFrame& frame, EditorRequests& req
     child("status", {0, status_bar_height()}, spaced([&] { draw_status_bar(state, frame); }));
 }
 
-/// The scene and, where it stands there, the map beside or in it.
+/// Draws the scene and, if placed there, the map next to it or in it.
 void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
@@ -231,17 +231,18 @@ void pictures_row(EditorState& state, const EditorFrame& frame, EditorRequests& 
     ImGui::SetCursorScreenPos(after);
 }
 
-/// The settings and, where it stands there, the map above them.
+/// Draws the settings and, if placed there, the map above them.
 void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& requests, ImVec2 size, float bar) {
     EditorLayout& layout = state.layout;
     const float em = ImGui::GetFontSize();
     ImGui::BeginGroup();
     if (layout.map_place == MapSpot::AboveSettings) {
-        // Until somebody drags it, the map leaves the settings their room, and all that a square does not fill.
+        // Before the first drag, the map leaves the settings enough room, and all room that a square cannot use.
         const bool as_given = layout.map_height == EditorLayout{}.map_height;
         const float square = size.x + em * (layout.map_plots ? kMapTexts + kMapPlots : kMapTexts);
         const float wanted = as_given ? std::min(size.y * layout.map_height, square) : size.y * layout.map_height;
-        const float map = std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kEveryday : 10)));
+        const float map =
+            std::clamp(wanted, em * 8, std::max(em * 8, size.y - em * (as_given ? kFrequentSettings : 10)));
         map_panel(state, frame, requests, {size.x, map});
         if (const Dragged d = splitter("map splitter", false, {size.x, bar}); d.reset)
             layout.map_height = EditorLayout{}.map_height;
@@ -255,7 +256,7 @@ void right_column(EditorState& state, const EditorFrame& frame, EditorRequests& 
 
 /// Returns the largest width of the settings' column: half of the window, a third of a narrow one.
 float most_settings(float width) {
-    return std::clamp(width - kBesideSettings * ImGui::GetFontSize(), width / 3, width / 2);
+    return std::clamp(width - kWidthLeftOfSettings * ImGui::GetFontSize(), width / 3, width / 2);
 }
 
 /// Returns the height that a tab needs, ems. Tabs that a click in the picture opens have the same height.
@@ -280,7 +281,7 @@ void all_panels(EditorState& state, const EditorFrame& frame, EditorRequests& re
     ImGui::BeginGroup();
     draw_strips(state, frame, requests, left);
     const float strips = std::max(0.0f, ImGui::GetCursorPosY() - top), time = time_bar_height(frame);
-    // In a small window the tabs below give way to the pictures.
+    // In a small window the tabs become lower in favour of the pictures.
     const float most = std::max(em * 4, std::min(rest.y * 0.7f, rest.y - strips - bar - time - em * kPictures));
     const float wanted = layout.bottom_height > 0 ? layout.bottom_height : needed_height(state.window.fitted_tab);
     const float bottom = std::clamp(wanted * em, em * 4, most);
@@ -309,7 +310,7 @@ bool text_is_typed() {
     return ImGui::GetIO().WantTextInput || ImGui::GetCurrentContext()->WantTextInputNextFrame == 1;
 }
 
-void maximise(EditorState& state, Panel panel) {
+void toggle_maximised(EditorState& state, Panel panel) {
     if (state.window.maximised == panel)
         state.window.maximised.reset();
     else
@@ -321,24 +322,24 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
     const std::optional<Shot> shot = std::exchange(state.shots.next, {});
     state.shots.scene_rect = state.shots.map_rect = state.shots.drawing_rect = {};
     state.viewport.dragging = false;
-    theme::use(state.layout.light_theme);
+    theme::set_light(state.layout.light_theme);
     use_driver(frame.driver);
     use_scene(frame.scene);
     use_result(frame.result);
     if (frame.result && frame.scene) keep_times(state.times, *frame.result, frame.scene->name, ImGui::GetTime());
-    play_on(state, frame, double(ImGui::GetIO().DeltaTime));
-    // A click in this frame may enter a text field that the letters are for, if frames are slow.
+    advance_animation(state, frame, double(ImGui::GetIO().DeltaTime));
+    // In slow frames, a click in this frame may focus a text field that the typed letters belong to.
     const bool keys_wait = ImGui::IsMouseClicked(ImGuiMouseButton_Left);
     if (!keys_wait) dispatch_shortcuts(state, frame, requests);
     state.lights.listed = false;
-    follow_fix(state, frame);
+    apply_waiting_fix(state, frame);
     const bool waits = follow_artefact_tour(state, frame);
 
     const ImGuiIO& io = ImGui::GetIO();
     ImGui::SetNextWindowPos({0, 0});
     ImGui::SetNextWindowSize(io.DisplaySize);
-    // A smaller window than its least size, which some window managers make, is scrolled.
-    const ImVec2 least(kLeastWidth / 15 * ImGui::GetFontSize(), kLeastHeight / 15 * ImGui::GetFontSize());
+    // A window below its smallest size, which some window managers make, is scrolled.
+    const ImVec2 least(kMinWindowWidth / 15 * ImGui::GetFontSize(), kMinWindowHeight / 15 * ImGui::GetFontSize());
     const bool cramped = io.DisplaySize.x < least.x || io.DisplaySize.y < least.y;
     if (cramped)
         ImGui::SetNextWindowContentSize({std::max(io.DisplaySize.x, least.x), std::max(io.DisplaySize.y, least.y)});
@@ -366,24 +367,24 @@ EditorRequests draw_editor(EditorState& state, const EditorFrame& frame) {
         requests.redraw = true;
     }
     if (state.tab != BottomTab::Objects || (state.window.maximised && *state.window.maximised != Panel::Tabs))
-        state.objects.hovered.clear();  // no list that says it
+        state.objects.hovered.clear();  // the list is hidden, so that no row is hovered
     requests.want_error |= shows_artefacts(state.settings) || waits;
-    share_arrow_keys(state);
-    share_page_keys(state);
+    assign_arrow_keys(state);
+    assign_page_keys(state);
     state.window.had_popup = popup_is_open();
     if (shot) take_shot(state, requests, *shot);
     requests.redraw |= state.shots.next.has_value();
     const bool turning_wheel = ImGui::GetTime() < state.viewport.wheel_until;
     const bool gesture = ImGui::IsAnyItemActive() || state.viewport.dragging || turning_wheel;
     state.history.set_place({state.scene_name, state.files.guide});
-    state.history.observe(state.settings, gesture || state.between_steps);
-    // Not for a click: what the window says of a cursor that is moved there and back would turn the camera.
+    state.history.record(state.settings, gesture || state.between_steps);
+    // The cursor is not hidden for a click: moving it back would turn the camera.
     requests.hold_cursor = state.viewport.flight.on &&
                            (state.viewport.camera_flew || ImGui::IsMouseDragging(ImGuiMouseButton_Right, kClickPixels));
     requests.redraw |= state.playback.playing || turning_wheel || state.viewport.flight.moving;
     requests.at_rest = !gesture && !requests.redraw && !ImGui::IsAnyMouseDown() && io.MouseWheel == 0 &&
                        io.MouseDelta.x == 0 && io.MouseDelta.y == 0;
-    use_driver(nullptr);  // facts of this frame
+    use_driver(nullptr);  // its pointer is valid in this frame only
     use_scene(nullptr);
     use_result(nullptr);
     return requests;

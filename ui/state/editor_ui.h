@@ -43,7 +43,7 @@
 
 namespace si {
 
-/// Comparison to go back to when the key is released that shows A alone.
+/// Comparison to restore when the key that shows A alone is released.
 struct Flicker {
     PictureComparison picture_comparison;
     CompareWith compare;
@@ -52,7 +52,7 @@ struct Flicker {
 /// Centre of the loupe: the probed pixel, or the pixel under the mouse.
 enum class LoupeMode { Probed, Mouse, Off };
 
-/// The part of the editor's state that frames, and the numbers read from them, depend on.
+/// Part of the editor's state that the drawn frame and the numbers read back from it depend on.
 struct PictureState {
     Settings settings;
     CompareWith compare;
@@ -69,7 +69,7 @@ struct PictureState {
     std::optional<FrozenCamera> frozen;  ///< camera that maps are made for while another one moves
 };
 
-/// State of the editor: the state of each panel, and what they share.
+/// State of the editor: the state of each panel, and the state that panels share.
 struct EditorState : PictureState {
     History history;
     Log log;
@@ -100,20 +100,21 @@ struct EditorState : PictureState {
     LabPanel lab;
 };
 
-/// A scene that is being read while the editor shows another.
+/// Progress of a scene that is loading while the editor shows another one.
 struct LoadingFacts {
     std::string name;         ///< built-in key or path
     double progress = 0;      ///< 0..1
     double seconds_left = 0;  ///< estimated; 0: not known yet
 };
 
-/// The first picture of a scene while it is drawn.
+/// Progress of a scene's first picture while it is drawn.
 struct DrawingFacts {
     std::string pass;     ///< pass under way
     double progress = 0;  ///< 0..1
 };
 
-/// Facts about the last frame and the work in the background. Pointers may be null: the editor draws without them.
+/// Facts that panels show: the last frame, the scene and background work. Pointers may be null: the editor then draws
+/// without these facts.
 struct EditorFrame : ProbeFacts,
                      TunePanelFacts,
                      MapPanelFacts,
@@ -143,7 +144,7 @@ struct EditorFrame : ProbeFacts,
     const ArtefactSpots* artefacts = nullptr;  ///< clusters of the last fulfilled request
 };
 
-/// Work that the panels request from the application, in one frame. want_...: facts that a shown panel needs.
+/// Requests of the panels to the application in one frame. Members want_...: facts that a shown panel needs.
 struct EditorRequests : MapRequests,
                         ReferenceRequests,
                         PresetRequests,
@@ -169,10 +170,11 @@ struct EditorRequests : MapRequests,
 };
 
 /// Smallest size of the editor at scale 1 (a font of 15 pixels), pixels. A smaller window scrolls.
-inline constexpr float kLeastWidth = 640;
-inline constexpr float kLeastHeight = 360;
+inline constexpr float kMinWindowWidth = 640;
+inline constexpr float kMinWindowHeight = 360;
 
-/// Draws one frame of the editor into the current ImGui frame; edits state.settings in place.
+/// Draws the whole editor into the current ImGui frame, and edits state.settings in place. Returns the panels'
+/// requests, which the caller fulfils before the next frame.
 EditorRequests draw_editor(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

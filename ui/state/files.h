@@ -10,14 +10,14 @@
 
 namespace si {
 
-/// Paths of the open preset and scene, and the dialogs about them.
+/// Paths of the open preset and scene, and the state of the dialogs that choose files.
 struct FilesState {
     std::string scene_input;                  ///< path of a scene while it is being typed
     std::string preset_path = "preset.json";  ///< file that saving writes
     GuideNote guide;                          ///< sentence of the preset that was opened last
-    std::string hidden_guide;                 ///< key of the note that a person has hidden; empty: none
+    std::string hidden_guide;                 ///< key of the note that the user has hidden; empty: none
     FileDialog dialog;
-    std::optional<Replacement> replace;  ///< file that is replaced once a person agrees
+    std::optional<Replacement> replace;  ///< file that is replaced once the user agrees
 };
 
 }  // namespace si

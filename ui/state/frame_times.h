@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Times of one frame.
+/// GPU times of one frame.
 struct TimedFrame {
     double at_s = 0;         ///< time at which it was shown first, seconds
     double ms = 0;           ///< sum of all passes that ran
@@ -18,7 +18,7 @@ struct TimedFrame {
     bool drew_maps = false;  ///< else maps were cached, or there are none
 };
 
-/// Times of one scene's frames.
+/// Times of one scene's last frames and passes.
 struct FrameTimes {
     static constexpr double kKept_s = 30;  ///< age up to which frames are kept
 
@@ -28,8 +28,8 @@ struct FrameTimes {
     bool newest_is_shown = false;           ///< the newest is the frame that is shown
 };
 
-/// Adds the shown frame's times, if its passes were timed and some ran. Call in every frame of the window; a frame that
-/// stays is added once. @param now_s time of the window's clock, seconds
+/// Adds the shown frame's times to the times of the last frames, if passes were timed and ran. Call in every frame of
+/// the window; a frame that stays is added once. @param now_s time of the window's clock, seconds
 void keep_times(FrameTimes& times, const FrameResult& shown, std::string_view scene, double now_s);
 
 }  // namespace si

@@ -24,7 +24,7 @@ void History::reset(const Settings& settings) {
     untouched_ = settings;
 }
 
-void History::observe(const Settings& settings, bool busy) {
+void History::record(const Settings& settings, bool busy) {
     if (busy) return;
     Place& here = steps_[at_].place;
     if (here.scene.empty()) here = present_;
@@ -34,11 +34,11 @@ void History::observe(const Settings& settings, bool busy) {
         here.guide = present_.guide;
 }
 
-void History::tick(double time_s) {
+void History::set_time(double time_s) {
     untouched_.scene.time = time_s;
 }
 
-void History::follow(const Settings& before, const Settings& after) {
+void History::amend_step(const Settings& before, const Settings& after) {
     if (steps_[at_].settings == before) steps_[at_].settings = after;
     for (const SettingRef& ref : all_settings(after))
         if (const Value value = get_value(after, ref); value != get_value(before, ref))
@@ -65,7 +65,7 @@ void History::commit(const Settings& settings) {
     at_ = before_ = steps_.size() - 1;
 }
 
-const Settings& History::move_to(std::size_t step) {
+const Settings& History::show_step(std::size_t step) {
     before_ = at_;
     at_ = step;
     untouched_ = steps_[at_].settings;
@@ -73,15 +73,15 @@ const Settings& History::move_to(std::size_t step) {
 }
 
 const Settings& History::undo() {
-    return move_to(can_undo() ? at_ - 1 : at_);
+    return show_step(can_undo() ? at_ - 1 : at_);
 }
 
 const Settings& History::redo() {
-    return move_to(can_redo() ? at_ + 1 : at_);
+    return show_step(can_redo() ? at_ + 1 : at_);
 }
 
-const Settings& History::go(std::size_t step) {
-    return move_to(std::min(step, steps_.size() - 1));
+const Settings& History::go_to(std::size_t step) {
+    return show_step(std::min(step, steps_.size() - 1));
 }
 
 std::vector<std::string> History::names() const {
@@ -109,8 +109,8 @@ std::vector<std::string> History::names() const {
     return out;
 }
 
-void History::stay() {
-    move_to(before_);
+void History::cancel_move() {
+    show_step(before_);
 }
 
 }  // namespace si

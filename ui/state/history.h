@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Note of the preset that was opened last.
+/// Note about the preset that was opened last: title and description, shown in a strip.
 struct GuideNote {
     std::string key;  ///< key of a built-in preset, or the file's path; empty: none is open
     std::string title;
@@ -18,51 +18,54 @@ struct GuideNote {
     bool operator==(const GuideNote&) const = default;
 };
 
-/// Scene and preset that settings belong to.
+/// Scene and preset that a step of the history belongs to.
 struct Place {
     std::string scene;  ///< built-in key or path; empty: any
     GuideNote guide;
 };
 
-/// Stack of settings, one entry a step.
+/// History of settings for undo and redo, one entry for each step.
 class History {
 public:
-    /// Starts over from `settings` (a new scene or the start of the program).
+    /// Drops all steps of the history and starts again from `settings` (a new scene, or the start of the program).
     void reset(const Settings& settings);
     /// Sets the scene and preset of the next step. Another scene is a step of its own.
     void set_place(Place place) { present_ = std::move(place); }
-    /// Records changes of the settings. While `busy` (a gesture is under way) nothing is recorded; afterwards all
-    /// changes since the last step become one step. Moves of the camera in a row are one step. Call once a frame.
-    void observe(const Settings& settings, bool busy);
-    /// Takes over scene.time from the playing clock without a step. commit() makes one.
-    void tick(double time_s);
-    /// Adds a change that the program has made by itself (lights that a file animates) to the last step.
-    void follow(const Settings& before, const Settings& after);
-    /// Records a step if anything differs from the last one.
+    /// Records changed settings as a step of undo. While `busy` (a gesture is under way) nothing is recorded;
+    /// afterwards all changes since the last step become one step. Consecutive moves of the camera are one step. Call
+    /// once a frame.
+    void record(const Settings& settings, bool busy);
+    /// Sets scene.time while an animation plays, without a step of undo; commit() makes the step.
+    void set_time(double time_s);
+    /// Adds a change that the program itself has made (lights that a file animates) to the last step of undo.
+    void amend_step(const Settings& before, const Settings& after);
+    /// Records a step of undo if `settings` differ from the last step's.
     void commit(const Settings& settings);
-    /// Returns the name of each step: the settings that it has changed. The first is the beginning.
+    /// Returns the name of each step of undo: the settings that it has changed. The first is the beginning.
     std::vector<std::string> names() const;
     /// Index of the step that is shown.
-    std::size_t at() const { return at_; }
-    /// Goes to a step, clamped to the existing ones. Returns its settings.
-    const Settings& go(std::size_t step);
+    std::size_t index() const { return at_; }
+    /// Goes to a step of the history, clamped to the existing ones. Returns the step's settings.
+    const Settings& go_to(std::size_t step);
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ + 1 < steps_.size(); }
-    /// Goes one step back. Returns its settings; the present ones at the beginning.
+    /// Goes one step back in the history. Returns that step's settings; the present ones at the beginning.
     const Settings& undo();
-    /// Goes one step forward. Returns its settings; the present ones at the end.
+    /// Goes one step forward in the history. Returns that step's settings; the present ones at the end.
     const Settings& redo();
     /// Scene and preset of the step that is shown.
     const Place& place() const { return steps_[at_].place; }
     /// Settings of the step that is shown.
     const Settings& settings() const { return steps_[at_].settings; }
     /// Takes back the last undo or redo, after its scene could not be loaded.
-    void stay();
+    void cancel_move();
 
 private:
     static constexpr std::size_t kLimit = 500;
-    const Settings& move_to(std::size_t step);
+    /// Makes a step of the history the shown one. Returns the step's settings.
+    const Settings& show_step(std::size_t step);
 
+    /// Step of the history: settings with their scene and preset.
     struct Step {
         Settings settings;
         Place place;

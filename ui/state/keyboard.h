@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Owners of the arrow keys and the page keys. ImGui uses both for its own navigation.
+/// Owners of the arrow keys and the page keys, which ImGui uses for its own navigation.
 struct KeyboardState {
     bool probe_has_arrows = false;            ///< the arrow keys move the probe, not the focus
     bool took_navigation = false;             ///< ImGui's keyboard navigation is off for that reason

@@ -6,15 +6,15 @@
 namespace si {
 namespace {
 
-constexpr double kTurn_deg = 75;   ///< between the shown light and one added, or a multiple of it
-constexpr double kApart_deg = 30;  ///< between one added and all others, where there is room
-constexpr int kTurns = 24;         ///< until they come round
+constexpr double kTurn_deg = 75;   ///< angle, or its multiples, from the shown light to an added one
+constexpr double kApart_deg = 30;  ///< smallest angle of an added light to all others, if possible
+constexpr int kTurns = 24;         ///< number of turns of kTurn_deg until directions repeat
 
 bool exists(const Settings& s, int light) {
     return light >= 0 && light < std::min(s.light_count, kMaxLights);
 }
 
-/// Degrees to the nearest of all lights.
+/// Returns the angle to the nearest light, degrees.
 double clearance(const Settings& s, double azimuth) {
     double least = 360;
     for (int i = 0; i < std::min(s.light_count, kMaxLights); ++i)
@@ -57,7 +57,7 @@ void copy_light(Settings& s, int light) {
     const auto after = s.lights.begin() + light + 1;
     std::copy_backward(after, s.lights.begin() + s.light_count, s.lights.begin() + s.light_count + 1);
     *after = s.lights[std::size_t(light)];
-    after->name.clear();  // two of one name would not be told apart
+    after->name.clear();  // two lights of one name could not be distinguished
     ++s.light_count;
     s.view.light = light + 1;
 }
@@ -65,7 +65,7 @@ void copy_light(Settings& s, int light) {
 void delete_light(Settings& s, int light) {
     if (!exists(s, light)) return;
     std::copy(s.lights.begin() + light + 1, s.lights.begin() + s.light_count, s.lights.begin() + light);
-    s.lights[std::size_t(--s.light_count)] = {};  // what is not there leaves no trace
+    s.lights[std::size_t(--s.light_count)] = {};  // unused lights keep no settings
     if (s.view.light > light || s.view.light >= s.light_count) s.view.light = std::max(s.view.light - 1, 0);
 }
 

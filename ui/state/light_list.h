@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Returns true below kMaxLights lights.
+/// Returns true if the settings have room for another light (kMaxLights).
 bool can_add_light(const Settings& settings);
 /// Adds a light with default settings from a direction that no other light has, and shows it. Does nothing at
 /// kMaxLights.
@@ -13,13 +13,14 @@ void add_light(Settings& settings);
 /// Inserts a copy of a light after it, without its name, and shows it. Does nothing without that light or at
 /// kMaxLights.
 void copy_light(Settings& settings, int light);
-/// Deletes a light; does nothing without it.
+/// Deletes a light from the settings; does nothing if there is no such light. @param light index
 void delete_light(Settings& settings, int light);
-/// Returns true if that light alone is on.
+/// Returns true if `light` (an index) is the only light that is on.
 bool is_solo(const Settings& settings, int light);
-/// Switches all other lights off; all on if they are off already.
+/// Switches all lights except `light` (an index) off; switches all on if the others are off already.
 void solo_light(Settings& settings, int light);
-/// Moves a light `places` on in the list (below 0: back), clamped to the list, and shows it.
+/// Moves a light within the list of lights and shows it. @param light index @param places places to move by; negative:
+/// towards the beginning; clamped to the list
 void move_light(Settings& settings, int light, int places);
 
 }  // namespace si

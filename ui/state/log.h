@@ -9,23 +9,25 @@ namespace si {
 
 enum class LogKind { Info, Warning, Error };
 
-/// One message.
+/// Message of the log.
 struct LogLine {
     LogKind kind = LogKind::Info;
     std::string text;
     int count = 1;  ///< times that it was added in a row
 };
 
-/// The last messages, oldest first.
+/// Log of the last messages for the user, oldest first.
 class Log {
 public:
+    /// Adds a message to the log. A repetition of the last message only raises its count.
     void add(LogKind kind, std::string_view text);
+    /// Removes all messages from the log.
     void clear();
     const std::vector<LogLine>& lines() const { return lines_; }
-    /// Returns the number of errors that were added since seen().
+    /// Returns the number of errors that were added since mark_seen().
     int unseen_errors() const { return unseen_; }
     /// Marks all messages as seen.
-    void seen() { unseen_ = 0; }
+    void mark_seen() { unseen_ = 0; }
 
 private:
     static constexpr std::size_t kLimit = 1000;

@@ -39,67 +39,70 @@ float time_bar_height(const EditorFrame& frame);
 /// Draws the popup `id` of presets by topic, while it is open.
 void draw_presets_menu(const char* id, std::span<const PresetEntry> presets, const EditorState& state,
                        EditorRequests& requests);
-/// Returns the width of that popup, pixels.
+/// Returns the width of the popup of presets, pixels.
 float presets_menu_width();
 /// Draws the note of the open preset and the offer to restore a lost session, each if there is one.
 /// @param width pixels; the height follows the text
 void draw_strips(EditorState& state, const EditorFrame& frame, EditorRequests& requests, float width);
 
-/// Returns the sequence of presets that the open one belongs to: the hard cases, or else the guided presets.
+/// Returns the sequence of presets that the open preset belongs to: the hard cases, or else the guided presets.
 std::span<const PresetEntry> open_preset_sequence(const EditorState& state, const EditorFrame& frame);
-/// Returns the preset `step` places after the open one in that sequence; none beyond either end.
+/// Returns the key of the preset `step` places after the open preset in its sequence; none beyond either end.
 std::optional<std::string> neighbour_preset(const EditorState& state, const EditorFrame& frame, int step);
 
 /// Draws the colour scale of a pane's overlay, with numbers and unit, over its picture's lower left corner. Overlays
-/// that tell a light's views apart get a colour a view. @param room size of the picture, pixels @param light null: none
+/// with one colour for each view of a light list these colours. @param left, bottom corner, pixels of the screen
+/// @param room size of the picture, pixels @param light null: none
 void draw_legend(const Pane& pane, const FittedLight* light, float left, float bottom, ImVec2 room);
 
 /// Draws sliders for opacity and scale of a pane's overlay, below its legend.
 void draw_legend_widgets(Settings& settings, const Pane& pane, float left, float bottom, ImVec2 room);
-/// Returns the height of these sliders, pixels; 0: the picture is too small for them.
+/// Returns the height of draw_legend_widgets(), pixels; 0: the picture is too small for sliders.
 float legend_widgets_height(const Settings& settings, const Pane& pane, ImVec2 room);
 
 /// Draws the colours of the artefact overlay with their causes and pixel counts, in its picture's corner.
 void draw_artefact_legend(const LiveError* error, float left, float bottom, float room);
 
-/// Returns the progress of the reference, or the time that it took. Requires frame.truth.
+/// Formats the progress of the ray-traced reference, or the time that tracing took. Requires frame.reference.
 std::string reference_status(const EditorFrame& frame);
 
-/// Draws the progress of the rays over a picture whose overlay waits for them.
+/// Draws the progress of the traced rays over a picture whose overlay waits for the reference.
 void draw_tracing(const EditorFrame& frame, EditorRequests& requests, float left, float bottom, float width);
 
-/// Draws the combo of comparison views (swipe, side by side, difference). @param width pixels
+/// Draws the combo that chooses the view of the picture comparison (swipe, side by side, difference). @param width
+/// pixels
 void comparison_view_widget(EditorState& state, float width);
-/// Draws the combo of the other side of the comparison. @param width pixels
+/// Draws the combo that chooses the other side of the picture comparison. @param width pixels
 void comparison_other_widget(EditorState& state, const EditorFrame& frame, float width);
-/// Returns the chosen comparison view, also while a held key replaces it.
+/// Returns the chosen view of the picture comparison, also while a held key shows another view.
 ComparisonView chosen_comparison(const EditorState& state);
-/// Drags the swipe's line with the mouse. Call before the picture's own gestures. Returns true if it has the press.
+/// Drags the line of the swipe comparison with the mouse. Call before the picture's own gestures. Returns true if the
+/// line has taken the press.
 bool steer_swipe(EditorState& state, const PictureView& view);
-/// Draws the other picture (right of the line, side by side or as a difference) and the names of both sides.
+/// Draws the compared picture (right of the swipe's line, side by side or as a difference) and the names of both sides.
 /// @param lo, size of the picture, pixels of the screen
 void draw_comparison(const EditorState& state, const EditorFrame& frame, glm::vec2 lo, glm::vec2 size, bool right_half);
 
-/// Pins the present settings as A; takes the pin off if they are pinned already.
+/// Pins the present settings as A, to compare later settings with; removes the pin if they are pinned already.
 void pin_settings(EditorState& state);
 /// Shows the picture of the pinned settings alone, until end_flicker(). Without a pin the log says so.
 void begin_flicker(EditorState& state);
 /// Shows the present settings again, with the comparison that begin_flicker() has replaced.
 void end_flicker(EditorState& state);
 
-/// Draws the progress of a scene that is read, with a button that cancels, at the top of a picture. Pixels of the
-/// screen.
+/// Draws the progress of a loading scene, with a button that cancels the loading, at the top of a picture.
+/// @param left, top, width place, pixels of the screen
 void draw_loading(const EditorFrame& frame, EditorRequests& requests, float left, float top, float width);
 
-/// Returns true while a text field takes the keys, in this frame or from the next one on.
+/// Returns true while a text field has the keyboard, in this frame or from the next one on.
 bool text_is_typed();
 
-/// Makes the panel fill the window, or shows all panels again if it does.
-void maximise(EditorState& state, Panel panel);
+/// Makes a panel fill the window, or shows all panels again if the panel fills it already.
+void toggle_maximised(EditorState& state, Panel panel);
 
-/// Draws the line below all panels: last message, frame time, map's bytes and taps, picture's size, driver.
+/// Draws the status bar below all panels: last message, frame time, map's bytes and taps, picture's size, driver.
 void draw_status_bar(EditorState& state, const EditorFrame& frame);
-/// Returns the height of that line, pixels.
+/// Returns the height of the status bar, pixels.
 float status_bar_height();
 
 }  // namespace si

@@ -13,7 +13,7 @@ const Animation* chosen_animation(const EditorFrame& frame, const SceneSettings&
 
 namespace {
 
-/// The settings of a step of this scene at once; those of another wait for it.
+/// Applies a step of undo at once if it belongs to the shown scene; else the step waits for its scene.
 void show_step(EditorState& state, const Settings& settings) {
     const Place& place = state.history.place();
     state.between_steps = !place.scene.empty() && place.scene != state.scene_name;
@@ -31,7 +31,7 @@ void toggle_play(EditorState& state, const EditorFrame& frame) {
     state.playback.playing = true;
     if (state.settings.scene.time >= animation->duration_s) {
         state.settings.scene.time = 0;
-        state.history.tick(0);
+        state.history.set_time(0);
     }
 }
 
@@ -54,12 +54,12 @@ void redo(EditorState& state) {
 }
 
 void go_to_step(EditorState& state, std::size_t step) {
-    if (state.between_steps || step == state.history.at()) return;
+    if (state.between_steps || step == state.history.index()) return;
     stop_playing(state);
-    show_step(state, state.history.go(step));
+    show_step(state, state.history.go_to(step));
 }
 
-void play_on(EditorState& state, const EditorFrame& frame, double seconds) {
+void advance_animation(EditorState& state, const EditorFrame& frame, double seconds) {
     if (!state.playback.playing) return;
     const Animation* animation = chosen_animation(frame, state.settings.scene);
     if (!animation || !(animation->duration_s > 0)) return stop_playing(state);
@@ -71,7 +71,7 @@ void play_on(EditorState& state, const EditorFrame& frame, double seconds) {
     else if (time >= end)
         time = std::fmod(time, end);
     state.settings.scene.time = time;
-    state.history.tick(time);
+    state.history.set_time(time);
     if (ended) stop_playing(state);
 }
 

@@ -60,7 +60,8 @@ void scale_resolution(Settings& settings, bool twice) {
 
 namespace {
 
-/// Returns true while the probed pixel's verdict is of an earlier picture or not there yet, or a pixel is searched.
+/// Returns true while the probed pixel's verdict belongs to an earlier picture or is not known yet, or a pixel is
+/// searched.
 bool verdict_follows(const EditorState& state, const EditorFrame& frame) {
     if (state.artefact_tour.waits_for != 0 || frame.verdict_follows || frame.tracing_probe) return true;
     if (!state.probe_pixel) return false;
@@ -86,9 +87,9 @@ void apply_fix(EditorState& state, const EditorFrame& frame) {
                       : "No fix to apply: the verdict of this pixel names none");
 }
 
-void follow_fix(EditorState& state, const EditorFrame& frame) {
+void apply_waiting_fix(EditorState& state, const EditorFrame& frame) {
     if (!state.probe_panel.fix_waits) return;
-    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // on another pixel
+    if (ImGui::IsMouseClicked(ImGuiMouseButton_Left) || !frame.result)  // the click probes another pixel
         state.probe_panel.fix_waits = false;
     else if (!verdict_follows(state, frame))
         apply_fix(state, frame);

@@ -17,26 +17,28 @@ void remove_bias(Settings& settings);
 void next_light_type(Settings& settings);
 /// Doubles or halves map.resolution, clamped to its range.
 void scale_resolution(Settings& settings, bool twice);
-/// Applies the fix of the probed pixel's verdict for the shown light; without one the log says why. While the verdict
-/// is not there yet, the request waits for follow_fix().
+/// Applies the fix that the probed pixel's verdict proposes for the shown light. Without a fix the log gives the
+/// reason. While the verdict is not known yet, the request waits for apply_waiting_fix().
 void apply_fix(EditorState& state, const EditorFrame& frame);
-/// Applies a waiting fix once its verdict is there. Call once a frame.
-void follow_fix(EditorState& state, const EditorFrame& frame);
+/// Applies a fix that apply_fix() has requested, once the verdict is known. Call once a frame.
+void apply_waiting_fix(EditorState& state, const EditorFrame& frame);
 
-/// A texel of a light's map.
+/// Texel of a light's shadow map.
 struct TexelPlace {
     int light = 0;
     int face = 0;  ///< index of the light's view
     double u = 0;  ///< centre of the texel, 0..1
     double v = 0;  ///< centre of the texel, 0..1
 };
-/// Shows the texels around a place as quads at their stored depths; hides them if they are shown there.
+/// Shows the map's texels around a place as quads at their stored depths in the scene; hides the quads if they are
+/// shown at that place.
 void toggle_quads(Settings& settings, const TexelPlace& place);
-/// Returns true if quads are shown at that place.
+/// Returns true if depth quads are shown around that texel.
 bool shows_quads_at(const Settings& settings, const TexelPlace& place);
-/// Returns the shown light's texel that the pixel under the mouse, else the probed one, reads; nothing outside the map.
+/// Returns the texel of the shown light's map that the pixel under the mouse reads, else the probed pixel; nothing
+/// outside the map.
 std::optional<TexelPlace> pointed_texel(const EditorState& state, const EditorFrame& frame);
-/// Toggles the quads at pointed_texel(), and reports the result in the log.
+/// Shows or hides the depth quads around pointed_texel(), and reports the result in the log.
 void toggle_pointed_quads(EditorState& state, const EditorFrame& frame);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// "2: Walk", so that the number that presets and --set take is seen.
+/// Formats a choice with its number, which presets and --set use: "2: Walk".
 std::string numbered(std::size_t i, const std::string& name) {
     return name.empty() ? fmt::format("{}", i) : fmt::format("{}: {}", i, name);
 }

@@ -14,12 +14,12 @@ namespace si {
 /// Values of a whole-number setting with their names; empty: plain numbers are shown.
 using NamedValues = std::vector<std::pair<int, std::string>>;
 
-/// Returns the animations, scenes or cameras of the file for scene.animation, scene.index or camera.index. Empty for
-/// other settings, without a scene, and if there is nothing to choose from.
+/// Returns the names of the file's animations, scenes or cameras as choices of scene.animation, scene.index or
+/// camera.index. Empty for other keys, without a scene, and if there is nothing to choose from.
 NamedValues scene_choices(const Scene* scene, std::string_view key);
 
-/// Returns the shown light's views (faces, cascades) for view.face; a number past the last means the last. Empty for
-/// other settings and for lights with a single view.
+/// Returns the names of the shown light's views (faces, cascades) as choices of view.face. A number beyond the last
+/// means the last. Empty for other keys and for lights with a single view.
 NamedValues view_choices(const Settings& settings, const FrameResult* result, std::string_view key);
 
 }  // namespace si

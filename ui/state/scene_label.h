@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Returns a built-in scene's label, or a file's name without its folders; "No scene" for an empty name.
+/// Returns the label of a scene: a built-in scene's label, or a file's name without folders; "No scene" for an empty
+/// name.
 std::string scene_label(const std::string& name_or_path);
 
 }  // namespace si

@@ -23,17 +23,17 @@ Bounds local_bounds(const Scene& scene, int node) {
     return all;
 }
 
-/// For each node whether it is this one or below it.
+/// Marks each node that is this one or below it.
 std::vector<char> below(const Scene& scene, int node) {
     std::vector<char> in(scene.nodes.size(), 0);
     if (node < 0) return in;
     in[std::size_t(node)] = 1;
-    for (std::size_t i = std::size_t(node) + 1; i < in.size(); ++i)  // parents come first
+    for (std::size_t i = std::size_t(node) + 1; i < in.size(); ++i)  // parents precede their children
         if (const int parent = scene.nodes[i].parent; parent >= 0) in[i] = in[std::size_t(parent)];
     return in;
 }
 
-/// World bounds of what the marked nodes place, each in a box of its own axes.
+/// Returns the world bounds of the marked nodes' meshes, each by the box in the node's own axes.
 Bounds bounds_of_marked(const Scene& scene, const std::vector<char>& marked) {
     Bounds all;
     for (const Object* o : all_objects(scene)) {

@@ -14,7 +14,7 @@
 
 namespace si {
 
-/// Returns the last part of a node's or a file's path.
+/// Returns the last part of a node's or a file's path, after the last slash.
 std::string last_path_part(const std::string& path);
 
 /// Returns the world bounds of the meshes at these nodes; empty: there are none.
@@ -24,11 +24,11 @@ Bounds bounds_of(const Scene& scene, const std::string& path);
 /// Returns the world bounds of the meshes at this node and all nodes below it.
 Bounds bounds_below(const Scene& scene, const std::string& path);
 
-/// Returns the eight world corners of the node's mesh box in the node's own axes; bits 0, 1, 2 of the index choose x,
-/// y, z. Nothing for a node without a mesh.
+/// Returns the eight world corners of a node's mesh box, aligned to the node's own axes. Bits 0, 1, 2 of a corner's
+/// index choose x, y, z. Nothing for a node without a mesh.
 std::optional<Box> box_of(const Scene& scene, const std::string& path);
 
-/// Returns the paths of this node and all nodes below it that have a mesh.
+/// Returns the paths of the nodes with a mesh among `node` (an index) and all nodes below it.
 std::vector<std::string> mesh_nodes_below(const Scene& scene, int node);
 
 /// Returns the paths of all selected objects.
@@ -37,7 +37,7 @@ std::set<std::string> selected_objects(const EditorState& state);
 bool is_selected(const EditorState& state, const std::string& path);
 /// Selects exactly these objects.
 void select_objects(EditorState& state, std::span<const std::string> paths);
-/// Adds an object to the selection, or removes it.
+/// Adds an object to the selection, or removes it if it is selected.
 void toggle_object(EditorState& state, const std::string& path);
 
 /// Makes these objects the only casters (object.PATH.cast).
@@ -46,7 +46,7 @@ void cast_alone(Settings& settings, const Scene& scene, const std::set<std::stri
 void cast_all(Settings& settings);
 /// Hides these objects (object.PATH.shown).
 void hide(Settings& settings, const std::set<std::string>& paths);
-/// Hides all other objects but the ground under the scene.
+/// Hides all objects except these and the ground under the scene.
 void isolate(Settings& settings, const Scene& scene, const std::set<std::string>& paths);
 /// Shows all objects.
 void show_all(Settings& settings);

@@ -77,7 +77,7 @@ void move_probe(const CommandContext& c) {
         glm::clamp(*c.state.probe_pixel + step * direction, glm::ivec2(0), glm::max(size, glm::ivec2(1)) - 1);
 }
 
-/// Returns the selected objects; without one the log says what to do.
+/// Returns the selected objects; without a selection the log tells the user to select some.
 std::set<std::string> objects_to_hide(const CommandContext& c) {
     std::set<std::string> selected = selected_objects(c.state);
     if (selected.empty() || !c.frame.scene) {
@@ -96,7 +96,7 @@ void isolate_selected(const CommandContext& c) {
         isolate(c.state.settings, *c.frame.scene, selected);
 }
 
-/// The overlay of the pane that the mouse was over last. A comparison shows one pane only.
+/// Returns the overlay setting of the pane that the mouse was over last. A comparison shows one pane only.
 SettingRef active_overlay(const EditorState& state) {
     const int pane = state.comparison.view == ComparisonView::Off ? state.active_pane : 0;
     return *find_setting(overlay_setting(pane));
@@ -180,7 +180,8 @@ constexpr Shortcut kShortcutTable[] = {
      .label = "the panel under the mouse alone, and back",
      .action =
          [](C c) {
-             maximise(c.state, c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
+             toggle_maximised(c.state,
+                              c.state.window.maximised ? *c.state.window.maximised : c.state.window.hovered_panel);
          }},
     {.chord = gesture("double-click a title"), .joined = true},
     {.command = Command::RestorePanels,
@@ -421,17 +422,17 @@ bool popup_open() {
     return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup);
 }
 
-/// The one situation of Ready, PopupOpen, Flying and HandleDragged that holds; none while a text is typed.
+/// Returns the present situation: Ready, PopupOpen, Flying or HandleDragged; none while a text is typed.
 std::optional<When> present_mode(const EditorState& state) {
     if (text_is_typed()) return {};
     if (state.viewport.flight.on) return When::Flying;
     if (state.viewport.handle_drag) return When::HandleDragged;
-    // ImGui closes a menu on Escape before this is asked in the same frame.
+    // ImGui closes a menu on Escape earlier in the same frame, so that the last frame's state counts.
     if (popup_open() || state.window.had_popup) return When::PopupOpen;
     return When::Ready;
 }
 
-/// The situation that contains this one.
+/// Returns the wider situation that contains this one.
 When mode_of(When when) {
     switch (when) {
         case When::Always:
@@ -469,10 +470,10 @@ bool matches(Modifier wanted, bool down) {
     return wanted == Modifier::Any || (wanted == Modifier::Down) == down;
 }
 
-/// Code of a key as the window feeds it; -1: it feeds none.
+/// Returns the window's code (GLFW) of an ImGui key; -1: unknown.
 int window_code(const Chord& chord, int key, const EditorState& state) {
     if (!chord.mapped) return key;
-    // ImGui does not know these while they open presets.
+    // ImGui gets no Page keys while they switch presets.
     if (key == ImGuiKey_PageUp) return state.keyboard.page_keys[0];
     if (key == ImGuiKey_PageDown) return state.keyboard.page_keys[1];
     return ImGui::GetKeyIndex(key);
@@ -484,7 +485,7 @@ const Shortcut& row_of(Command command) {
 
 }  // namespace
 
-bool overlap(When a, When b) {
+bool can_coincide(When a, When b) {
     if (a == When::Always || b == When::Always) return true;
     const bool one = a == When::OnePanel || b == When::OnePanel;
     const bool all = a == When::AllPanels || b == When::AllPanels;
@@ -521,7 +522,7 @@ bool is_held(Command command) {
     return ImGui::IsKeyDown(chord.mapped ? ImGui::GetKeyIndex(chord.first) : chord.first);
 }
 
-void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
+void run_command(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests) {
     row_of(command).action({state, frame, requests});
 }
 
@@ -529,7 +530,7 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
     if (state.flicker && !is_held(Command::ShowPinned)) end_flicker(state);
     const ImGuiIO& io = ImGui::GetIO();
     const std::optional<When> mode = present_mode(state);
-    // An action may change the situation: first all keys, then all requests.
+    // An action may change the situation, so that all keys are read before the first action.
     std::vector<std::pair<const Shortcut*, int>> pressed;
     for (const Shortcut& row : kShortcutTable) {
         const Chord& chord = row.chord;
@@ -544,7 +545,7 @@ void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequ
     for (const auto& [row, k] : pressed) row->action({state, frame, requests, k});
 }
 
-void share_arrow_keys(EditorState& state) {
+void assign_arrow_keys(EditorState& state) {
     ImGuiIO& io = ImGui::GetIO();
     const bool mine = state.keyboard.probe_has_arrows && state.probe_pixel && !popup_open();
     if (mine && (io.ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard)) {
@@ -556,7 +557,7 @@ void share_arrow_keys(EditorState& state) {
     }
 }
 
-void share_page_keys(EditorState& state) {
+void assign_page_keys(EditorState& state) {
     int* const keys = ImGui::GetIO().KeyMap;
     if (keys[ImGuiKey_PageUp] >= 0) state.keyboard.page_keys = {keys[ImGuiKey_PageUp], keys[ImGuiKey_PageDown]};
     const bool theirs = popup_open();

@@ -11,7 +11,7 @@ struct EditorState;
 struct EditorFrame;
 struct EditorRequests;
 
-/// Something that a person triggers by a key. Most have a menu item or a button, too.
+/// Command that a key triggers. Most have a menu item or a button, too.
 enum class Command {
     MouseGesture,  ///< row without a key, for the overview only
     FlyForwards,
@@ -69,7 +69,7 @@ enum class Command {
     CloseOverview,
 };
 
-/// Situation in which a key acts.
+/// Situation of the editor in which a shortcut acts.
 enum class When {
     Always,           ///< whatever else takes the keys
     Ready,            ///< no text is typed, no menu or dialog is open, no camera flies, no handle is dragged
@@ -84,13 +84,13 @@ enum class When {
     HandleDragged,    ///< a light's handle is being dragged
 };
 
-/// True if both situations can hold at the same time.
-bool overlap(When a, When b);
+/// Returns true if both situations can hold at the same time, so that their shortcuts must not share a key.
+bool can_coincide(When a, When b);
 
 /// State of a modifier key that a shortcut requires.
 enum class Modifier { Up, Down, Any };
 
-/// One key, or a range of keys that act alike, with modifiers.
+/// Key of a shortcut, or a range of keys with the same action, with modifiers.
 struct Chord {
     const char* name = "";  ///< "F11", "1 to 9"
     bool mapped = false;    ///< the codes are ImGuiKey values; else codes of the window (GLFW), which equal ASCII
@@ -109,38 +109,38 @@ struct CommandContext {
     int key = 0;  ///< code of the pressed key, in the chord's terms
 };
 
-/// One row of the table.
+/// Row of the table of shortcuts: command, key, situation, label and action.
 struct Shortcut {
     Command command = Command::MouseGesture;
     Chord chord;
     When when = When::Ready;
-    const char* label = "";                           ///< effect of the key; empty: as in the row before
+    const char* label = "";                           ///< effect of the key; empty: the label of the row before
     void (*action)(const CommandContext&) = nullptr;  ///< null: is_held() is polled, or a mouse gesture
     bool repeats = false;                             ///< acts again while the key is held
     bool joined = false;                              ///< shares its line of the overview with the row before
     const char* section = nullptr;                    ///< heading of the overview that begins with this row
 };
 
-/// All shortcuts, in the order of the overview.
+/// Returns all shortcuts, in the order of the overview (F1).
 std::span<const Shortcut> shortcuts();
 
-/// Returns "Ctrl+Shift+S": required modifiers and the key's name.
+/// Formats a shortcut's required modifiers and key: "Ctrl+Shift+S".
 std::string chord_text(const Chord& chord);
-/// Returns the text of the command's first chord. The pointer stays valid.
+/// Returns the text of a command's first key ("Ctrl+S"), for menus. The pointer stays valid.
 const char* key_text(Command command);
-/// Returns a tooltip with the command's key in parentheses: "Writes preset.json (Ctrl+S)".
+/// Returns a tooltip with a command's key in parentheses added: "Writes preset.json (Ctrl+S)".
 std::string with_key(std::string_view tooltip, Command command);
 
-/// Returns true while the command's key is down.
+/// Returns true while a command's key is down.
 bool is_held(Command command);
-/// Performs the command's action, as its key does.
-void run(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Performs the requests of all keys that were pressed in this frame. Call once a frame.
+/// Performs a command's action, as its key does, for menus and buttons.
+void run_command(Command command, EditorState& state, const EditorFrame& frame, EditorRequests& requests);
+/// Performs the actions of all shortcuts whose keys were pressed in this frame. Call once a frame.
 void dispatch_shortcuts(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
 
-/// Gives the arrow keys to the probe or to ImGui's navigation, for the next frame.
-void share_arrow_keys(EditorState& state);
+/// Assigns the arrow keys to the probe or to ImGui's keyboard navigation, for the next frame.
+void assign_arrow_keys(EditorState& state);
 /// Keeps Page up and Page down from scrolling panels, except in menus, for the next frame.
-void share_page_keys(EditorState& state);
+void assign_page_keys(EditorState& state);
 
 }  // namespace si

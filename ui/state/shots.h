@@ -6,10 +6,10 @@
 
 namespace si {
 
-/// Content of a screenshot. Drawing: the probe's cross-section.
+/// Part of the editor that a screenshot shows. Drawing: the probe's cross-section.
 enum class Shot { Scene, Map, Window, Drawing };
 
-/// A part of the screen in ImGui's units, y down. Its size is 0 if it was not drawn.
+/// Rectangle of the screen in ImGui's units, y down. The size is 0 if that part was not drawn.
 struct ScreenRect {
     glm::vec2 lo{0};
     glm::vec2 size{0};

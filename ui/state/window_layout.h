@@ -10,7 +10,7 @@ namespace si {
 /// Place of the map viewer in the window.
 enum class MapSpot { AboveSettings, NextToScene, Inset, Hidden };
 
-/// A part of the window that can fill it.
+/// Part of the editor that can fill the whole window.
 enum class Panel { Scene, Map, Tabs };
 
 /// Tabs of the strip below the pictures.
@@ -28,7 +28,7 @@ struct EditorLayout {
     float map_inset = 20;         ///< width and height, for Inset
     bool map_plots = true;        ///< histogram and depth curve are drawn under the map
     bool light_theme = false;     ///< else the dark one
-    bool desktop_dialogs = true;  ///< the desktop's file dialog is used where there is one
+    bool desktop_dialogs = true;  ///< use the desktop's file dialog if there is one
     bool operator==(const EditorLayout&) const = default;
 };
 

@@ -5,7 +5,7 @@
 
 namespace si {
 
-/// Returns the width of a button with that label, pixels.
+/// Returns the width of an ImGui button with that label, pixels.
 inline float button_width(const char* label) {
     return ImGui::CalcTextSize(label).x + 2 * ImGui::GetStyle().FramePadding.x;
 }

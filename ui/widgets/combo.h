@@ -10,7 +10,7 @@
 
 namespace si {
 
-/// Returns true if a press on the last item only closes a popup elsewhere. ImGui ignores such a press otherwise.
+/// Returns true if the press on the last ImGui item has closed a popup elsewhere. ImGui ignores such a press otherwise.
 inline bool press_closed_other_popup() {
     return ImGui::IsMouseClicked(ImGuiMouseButton_Left) && ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopup) &&
            !ImGui::GetTopMostPopupModal() && !ImGui::IsItemHovered() &&

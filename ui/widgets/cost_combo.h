@@ -5,7 +5,8 @@
 
 namespace si {
 
-/// Draws a combo on a line of its own. @param label text before it, such as "Times"
+/// Draws a combo, on a line of its own, that chooses the kind of frames to time. @param label text in front, such as
+/// "Times" @param cost changed by the combo
 void choose_cost(const char* label, CostCase& cost);
 
 }  // namespace si

@@ -8,7 +8,7 @@
 
 namespace si {
 
-/// Returns the width of a text, pixels.
+/// Returns the width of a text in a font, pixels.
 inline float text_width(const std::string& text, const ImFont* font) {
     return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
 }
@@ -18,7 +18,7 @@ inline bool is_continuation(char byte) {
     return (static_cast<unsigned char>(byte) & 0xc0) == 0x80;
 }
 
-/// Returns a text cut at its end, as for sentences. @param width pixels
+/// Cuts a text at its end, with an ellipsis, so that it fits a width; for sentences. @param width pixels
 inline std::string beginning_that_fits(std::string text, float width, const ImFont* font) {
     if (text_width(text, font) <= width) return text;
     while (!text.empty() && text_width(text + "…", font) > width) {
@@ -28,7 +28,7 @@ inline std::string beginning_that_fits(std::string text, float width, const ImFo
     return text + "…";
 }
 
-/// Returns a text cut at its beginning, as for paths. @param width pixels
+/// Cuts a text at its beginning, with an ellipsis, so that it fits a width; for paths. @param width pixels
 inline std::string end_that_fits(std::string text, float width, const ImFont* font) {
     if (text_width(text, font) <= width) return text;
     for (std::size_t at = 1; at < text.size(); ++at)

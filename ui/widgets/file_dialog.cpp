@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostEntries = 5000;
+constexpr std::size_t kMaxEntries = 5000;
 constexpr const char *kOpenTitle = "Open a scene or a preset", *kSaveTitle = "Save the preset as";
 
 bool is_shown(const fs::path& file, FileDialog::Job job, FileDialog::Kind kind) {
@@ -60,7 +60,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
         d.problem = fmt::format("{}: {}", wanted.string(), error.message());
         return;
     }
-    for (const fs::directory_iterator end; it != end && !error && entries.size() < kMostEntries; it.increment(error)) {
+    for (const fs::directory_iterator end; it != end && !error && entries.size() < kMaxEntries; it.increment(error)) {
         const std::string name = it->path().filename().string();
         std::error_code unreadable;
         const bool is_folder = it->is_directory(unreadable);
@@ -77,7 +77,7 @@ void read_folder(FileDialog& d, const fs::path& wanted) {
     d.problem.clear();
 }
 
-/// The list; returns the entry that was double-clicked.
+/// Draws the list of files. Returns the entry that was double-clicked.
 std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
     std::optional<FileDialog::Entry> entered;
     ImGui::PushStyleColor(ImGuiCol_ChildBg, theme::well());
@@ -112,7 +112,7 @@ std::optional<FileDialog::Entry> draw_entries(FileDialog& d, float height) {
     return entered;
 }
 
-/// Folders of what was opened lately, the last one first.
+/// Returns the folders of recently opened files, the latest first.
 std::vector<std::string> recent_folders(const EditorFrame& frame) {
     std::vector<std::string> folders;
     for (const auto& paths : {frame.recent_scenes, frame.recent_presets})
@@ -156,7 +156,7 @@ void draw_places(FileDialog& d, const EditorFrame& frame) {
     }
 }
 
-/// Tab goes on with what is typed.
+/// Completes the typed path at Tab.
 int complete(ImGuiInputTextCallbackData* data) {
     const FileDialog& d = *static_cast<const FileDialog*>(data->UserData);
     const std::string completed = completed_path(d.folder, data->Buf, d.job, d.kind);
@@ -177,7 +177,7 @@ void choose(EditorState& state, EditorRequests& requests) {
     if (d.job == FileDialog::Job::Open) {
         requests.open_file = path.string();
     } else {
-        requests.save_preset = preset_path(path).string();
+        requests.save_preset = with_preset_extension(path).string();
         requests.save_about = d.about;
     }
     ImGui::CloseCurrentPopup();
@@ -196,7 +196,7 @@ void open_file_dialog(FileDialog& d, FileDialog::Job job, const fs::path& path, 
     d.asked = true;
 }
 
-fs::path preset_path(fs::path path) {
+fs::path with_preset_extension(fs::path path) {
     if (lower_extension(path) != ".json") path += ".json";
     return path;
 }

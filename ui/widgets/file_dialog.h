@@ -1,4 +1,4 @@
-// File dialog: opens scenes and presets, or asks for a name to save a preset under.
+// File dialog: opens scenes and presets, or chooses a name to save a preset under.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,13 @@ struct EditorState;
 struct EditorRequests;
 struct EditorFrame;
 
-/// State of the dialog.
+/// State of the editor's own file dialog.
 struct FileDialog {
+    /// Purpose of the dialog.
     enum class Job { Open, SavePreset };
+    /// Kind of files that the dialog lists.
     enum class Kind { All, Models, Presets };
+    /// File or folder that the dialog lists.
     struct Entry {
         std::string name;
         bool folder = false;
@@ -32,7 +35,7 @@ struct FileDialog {
     bool type_on = false;        ///< a folder was read; the next typed text is a name in it
 };
 
-/// Request for the desktop's own dialog.
+/// Request to open the desktop's own file dialog.
 struct DesktopFileDialog {
     FileDialog::Job job = FileDialog::Job::Open;
     FileDialog::Kind kind = FileDialog::Kind::All;
@@ -40,18 +43,20 @@ struct DesktopFileDialog {
     std::string name;  ///< name that is proposed for saving
 };
 
-/// Opens the dialog in the folder of `path`, with its name when saving.
+/// Opens the editor's file dialog in the folder of `path`, with the file's name when saving. @param about sentence to
+/// save in the preset
 void open_file_dialog(FileDialog& dialog, FileDialog::Job job, const std::filesystem::path& path,
                       const std::string& about = {});
-/// Returns the path with the extension of a preset.
-std::filesystem::path preset_path(std::filesystem::path path);
-/// Returns the typed path, completed as far as all matching files and folders agree. @param folder base of the path
+/// Returns the path with the extension of a preset (.json) added if it is missing.
+std::filesystem::path with_preset_extension(std::filesystem::path path);
+/// Completes a typed path as far as all matching files and folders agree, as Tab does in a shell. @param folder base of
+/// relative paths
 std::string completed_path(const std::filesystem::path& folder, const std::string& typed, FileDialog::Job job,
                            FileDialog::Kind kind);
-/// Draws the dialog while it is open. The chosen file becomes a request; if the desktop's own dialog is available and
-/// switched on, opening that becomes the request instead.
+/// Draws the file dialog while it is open. The chosen file becomes a request. If the desktop's own dialog is available
+/// and switched on, the request is to open that one instead.
 void draw_file_dialog(EditorState& state, const EditorFrame& frame, EditorRequests& requests);
-/// Draws the question before a file is replaced that was neither opened nor saved here.
+/// Draws the question whether a file may be replaced that this editor has neither opened nor saved.
 void draw_replace_dialog(EditorState& state, EditorRequests& requests);
 
 }  // namespace si

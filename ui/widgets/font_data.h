@@ -1,11 +1,13 @@
-// The fonts that travel inside the binary; empty when none was found at build time.
+// Fonts embedded in the program; empty if none was found at build time.
 #pragma once
 
 #include <span>
 
 namespace si {
 
+/// Returns the embedded font for body text as the bytes of a TrueType file; empty: none.
 std::span<const unsigned char> regular_font();
+/// Returns the embedded bold font as the bytes of a TrueType file; empty: none.
 std::span<const unsigned char> strong_font();
 
 }  // namespace si

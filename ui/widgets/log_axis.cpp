@@ -9,8 +9,8 @@
 namespace si {
 namespace {
 
-constexpr double kMargin = 0.06;      // of the logarithm's range, beyond the outermost values
-constexpr double kLeastRange = 0.15;  // decades
+constexpr double kMargin = 0.06;    // margin beyond the outermost values, as a share of the logarithm's range
+constexpr double kMinRange = 0.15;  // smallest range, decades
 
 std::string tick_text(double value) {
     if (value >= 0.001 && value < 1e5) return fmt::format("{:.6g}", value);
@@ -23,7 +23,7 @@ std::string bytes_tick_text(double value) {
     return value < kMiB ? fmt::format("{:.6g} KiB", value / kKiB) : fmt::format("{:.6g} MiB", value / kMiB);
 }
 
-/// Powers of two, of which at most some eight have numbers; where there are few of them, parts as well.
+/// Adds ticks at powers of two, at most about eight with numbers; for short ranges also fractions of them.
 void add_bytes_ticks(LogAxis& axis) {
     const double octaves = std::log2(axis.high / axis.low);
     const int parts = octaves < 1 ? 8 : octaves < 3 ? 4 : 1;
@@ -39,7 +39,7 @@ void add_bytes_ticks(LogAxis& axis) {
 
 }  // namespace
 
-double LogAxis::at(double value) const {
+double LogAxis::position(double value) const {
     const double begin = zero ? kZeroShare : 0;
     if (value <= 0) return 0;
     const double share = std::log(value / low) / std::log(high / low);
@@ -60,7 +60,7 @@ LogAxis log_axis(std::span<const double> values, bool bytes) {
     }
     if (most > 0) {
         double lo = std::log10(least), hi = std::log10(most);
-        const double more = std::max(kMargin * (hi - lo), 0.5 * (kLeastRange - (hi - lo)));
+        const double more = std::max(kMargin * (hi - lo), 0.5 * (kMinRange - (hi - lo)));
         lo -= more;
         hi += more;
         axis.low = std::pow(10, lo);
@@ -72,7 +72,7 @@ LogAxis log_axis(std::span<const double> values, bool bytes) {
         return axis;
     }
     const double decades = std::log10(axis.high / axis.low);
-    // The fewer decades, the more of 1 to 9 in each has a line, and of those a number.
+    // Fewer decades get more lines within each decade, and more numbers.
     const auto numbered = [&](int digit) {
         if (digit == 1 || decades < 0.7) return true;
         if (decades < 1.6) return digit == 2 || digit == 3 || digit == 5;

@@ -7,26 +7,26 @@
 
 namespace si {
 
-/// Ends and ticks of the axis.
+/// Logarithmic axis of a plot: ends and ticks, with a place for zero.
 struct LogAxis {
     double low = 0.1;   ///< lower end of the logarithmic part, above 0
     double high = 10;   ///< upper end of the logarithmic part, above `low`
     bool zero = false;  ///< values of zero (or less) have a place before `low`
-    /// A line across the plot.
+    /// Tick of the axis: a line across the plot, with or without a number.
     struct Tick {
         double value = 0;
         std::string text;  ///< empty: a line without a number
     };
     std::vector<Tick> ticks;  ///< within low..high, rising; zero first if it has a place
 
-    /// Returns the place of a value, 0..1. With a place for zero, that is 0, and the logarithmic part starts at
-    /// kZeroShare.
-    double at(double value) const;
+    /// Returns the position of a value along the axis, 0..1. If zero has a place, its position is 0 and the logarithmic
+    /// part starts at kZeroShare.
+    double position(double value) const;
     static constexpr double kZeroShare = 0.07;
 };
 
-/// Returns an axis that holds all finite values; the default axis without any. @param bytes values are bytes: ticks are
-/// at powers of two, "512 KiB"
+/// Makes a logarithmic axis that spans all finite values; the default axis without any. @param bytes values are bytes:
+/// ticks are at powers of two, "512 KiB"
 LogAxis log_axis(std::span<const double> values, bool bytes = false);
 
 }  // namespace si

@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* kGroups[] = {"What is wrong", "Bias", "Resolution", "Depth", "Debug"};
 
-// Nine digits alone, nine with each of these held.
+// Digits 1 to 9, alone and with each of these modifiers.
 constexpr std::string_view kHeld[] = {"", "Shift+", "Alt+", "Ctrl+"};
 constexpr int kDigits = 9;
 
@@ -27,7 +27,7 @@ constexpr std::string_view kPanes[] = {"view.overlay", "view.overlay_2", "view.o
 
 constexpr float kLabel = 13.5f, kKey = 3.6f;  ///< widths in a line, ems
 
-/// A line of the list. @param number of the overlay's row + 1; 0: none
+/// Draws a line of the list. @param number the overlay's row + 1; 0: none
 bool line(const char* label, std::string_view help, int number, int chosen) {
     const float em = ImGui::GetFontSize();
     ImGui::PushID(number);
@@ -43,7 +43,7 @@ bool line(const char* label, std::string_view help, int number, int chosen) {
     return picked;
 }
 
-/// A heading and the overlays below it. Returns the one that was picked; 0: none was.
+/// Draws a heading and the overlays below it. Returns the clicked overlay's row + 1; 0: none.
 int group_lines(OverlayGroup group, int chosen) {
     ImGui::Dummy({0, ImGui::GetFontSize() * 0.15f});
     ImGui::TextDisabled("%s", kGroups[std::size_t(group)]);
@@ -85,7 +85,7 @@ bool overlay_widget(Settings& settings, std::string_view key, float width) {
     ImGui::SetNextItemWidth(width);
     if (begin_combo("##value", shown, ImGuiComboFlags_HeightLargest)) {
         if (line("none", "The shaded picture", 0, chosen)) wanted = 0;
-        // Beside each other all are in sight in a small window, too.
+        // Several columns fit into a small window without scrolling.
         for (const auto& column : {std::vector{OverlayGroup::Wrong, OverlayGroup::Bias},
                                    {OverlayGroup::Resolution, OverlayGroup::Depth, OverlayGroup::Debug}}) {
             if (column.front() != OverlayGroup::Wrong) ImGui::SameLine(0, ImGui::GetFontSize());

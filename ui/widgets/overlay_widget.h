@@ -8,16 +8,18 @@
 
 namespace si {
 
-/// Draws a combo for a setting whose values are overlays. Returns true if the value has changed. @param width pixels
+/// Draws a combo for a setting whose values are overlays, grouped by purpose. Returns true if the value has changed.
+/// @param key dotted key of the setting @param width pixels
 bool overlay_widget(Settings& settings, std::string_view key, float width);
 
 /// Modifier keys that are held with a digit.
 struct HeldKeys {
     bool shift = false, alt = false, ctrl = false;
 };
-/// Returns the overlay of a digit, 1 to 9, as its row + 1; 0: none, or several modifiers are held.
+/// Returns the overlay that a digit key with modifiers shows, as its row in the overlay table + 1; 0: none, or several
+/// modifiers are held. @param digit 1 to 9
 int overlay_of_digit(int digit, const HeldKeys& held);
-/// Returns the key of an overlay, given as its row + 1: "4", "Shift+4". "0" for none.
+/// Returns the key that shows an overlay: "4", "Shift+4"; "0" for none. @param number row in the overlay table + 1
 std::string overlay_key(int number);
 
 /// Returns the key of the setting that holds a pane's overlay. @param pane index from 0

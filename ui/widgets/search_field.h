@@ -7,8 +7,9 @@
 
 namespace si {
 
-/// Draws a text field over the free width, with a button that clears it. @param leave free pixels right of it
-/// @param about addition to its tooltip, such as "; other engines' names count too"
+/// Draws a search field over the free width, with a button that clears it. @param hint text of the empty field
+/// @param leave free pixels right of the field @param about addition to the field's tooltip, such as "; other engines'
+/// names count too"
 void search_field(const char* id, const char* hint, std::string& text, float leave = 0, const char* about = "");
 
 }  // namespace si

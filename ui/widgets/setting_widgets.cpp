@@ -27,14 +27,14 @@ namespace si {
 namespace {
 
 constexpr float kSettingTip = 26;  ///< width of a setting's tooltip, ems
-constexpr double kWide = 1e5;      ///< ranges beyond this are dragged: a slider would be too coarse
+constexpr double kWide = 1e5;      ///< larger ranges get a drag field, because a slider would be too coarse
 
-/// The unit as it stands after a number.
+/// Returns a setting's unit as written after a number.
 std::string unit_suffix(std::string_view unit) {
     return unit.empty() ? "" : unit == "deg" ? "°" : fmt::format(" {}", unit);
 }
 
-/// One of them: "1 texel". @param unit as it stands after a number
+/// Returns the singular of a unit: "1 texel". @param unit unit as written after a number
 std::string one_of(const std::string& unit) {
     return unit.size() > 3 && unit.ends_with('s') ? unit.substr(0, unit.size() - 1) : unit;
 }
@@ -81,7 +81,7 @@ void tooltip(const Settings& settings, const SettingRef& ref) {
     ImGui::EndTooltip();
 }
 
-/// Sets a value, and moves what may not overlap with it.
+/// Sets a value, and moves settings that must not overlap with it.
 void change(Settings& settings, const SettingRef& ref, const Value& value) {
     set_value(settings, ref, value);
     push_splits(settings, ref);
@@ -148,7 +148,7 @@ bool integer(const Param& p, int& value, const std::string& unit) {
     if (p.logarithmic) flags |= ImGuiSliderFlags_Logarithmic;
     const std::string format = "%d" + (value == 1 ? one_of(unit) : unit);
     if (!slider("##value", ImGuiDataType_S32, &value, &lo, &hi, format.c_str(), flags)) return false;
-    // Sizes are powers of two by habit: dragging finds those, typing gives any.
+    // Dragging snaps sizes to powers of two; typing accepts any size.
     if (p.logarithmic && ImGui::IsMouseDown(ImGuiMouseButton_Left) && value > 0) {
         const unsigned below = std::bit_floor(unsigned(value));
         value = std::clamp(int(double(value) * value > 2.0 * below * below ? 2 * below : below), lo, hi);
@@ -177,8 +177,8 @@ bool is_tiny(double value) {
     return std::abs(value) >= 5e-7 && std::abs(value) < 1e-4;
 }
 
-/// For ImGui; what it shows is also what a drag rounds to, and no value may change the number of digits, as the way
-/// that the mouse has gone on a logarithmic slider is measured by them.
+/// Returns the number format for ImGui. A drag rounds to the shown digits. The number of digits must not depend on the
+/// value, because ImGui derives the steps of a logarithmic slider from it.
 std::string number_format(const SettingRef& ref, double value, const std::string& unit, bool of_texels) {
     const Param& p = *ref.param;
     if (p.zero_is_auto && value == 0) {
@@ -193,19 +193,19 @@ std::string number_format(const SettingRef& ref, double value, const std::string
     return (p.max >= 9999.5 && !dragged ? "%.5g" : "%.4g") + shown;
 }
 
-/// @param counted_in shown_unit(), where `unit` may be left out
+/// Draws the widget of a number. @param counted_in shown_unit() @param unit empty: left out
 bool real(const SettingRef& ref, double& value, const std::string& unit, std::string_view counted_in) {
     const Param& p = *ref.param;
     const bool of_texels = counted_in == "texels";
     const std::string format = number_format(ref, value, unit, of_texels);
     if (p.slider_max > 0) {
-        // Useful biases are a small part of the range of depths or metres.
+        // Useful biases are a small part of the range in depths or metres, so that the slider is logarithmic.
         const double most = counted_in == "depth" ? 1 : p.slider_max;
         const ImGuiSliderFlags flags =
             p.logarithmic || !of_texels ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None;
         if (!slider("##value", ImGuiDataType_Double, &value, &p.min, &most, format.c_str(), flags)) return false;
         value = std::clamp(value, p.min, p.max);
-        // Six digits after the point, of which %.6g would leave more to small numbers.
+        // Six decimals; %.6g would show more for small numbers.
         if (!of_texels && std::abs(value) < 1 && ImGui::IsMouseDown(ImGuiMouseButton_Left))
             value = std::round(value * 1e6) / 1e6;
         return true;
@@ -220,7 +220,7 @@ bool real(const SettingRef& ref, double& value, const std::string& unit, std::st
     return slider("##value", ImGuiDataType_Double, &value, &p.min, &p.max, format.c_str(), flags);
 }
 
-/// Takes only what the row allows: what is typed or pasted beyond that changes nothing.
+/// Draws a text field for a text setting. Text that the row does not allow changes nothing.
 bool text_input(const SettingRef& ref, std::string& value) {
     std::string typed = value;
     if (!ImGui::InputTextWithHint("##value", "none", &typed)) return false;
@@ -233,7 +233,7 @@ bool text_input(const SettingRef& ref, std::string& value) {
 }
 
 /// Returns true if the setting has no effect, and changing it alone would not give it one.
-bool dead(Settings& settings, const SettingRef& ref) {
+bool cannot_take_effect(Settings& settings, const SettingRef& ref) {
     if (without_effect(settings, ref).empty()) return false;
     const Param& p = *ref.param;
     const Value now = get_value(settings, ref);
@@ -247,7 +247,7 @@ bool dead(Settings& settings, const SettingRef& ref) {
     return still;
 }
 
-/// The widget and its menu inside the ID scope of the row. @param idle see dead()
+/// Draws a setting's widget and its menu inside the ID scope of its row. @param idle see cannot_take_effect()
 bool widget_and_menu(Settings& settings, const SettingRef& ref, float width, const NamedValues& names, bool idle) {
     const Param& p = *ref.param;
     Value value = get_value(settings, ref);
@@ -303,7 +303,7 @@ bool setting_menu(Settings& settings, const SettingRef& ref) {
 
 bool setting_widget(Settings& settings, const SettingRef& ref, float width, const NamedValues& names) {
     ImGui::PushID(setting_key(ref).c_str());
-    const bool changed = widget_and_menu(settings, ref, width, names, dead(settings, ref));
+    const bool changed = widget_and_menu(settings, ref, width, names, cannot_take_effect(settings, ref));
     ImGui::PopID();
     return changed;
 }
@@ -319,7 +319,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::PushID(setting_key(ref).c_str());
-    const bool idle = dead(settings, ref);
+    const bool idle = cannot_take_effect(settings, ref);
     const float dot = ImGui::GetFontSize() * 0.75f;
     const ImVec2 start = ImGui::GetCursorScreenPos();
     ImGui::AlignTextToFramePadding();
@@ -329,7 +329,7 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
     }
     ImGui::SetCursorPosX(ImGui::GetCursorPosX() + dot);
     ImGui::PushStyleColor(ImGuiCol_Text, idle ? theme::faint() : theme::text());
-    // The column shows it up to its padding's end.
+    // The column clips the label at the end of its padding.
     const float room = ImGui::GetContentRegionAvail().x + ImGui::GetStyle().CellPadding.x;
     ImGui::TextUnformatted(beginning_that_fits(std::string(p.label), room, ImGui::GetFont()).c_str());
     ImGui::PopStyleColor();
@@ -342,17 +342,17 @@ bool setting_row(Settings& settings, const SettingRef& ref, const NamedValues& n
 }
 
 void menu_button(const char* label, const char* popup, const char* hint, float width) {
-    // While another menu is open, the press that closes it opens this one.
+    // The press that closes another menu opens this one.
     const bool pressed = ImGui::Button(label);
-    const bool beside = press_closed_other_popup() && !ImGui::IsPopupOpen(popup);
-    if (pressed || beside) ImGui::OpenPopup(popup);
+    const bool closed_other = press_closed_other_popup() && !ImGui::IsPopupOpen(popup);
+    if (pressed || closed_other) ImGui::OpenPopup(popup);
     const ImVec2 lo = ImGui::GetItemRectMin(), hi = ImGui::GetItemRectMax();
     if (ImGui::IsItemHovered() && !ImGui::IsPopupOpen(popup)) ImGui::SetTooltip("%s", hint);
     const float most = ImGui::GetIO().DisplaySize.x - width - ImGui::GetFontSize() * 0.3f;
     ImGui::SetNextWindowPos({std::max(std::min(lo.x, most), 0.0f), hi.y + ImGui::GetFontSize() * 0.2f});
 }
 
-void flow(float width) {
+void same_line_if_fits(float width) {
     ImGui::SameLine();
     if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
 }

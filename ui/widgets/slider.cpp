@@ -8,13 +8,13 @@
 namespace si {
 namespace {
 
-/// @param id of the slider
+/// Draws the slider's mark below its number. @param id ImGui id of the slider
 void draw_mark(const ImRect& frame, ImGuiID id, ImGuiDataType type, void* value, const void* least, const void* most,
                const char* format, ImGuiSliderFlags flags) {
-    // Asked for a widget that nobody holds it says where the knob is, and changes nothing.
-    const ImGuiID nobody = ImHashStr("mark", 0, id);
+    // For an inactive id, ImGui's function returns the knob's place and changes nothing.
+    const ImGuiID inactive = ImHashStr("mark", 0, id);
     ImRect knob;
-    ImGui::SliderBehavior(frame, nobody, type, value, least, most, format, flags, &knob);
+    ImGui::SliderBehavior(frame, inactive, type, value, least, most, format, flags, &knob);
     const ImGuiStyle& style = ImGui::GetStyle();
     const float height = std::max(std::floor(style.FramePadding.y - 0.5f), 2.0f);
     const ImVec2 lo(knob.Min.x, frame.Max.y - height), hi(knob.Max.x, frame.Max.y);

@@ -9,8 +9,8 @@ namespace {
 
 constexpr float kBodyPixels = 15.0f, kSmallPixels = 13.0f;
 
-// Latin, punctuation, super- and subscripts, arrows, mathematics, geometric shapes. Digits are left out: they are
-// added apart, all of one width, so that changing numbers do not jitter.
+// Latin, punctuation, super- and subscripts, arrows, mathematics, geometric shapes. Digits are added separately with
+// one width, so that changing numbers do not jitter.
 constexpr ImWchar kLetters[] = {0x20,   0x2f,   0x3a,   0xff,   0x100,  0x17f,  0x370,  0x3ff,  0x2000, 0x2027,
                                 0x2070, 0x209f, 0x2190, 0x21ff, 0x2200, 0x22ff, 0x25a0, 0x25ff, 0};
 constexpr ImWchar kDigits[] = {0x30, 0x39, 0};
@@ -28,7 +28,7 @@ void add_font(std::span<const unsigned char> data, float pixels) {
     config.OversampleH = 3;
     config.PixelSnapH = true;
     config.RasterizerMultiply = 1.1f;
-    void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer and only reads
+    void* bytes = const_cast<unsigned char*>(data.data());  // ImGui takes a mutable pointer but only reads
     atlas.AddFontFromMemoryTTF(bytes, int(data.size()), pixels, &config, kLetters);
     config.MergeMode = true;
     config.GlyphMinAdvanceX = config.GlyphMaxAdvanceX = std::round(pixels * 0.53f);
@@ -71,7 +71,7 @@ constexpr Colours kLightTheme{.text = IM_COL32(26, 26, 27, 255),
 
 bool light_in_use = false;
 
-/// Into the style of the current context.
+/// Copies the theme's colours into the style of the current ImGui context.
 void set_colours() {
     const Colours& theme = colours();
     const auto by = [](float dark, float light) { return grey(light_in_use ? light : dark); };
@@ -139,7 +139,7 @@ ImFont* small() {
     return fonts.Size > 2 ? fonts[2] : fonts[0];
 }
 
-void apply(float scale) {
+void apply_style(float scale) {
     ImGuiStyle style;
     style.WindowPadding = {10, 8};
     style.FramePadding = {7, 3.5f};
@@ -177,7 +177,7 @@ const Colours& colours() {
     return colours(light_in_use);
 }
 
-void use(bool light) {
+void set_light(bool light) {
     if (light == light_in_use) return;
     light_in_use = light;
     set_colours();

@@ -17,7 +17,7 @@ struct Colours {
     ImU32 line;
     ImU32 accent;  ///< changed values
     ImU32 error, warning;
-    ImU32 note;  ///< behind remarks to the person
+    ImU32 note;  ///< behind notes for the user
     ImU32 done;  ///< filled part of a progress bar
     ImU32 bar;   ///< bars of a plot
 };
@@ -82,15 +82,18 @@ inline ImU32 rgb(const std::array<std::uint8_t, 3>& c) {
 
 /// Fills the font atlas of the current ImGui context: [0] body, [1] strong, [2] small. Call before the first frame.
 void load_fonts(float scale);
-/// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until use().
-void apply(float scale);
-/// Goes over to the light theme or the dark one.
-void use(bool light);
+/// Sets the style of the current ImGui context; `scale` 1 is for a screen of about 96 dots per inch. Dark until
+/// set_light().
+void apply_style(float scale);
+/// Switches the editor's colours to the light theme or the dark one.
+void set_light(bool light);
 
-/// An opaque colour; components 0 to 1, as shaders have them.
+/// Converts an RGB colour with components 0 to 1 to an opaque ImGui colour.
 ImU32 colour(const glm::vec3& rgb);
 
+/// Returns the bold font, for headings and names.
 ImFont* strong();
+/// Returns the small font, for marks over pictures and plots.
 ImFont* small();
 
 }  // namespace si::theme

@@ -31,7 +31,7 @@ inline void place_tooltip() {
     }
 }
 
-/// Returns the text with line breaks at spaces. ImGui would break after points, too, as in "map.resolution".
+/// Breaks a text into lines at spaces only. ImGui would break after points, too, as in "map.resolution".
 /// @param width largest width of a line, pixels
 inline std::string broken_at_spaces(std::string_view text, float width) {
     std::string out;
