@@ -66,7 +66,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, AdviceTest);
 SI_TESTS_ARE(Repeated, AdviceTest);
-TEST_F(AdviceTest, KeepsWhatItSaysOnBuiltInScenes) {
+TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
     for (const char* name : {"boxes", "teapot"}) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
@@ -75,7 +75,7 @@ TEST_F(AdviceTest, KeepsWhatItSaysOnBuiltInScenes) {
     }
 }
 
-TEST_F(AdviceTest, FindsWhatIsForNothing) {
+TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = settings_for(scene, {{"filter.kernel", "pcss"}, {"light.size", "0.01"}, {"light.cascades", "4"}});
     std::vector<TriedAdvice> all = advised(scene, s);
@@ -88,7 +88,7 @@ TEST_F(AdviceTest, FindsWhatIsForNothing) {
     keeps_what_it_says(scene, s, all);
 }
 
-TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNone) {
+TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     // Seen from straight above, under a light from straight above, 115 m from the origin.
     const glm::dvec3 far_off(80, 0, 80);
@@ -123,7 +123,7 @@ TEST_F(AdviceTest, AStoppedSearchThrows) {
 }
 
 /// Frames of which only one thing moves draw what depends on it, and no more.
-TEST_F(AdviceTest, MotionsDrawWhatDependsOnThem) {
+TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     const Scene scene = load_scene("boxes");
     Measurer measurer(renderer, width, height);
     const auto ran = [&](const Sets& sets, CostCase cost) {

@@ -78,8 +78,8 @@ Settings lit_by(LightType type, LightFit fit = LightFit::Scene) {
     return s;
 }
 
-SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory);
-TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
+SI_TEST_IS(Repeated, BiasOverlays, LeastBiasAndSlackEqualTheFormulas);
+TEST_F(BiasOverlays, LeastBiasAndSlackEqualTheFormulas) {
     const Scene scene = hills();
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
                                     {LightType::Directional, LightFit::Lispsm},
@@ -129,7 +129,7 @@ TEST_F(BiasOverlays, LeastBiasAndSlackAreThoseOfTheTheory) {
             }
 }
 
-TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
+TEST_F(BiasOverlays, AcneAppearsWhereSlackIsNegative) {
     const Scene scene = hills();
     Settings s = lit_by(LightType::Directional);
     s.bias = test::no_bias();
@@ -147,7 +147,7 @@ TEST_F(BiasOverlays, SlackBelowZeroIsWhereAcneIs) {
 }
 
 // A pixel's step in the map by central differences of exact positions.
-TEST_F(BiasOverlays, DensityIsBothSingularValues) {
+TEST_F(BiasOverlays, DensityEqualsBothSingularValues) {
     const Scene scene = hills();
     for (const auto& [type, fit] : {std::pair{LightType::Directional, LightFit::Scene},
                                     {LightType::Directional, LightFit::Lispsm},

@@ -27,7 +27,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, BlocksTest);
-TEST_F(BlocksTest, AreReadAsTheSameBitsEitherWay) {
+TEST_F(BlocksTest, BuffersAndImagesGiveTheSameBits) {
     if (!renderer.driver().blocks_as_images) GTEST_SKIP() << "this driver reads uniform blocks";
     static const std::vector<Sets> cases = {
         {{"shading.shininess", "20"}},

@@ -25,7 +25,7 @@ protected:
     }
 };
 
-TEST_F(CascadesTest, OneIsAsIfThereWereNone) {
+TEST_F(CascadesTest, OneCascadeEqualsASingleMap) {
     const Scene scene = load_scene("stage");
     for (const Change& plain :
          {Change{}, {{"light.fit", "manual"}, {"light.extent", "4"}}, {{"light.type", "point"}}}) {
@@ -40,7 +40,7 @@ TEST_F(CascadesTest, OneIsAsIfThereWereNone) {
 }
 
 // The band mixes what two maps say, by the share that the chooser names: the nearest texels looked up by hand.
-TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
+TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
     Scene near = load_scene("stage");
     for (const char* reversed : {"false", "true"}) {
         const Settings s = settings_for(near, {{"light.cascades", "3"},
@@ -94,9 +94,9 @@ TEST_F(CascadesTest, ThePixelsAreThoseOfTheirMaps) {
     }
 }
 
-SI_TEST_IS(Repeated, CascadesTest, NothingIsReadBesideAMap);
+SI_TEST_IS(Repeated, CascadesTest, NothingIsReadOutsideAMap);
 // Where taps would reach beyond a map's sides or its far plane, the answer there would show.
-TEST_F(CascadesTest, NothingIsReadBesideAMap) {
+TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
     for (const char* name : {"stage", "landscape"}) {
         const Scene scene = load_scene(name);
         for (const char* elevation : {"90", "35"})
@@ -136,7 +136,7 @@ TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
     }
 }
 
-TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
+TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
     const Scene scene = load_scene("boxes");
     const auto map_state = [&](const Settings& s) {
         for (const PassInfo& p : renderer.render(scene, s, small()).passes)
@@ -153,8 +153,8 @@ TEST_F(CascadesTest, FollowTheCameraAndOnlyThey) {
     }
 }
 
-SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesThem);
-TEST_F(CascadesTest, TheProbeNamesThem) {
+SI_TEST_IS(Repeated, CascadesTest, TheProbeNamesTheCascade);
+TEST_F(CascadesTest, TheProbeNamesTheCascade) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {{"light.cascades", "4"}, {"light.cascade_blend", "0.3"}});
     FrameResult frame;

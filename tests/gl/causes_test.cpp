@@ -106,8 +106,8 @@ protected:
     std::string last_;
 };
 
-SI_TEST_IS(Repeated, CausesTest, AreTheSameInCxxAndOnTheGpu);
-TEST_F(CausesTest, AreTheSameInCxxAndOnTheGpu) {
+SI_TEST_IS(Repeated, CausesTest, CpuAndGpuAgree);
+TEST_F(CausesTest, CpuAndGpuAgree) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5_nearest", "pcf9"}) {
         Settings s = test::texel_settings(kernel, 256, 0.4);
@@ -231,7 +231,7 @@ TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
     EXPECT_GE(named(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
 }
 
-TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsTheOffsets) {
+TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
     const Scene scene = test::wall_on_plane();
     Settings s = test::low_sun_settings("pcf3", 4096, 2);
     s.lights[0].elevation = 40;
@@ -265,8 +265,8 @@ TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
     EXPECT_LT(count(measure(scene, s), Artefact::Undersampled), undersampled / 20);
 }
 
-SI_TEST_IS(Repeated, CausesTest, EdgesOfABoxOnAPlaneStayEdges);
-TEST_F(CausesTest, EdgesOfABoxOnAPlaneStayEdges) {
+SI_TEST_IS(Repeated, CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges);
+TEST_F(CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges) {
     for (const char* kernel : {"hard", "pcf3"}) {
         const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
         Settings s = test::texel_settings(kernel, 4096, kernel[0] == 'h' ? 2.2 : 5.2);
@@ -312,8 +312,8 @@ const std::vector<Fault>& faults() {
     return all;
 }
 
-SI_TEST_IS(Repeated, CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin);
-TEST_F(CausesTest, EachFaultAndEachPairIsToldAgainstItsRepairedTwin) {
+SI_TEST_IS(Repeated, CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows);
+TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) {
     Scene scene = test::floor_and_box(10, {1.5, 0.6, 2}, 0.3);
     const int grey = add_material(scene, "more grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "sheet", -1, add_mesh(scene, "sheet", make_plane(1.5, 1.5), grey), moved(2.5, 1.1, 1));
@@ -400,7 +400,7 @@ Scene masked_sheet(bool levels) {
     return scene;
 }
 
-TEST_F(CausesTest, MasksThatCoarserLevelsThinOutAreLostCasters) {
+TEST_F(CausesTest, MasksThinnedByCoarserMipLevelsAreLostCasters) {
     Settings s = test::texel_settings("hard", 128, 2);
     s.camera.distance = 7;
     const MeasuredError coarse = measure(masked_sheet(true), s), fine = measure(masked_sheet(false), s);
@@ -410,7 +410,7 @@ TEST_F(CausesTest, MasksThatCoarserLevelsThinOutAreLostCasters) {
     EXPECT_GE(share, 0.95) << last_;
 }
 
-TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
+TEST_F(CausesTest, TapsOutsideTheMapAreClassifiedAsItsSeam) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 12);
     s.lights[0].fit = LightFit::Manual;
@@ -426,7 +426,7 @@ TEST_F(CausesTest, TapsBeyondTheMapsSidesAreToldAsItsSeam) {
     EXPECT_GT(seams, 50u);
 }
 
-TEST_F(CausesTest, ACubeHasNoSeams) {
+TEST_F(CausesTest, ACubeMapHasNoSeams) {
     const Scene scene = test::floor_and_box(10, {0.5, 0.5, 0.5}, 0);
     Settings s = test::texel_settings("pcf9", 64, 8);
     s.lights[0].type = LightType::Point;
@@ -439,8 +439,8 @@ TEST_F(CausesTest, ACubeHasNoSeams) {
     }
 }
 
-SI_TEST_IS(Repeated, CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight);
-TEST_F(CausesTest, EachFaultIsToldInCornersOnTerrainAndUnderEveryLight) {
+SI_TEST_IS(Repeated, CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight);
+TEST_F(CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight) {
     struct Place {
         const char* what;
         Scene scene;

@@ -17,7 +17,7 @@ protected:
     }
 };
 
-TEST_F(ColoursTest, DepthBands) {
+TEST_F(ColoursTest, DepthBandsFollowDepth) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(
         scene,
@@ -42,7 +42,7 @@ TEST_F(ColoursTest, DepthBands) {
     for (const int count : bands) EXPECT_GT(count, 20);
 }
 
-TEST_F(ColoursTest, OverlayScales) {
+TEST_F(ColoursTest, OverlayScalesFollowTheirValues) {
     const Scene scene = load_scene("boxes");
     for (const auto& [overlay, low, middle, high] :
          {std::tuple{"own-depth", shared::SEQUENTIAL_LOW, shared::SEQUENTIAL_MIDDLE, shared::SEQUENTIAL_HIGH},

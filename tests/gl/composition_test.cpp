@@ -13,7 +13,7 @@ class CompositionTest : public FrameTest {};
 
 // Each pixel of a soft shadow is wholly lit or wholly dim, by whether its visibility reaches the alpha test; a dim one
 // has the share of diffuse light that was asked for.
-TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
+TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf9", 128, 6);
@@ -50,7 +50,7 @@ TEST_F(CompositionTest, IsLitFrom99PercentOnAndDimBelow) {
     }
 }
 
-TEST_F(CompositionTest, IsTheSameWhetherVisibilityIsAPassOfItsOwn) {
+TEST_F(CompositionTest, FusedAndSeparateVisibilityGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"shading.composition", "dim-lit"}});
     const ByteImage fused = picture(scene, s);
@@ -62,7 +62,7 @@ TEST_F(CompositionTest, IsTheSameWhetherVisibilityIsAPassOfItsOwn) {
 
 // The two ways to a place in the map are one in exact numbers: in single precision they differ by what its digits are
 // worth, which grows with how far the camera stands from what it sees.
-TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingsAlone) {
+TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
         Settings s = test::texel_settings("pcf3", 1024, 3);

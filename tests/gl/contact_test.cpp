@@ -6,7 +6,7 @@
 #include "renderer/settings/sources.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 namespace si {
 namespace {
@@ -62,7 +62,7 @@ TEST_F(ContactTest, APlaneAloneStaysLit) {
 // A box on a floor without any other shadow, held against rays as long as the marched ones: what they find dark, and
 // what they leave lit. The camera sees the box from the side that the light does not, so that its near faces stand for
 // it.
-TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
+TEST_F(ContactTest, OccludersWithinTheRayLengthDarkenAPixel) {
     for (const test::Place& place : kPlaces)
         for (const LightType type : kLightTypes) {
             Scene scene = test::floor_and_box(10, {1.5, 1, 2});
@@ -105,7 +105,7 @@ TEST_F(ContactTest, DarkenWhatTheRayMeetsWithinItsLength) {
 }
 
 // Bias has moved the shadow off its caster: the contact's is back, and what is wrong elsewhere stays as it was.
-TEST_F(ContactTest, BringBackWhatBiasLost) {
+TEST_F(ContactTest, ContactShadowsRestoreShadowsThatBiasRemoved) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     Settings s = test::texel_settings("pcf3", 512, 40);
     const auto measured = [&] { return measure_error(renderer, scene, s, request, 0, {}, cache).metrics; };
@@ -121,7 +121,7 @@ TEST_F(ContactTest, BringBackWhatBiasLost) {
         << "what they darken wrongly bears their name";
 }
 
-TEST_F(ContactTest, AreAFactorOnAnySource) {
+TEST_F(ContactTest, ContactShadowsMultiplyAnySource) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "none"}, {"light.contact", "1"}});
     const FloatImage factor = visibility(scene, s);

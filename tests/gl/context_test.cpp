@@ -39,7 +39,7 @@ TEST(HeadlessContext, IsACoreDebugContextOfVersion45) {
     EXPECT_EQ(context.description().rfind("EGL ", 0), 0u) << context.description();
 }
 
-TEST(HeadlessContext, TwoLiveSideBySideAndSwitch) {
+TEST(HeadlessContext, TwoContextsCanBeSwitched) {
     HeadlessContext first;
     GLuint made = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &made);
@@ -53,7 +53,7 @@ TEST(HeadlessContext, TwoLiveSideBySideAndSwitch) {
     EXPECT_EQ(glGetError(), GLenum(GL_NO_ERROR));
 }
 
-TEST(HeadlessContext, FiftyOnesLeaveNothingBehind) {
+TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const auto cycle = [] {
         const HeadlessContext context;
         GLuint texture = 0;  // 16 MiB, cleared so that it is really there
@@ -82,7 +82,7 @@ TEST(HeadlessContext, NeedsNoDisplay) {
         unsetenv("DISPLAY");
 }
 
-TEST(WindowContext, SaysWhatToDoWithoutADisplay) {
+TEST(WindowContext, WithoutADisplayTheErrorNamesTheFix) {
     unsetenv("WAYLAND_DISPLAY");
     setenv("DISPLAY", ":nowhere", 1);
     try {

@@ -30,7 +30,7 @@ protected:
     static FrameRequest maps() { return {.width = 64, .height = 48, .outputs = {.colour = false, .shadow_map = true}}; }
 };
 
-TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
+TEST_F(DepthBlur, EqualsTheMeanOfNeighboursInEveryFormatAndLightType) {
     const Scene scene = load_scene("boxes");
     const std::pair<const char*, double> formats[] = {
         {"d16", 2.0 / 65535}, {"d24", 1e-6}, {"d32f", 1e-6}, {"colour", 1e-6}};
@@ -72,7 +72,7 @@ TEST_F(DepthBlur, IsTheMeanOfTheNeighboursInEveryFormatAndForEveryLight) {
             }
 }
 
-TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
+TEST_F(DepthBlur, BlursTheLayersOfEveryLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.fit", "scene"},
                                       {"map.resolution", "32"},
@@ -93,7 +93,7 @@ TEST_F(DepthBlur, OfSeveralLightsBlursEachLayer) {
     }
 }
 
-TEST_F(DepthBlur, RunsOnlyWhenAskedForAndIsReused) {
+TEST_F(DepthBlur, RunsOnlyWhenEnabledAndIsCached) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
     const FrameResult off = renderer.render(scene, s, small());

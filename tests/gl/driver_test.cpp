@@ -37,7 +37,7 @@ protected:
     }
 };
 
-TEST_F(DriverTest, IsTheOneThatTheRunNames) {
+TEST_F(DriverTest, IsTheDriverThatTheRunNames) {
     const DriverInfo& d = renderer.driver();
     EXPECT_NE(d.renderer.find(test::named_driver()), std::string::npos) << d.renderer;
     RecordProperty("driver", d.renderer + ", " + d.version);
@@ -47,7 +47,7 @@ TEST_F(DriverTest, IsTheOneThatTheRunNames) {
 int offsets_set = 0;
 decltype(epoxy_glPolygonOffset) real_offset = nullptr;
 
-TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
+TEST_F(DriverTest, PolygonOffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     Settings s = settings_for(scene);
     glPolygonOffset(0, 0);  // epoxy looks a function up when it is first called
     real_offset = epoxy_glPolygonOffset;
@@ -73,7 +73,7 @@ TEST_F(DriverTest, OffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
 }
 
 // OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least what can be told apart.
-TEST_F(DriverTest, OffsetsAreWithinWhatOpenGLAllows) {
+TEST_F(DriverTest, PolygonOffsetsLieWithinTheBoundsOfOpenGL) {
     for (std::size_t i = 0; i < kMapFormats; ++i) {
         const PolygonOffset& offset = renderer.driver().offset[i];
         SCOPED_TRACE(i);
@@ -110,7 +110,7 @@ std::vector<double> state() {
     return out;
 }
 
-TEST_F(DriverTest, MeasuringAnOffsetLeavesTheStateAsItWas) {
+TEST_F(DriverTest, MeasuringAnOffsetRestoresTheState) {
     const DriverInfo usual = renderer.driver();
     draw(settings_for(scene));  // a program, a framebuffer and vertices are bound
     glDepthFunc(GL_NOTEQUAL);
@@ -139,9 +139,9 @@ std::set<GLuint> linked, used;
 decltype(epoxy_glLinkProgram) real_link = nullptr;
 decltype(epoxy_glUseProgram) real_use = nullptr;
 
-SI_TEST_IS(Repeated, DriverTest, CompilesWhatAFrameUses);
+SI_TEST_IS(Repeated, DriverTest, CompilesOnlyTheProgramsThatAFrameUses);
 // A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
-TEST_F(DriverTest, CompilesWhatAFrameUses) {
+TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     const GLuint program = glCreateProgram();
     glLinkProgram(program);
     glUseProgram(0);  // epoxy looks a function up when it is first called
@@ -180,7 +180,7 @@ TEST_F(DriverTest, CompilesWhatAFrameUses) {
 int stamps = 0;
 decltype(epoxy_glQueryCounter) real_stamp = nullptr;
 
-TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
+TEST_F(DriverTest, PassTimesUseTheReliableClockAndSumUpToTheFrame) {
     const DriverInfo& d = renderer.driver();
     const bool honest = d.query_share > 0.5 && d.query_share < 2;
     EXPECT_EQ(d.clock, honest ? "GPU timer queries" : "finished wall time (CPU rasteriser)") << d.query_share;
@@ -228,7 +228,7 @@ TEST_F(DriverTest, PassTimesAreByTheClockThatTellsTheTruthAndSumUpToTheFrame) {
 std::chrono::steady_clock::time_point query_began;
 decltype(epoxy_glBeginQuery) real_begin = nullptr;
 
-TEST_F(DriverTest, TheClockFollowsWhatQueriesShowAndSaysSo) {
+TEST_F(DriverTest, TheClockFollowsTheQueriesAndIsReported) {
     { const gl::PassClock first; }  // epoxy looks functions up when they are first called
     {
         const Instead lying(

@@ -61,9 +61,9 @@ const std::vector<Sets>& varied() {
     return all;
 }
 
-SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
-SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence);
-TEST_F(EffectsTest, EveryPassIsAnEffectOfItsStateAndEveryReasonASentence) {
+SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
+SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
+TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
     FrameRequest request = small();
     request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;
     for (const char* name : {"stage", "boxes", "plane", "figures"}) {
@@ -92,7 +92,7 @@ struct Remedied {
     Sets after;
 };
 
-TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
+TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
     const Remedied all[] = {
         {"shadow map 0 (directional)", {{"light.cast", "false"}}, "light.cast", {}},
         {"shadow map 0 (directional)", {{"light.source", "none"}}, "light.source", {{"light.source", "map"}}},
@@ -146,7 +146,7 @@ TEST_F(EffectsTest, WhatAReasonNamesIsWhatCallsForTheEffect) {
 }
 
 /// A reason that names one of two things that an effect lacks would be no remedy.
-TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
+TEST_F(EffectsTest, ViewsThatAreNotShownAreReportedAsUnused) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> all = effects(scene, {});
     const auto says = [&](const std::vector<Effect>& list, const char* name, const char* what) {
@@ -165,7 +165,7 @@ TEST_F(EffectsTest, WhatNobodyLooksAtIsSaidToBeUnasked) {
               EffectState::Drawn);
 }
 
-TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
+TEST_F(EffectsTest, MasksCountOnlyInScenesThatHaveThem) {
     EXPECT_EQ(state_of_effect(effects(load_scene("boxes"), {}), "alpha test in maps of light 0"),
               EffectState::NotNeeded);
     const Scene stage = load_scene("stage");
@@ -175,7 +175,7 @@ TEST_F(EffectsTest, MasksCountAsTheSceneHasThem) {
     EXPECT_EQ(state_of_effect(effects(opaque, {}), "alpha test in maps of light 0"), EffectState::NotNeeded);
 }
 
-TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
+TEST_F(EffectsTest, EachFaceAndCascadeIsAnEffect) {
     const Scene scene = load_scene("boxes");
     const auto count = [](const std::vector<Effect>& all, const char* what) {
         return std::count_if(all.begin(), all.end(), [&](const Effect& e) { return e.name.starts_with(what); });
@@ -184,7 +184,7 @@ TEST_F(EffectsTest, EachFaceAndCascadeIsOne) {
     EXPECT_EQ(count(effects(scene, {{"light.cascades", "3"}}), "cascade "), 3);
 }
 
-TEST_F(EffectsTest, WhatIsKeptIsReused) {
+TEST_F(EffectsTest, CachedResultsAreReportedAsCached) {
     const Scene scene = load_scene("boxes");
     effects(scene, {});
     const std::vector<Effect> again = effects(scene, {{"camera.azimuth", "80"}});
@@ -194,7 +194,7 @@ TEST_F(EffectsTest, WhatIsKeptIsReused) {
               EffectState::Drawn);
 }
 
-TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
+TEST_F(EffectsTest, AForcedEffectIsDrawn) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"light.cast", "false"}, {"shading.separate_visibility", "true"}};
     const Effect* spared = nullptr;
@@ -210,7 +210,7 @@ TEST_F(EffectsTest, ForcedASpentEffectIsSimulated) {
     EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
 }
 
-TEST_F(EffectsTest, WhatSavingsSpareWithinAPassIsNamedWithThemAndSimulatedWhereTheyAreForced) {
+TEST_F(EffectsTest, PartsSkippedByOptimisationsNameThemAndAreDrawnWhenForced) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"filter.kernel", "pcss"}, {"light.size", "0"}};
     const std::pair<const char*, Optimisation> all[] = {{"visibility texture", Optimisation::Fused},
@@ -240,7 +240,7 @@ std::string reason_of(const std::vector<Effect>& effects, std::string_view name)
     return effect ? effect->reason : "";
 }
 
-TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
+TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> rays = effects(scene, {{"filter.kernel", "smrt"}, {"light.size", "1"}});
     EXPECT_EQ(state_of_effect(rays, "blocker search"), EffectState::Drawn);
@@ -274,7 +274,7 @@ TEST_F(EffectsTest, ASearchIsToldAsTheKernelMakesItUnderEachLight) {
         for (const Effect& e : *all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
 }
 
-TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
+TEST_F(EffectsTest, TexelsOfLookUpsAreAnUpperBound) {
     const Scene scene = load_scene("boxes");
     const Sets no_size = {
         {"filter.kernel", "pcss"}, {"filter.taps", "20"}, {"filter.blocker_taps", "10"}, {"light.size", "0"}};
@@ -288,7 +288,7 @@ TEST_F(EffectsTest, TexelsOfLookUpsAreThoseThatAreFetchedAtMost) {
               "Kernel Hard (nearest) fetches up to 1 texel a look-up.");
 }
 
-TEST_F(EffectsTest, WhatIsNotLookedUpIsNotSearched) {
+TEST_F(EffectsTest, WithoutALookUpThereIsNoSearch) {
     const Scene scene = load_scene("boxes");
     Sets away = {{"filter.kernel", "pcss"}, {"camera.source", "manual"}, {"camera.target_x", "500"}};
     for (const bool separate : {false, true}) {
@@ -311,7 +311,7 @@ TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
     EXPECT_EQ(saved_together(all, all[2]), 1u);
 }
 
-TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
+TEST_F(EffectsTest, EmptyScenesAndFarLightsHaveEffects) {
     Scene empty;
     finalise(empty);
     for (const Effect& e : effects(empty, {})) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
@@ -327,7 +327,7 @@ TEST_F(EffectsTest, AnEmptySceneAndFarLightsHaveEffectsToo) {
         6);
 }
 
-TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
+TEST(PassParts, ReportedByPassesAreEffectsWithTheirOptimisation) {
     Scene scene;
     finalise(scene);
     FrameResult frame;
@@ -349,7 +349,7 @@ TEST(Parts, ThatPassesReportAreEffectsWithTheirSaving) {
     EXPECT_EQ(part->state, EffectState::Drawn);
 }
 
-TEST(Sentences, KeepKeysAndStops) {
+TEST(Sentences, KeepKeysAndFullStops) {
     EXPECT_EQ(sentence("nothing reads it"), "Nothing reads it.");
     EXPECT_EQ(sentence("map.virtual is off"), "map.virtual is off.");
     EXPECT_EQ(sentence("Done."), "Done.");

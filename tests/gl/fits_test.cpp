@@ -50,8 +50,8 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, FitsTest);
-SI_TEST_IS(DriverIndependent, FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections);
-TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
+SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections);
+TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirections) {
     struct Sun {
         const char *azimuth, *elevation;
     };
@@ -82,9 +82,9 @@ TEST_F(FitsTest, WhatLiesBeyondIsLitInTruthOverAllScenesAndDirections) {
     }
 }
 
-SI_TEST_IS(DriverIndependent, FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth);
+SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras);
 // Wherever the camera stands, within the scene too: of the pixels that it sees none beyond the map is in shadow.
-TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
+TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> unit(-1, 1);
     std::size_t beyond = 0, shadowed = 0;
@@ -129,7 +129,7 @@ TEST_F(FitsTest, WhatRandomCamerasSeeBeyondIsLitInTruth) {
     RecordProperty("cases", std::to_string(closed) + " " + std::to_string(open));
 }
 
-TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
+TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     for (const char* wrap : {"border", "clamp", "repeat", "range"})
         for (const char* outside : {"lit", "unlit"}) {
@@ -151,7 +151,7 @@ TEST_F(FitsTest, BeyondItNeitherWrapNorOutsideDecides) {
         }
 }
 
-TEST_F(FitsTest, KernelsAreWholeAtTheRim) {
+TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
     // Seen from straight above, the edges of the box's shadow lie on the region's sides: what a kernel greys beyond
     // them must not be cut off. The same map by hand reads on everywhere.
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.5);
@@ -215,7 +215,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
     EXPECT_LT(half_width("view", "0").first, half_width("casters", "0").first);
 }
 
-TEST_F(FitsTest, AProbeSaysThatNothingCanCastAShadowThere) {
+TEST_F(FitsTest, AProbeReportsPointsThatNoCasterCanShadow) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2});
     Settings s = test::texel_settings("pcf3", 512, 3);
     s.lights[0].fit = LightFit::Casters;

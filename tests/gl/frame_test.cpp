@@ -22,7 +22,7 @@ double shadowed_share(const FloatImage& visibility) {
     return double(dark) / double(visibility.data.size());
 }
 
-TEST_F(FrameTest, SameInputsSameBytesAlsoInAnotherRenderer) {
+TEST_F(FrameTest, EqualInputsGiveEqualBytesInAnotherRenderer) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
     const ByteImage first = picture(scene, s);
@@ -73,10 +73,10 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     }
 }
 
-SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange);
+SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange);
 // Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's
 // does not.
-TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureBeyondTheMapsRange) {
+TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
     FrameRequest request = small();
     request.outputs = {.colour = false, .visibility = true};
@@ -220,7 +220,7 @@ TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
     EXPECT_EQ(different_pixels(plain, none), 0u);
 }
 
-TEST_F(FrameTest, PlanReusesWhatIsUnchangedAndRunsWhatIsNot) {
+TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
     FrameRequest request = small();
@@ -297,8 +297,8 @@ std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequ
     return out;
 }
 
-SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingLeaveThePixelsAlone);
-TEST_F(FrameTest, SkippingAndCachingLeaveThePixelsAlone) {
+SI_TEST_IS(Repeated, FrameTest, SkippingAndCachingChangeNoPixel);
+TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     const Scene scene = load_scene("stage");
     for (const auto& extra : std::vector<std::vector<std::pair<std::string, std::string>>>{
              {},
@@ -410,7 +410,7 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     EXPECT_GT(sum(s), none);
 }
 
-TEST_F(FrameTest, AnObjectThatCeasesToCastIsKnownToTheFit) {
+TEST_F(FrameTest, TheFitIgnoresObjectsThatNoLongerCast) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
     EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);

@@ -55,7 +55,7 @@ TEST_F(GeometryOverlays, WireframeDrawsVisibleEdges) {
     EXPECT_FALSE(drawn_near(96, 50));
 }
 
-TEST_F(GeometryOverlays, LeaveNoTraceInLaterPasses) {
+TEST_F(GeometryOverlays, ChangeNothingInLaterPasses) {
     const Scene scene = load_scene("boxes");
     const ByteImage before = picture(scene, settings_for(scene));
     for (const char* overlay : {"wireframe", "overdraw"}) {

@@ -33,7 +33,7 @@ std::string fix(const GoldenPicture& picture) {
 class GoldenTest : public FrameTest, public testing::WithParamInterface<std::string> {};
 
 SI_TESTS_ARE(Repeated, GoldenTest);
-TEST_P(GoldenTest, RowsAreDrawnAsTheyWere) {
+TEST_P(GoldenTest, RowsMatchTheirGoldenPictures) {
     const std::string driver = driver_at_hand();
     const std::optional<double> most = most_different(driver);
     if (!most) GTEST_SKIP() << "the golden pictures are llvmpipe's, and this is " << driver;
@@ -72,7 +72,7 @@ std::string table_name(const testing::TestParamInfo<std::string>& info) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GoldenTest, testing::ValuesIn(golden_tables()), table_name);
 
-TEST(GoldenPictures, AreOfRowsThatThereAre) {
+TEST(GoldenPictures, ShowExistingRows) {
     std::set<std::filesystem::path> rows;
     for (const std::string& table : golden_tables())
         for (const GoldenPicture& picture : golden_pictures(table)) rows.insert(golden_file(golden_folder(), picture));

@@ -165,7 +165,7 @@ TEST_F(GroundTest, AModelAloneShowsItsShadow) {
     EXPECT_EQ(first_picture(session_of(box_alone(), {"scene.ground=off"})).ground, 0u);
 }
 
-TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
+TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     const Session with = session_of(box_alone()), without = session_of(box_alone(), {"scene.ground=off"});
     ASSERT_FALSE(with.scene.ground_bounds.empty());
     EXPECT_TRUE(without.scene.ground_bounds.empty());
@@ -220,7 +220,7 @@ TEST_F(GroundTest, ItReceivesNeverCastsAndWidensNoFit) {
 }
 
 // Where the picture shows all of a model.
-TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
+TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
     for (const Stood& model : stood_models()) {
         ASSERT_FALSE(model.with.scene.ground_bounds.empty()) << model.name;
         const Camera camera = make_camera(model.with.scene, model.with.settings, 16.0 / 9);
@@ -240,7 +240,7 @@ TEST_F(GroundTest, MapsOfModelsAreNoWiderForIt) {
 }
 
 // Depths up to where the shadow ends, and a kernel's room: what lies beyond a map's far plane is not looked up.
-TEST_F(GroundTest, MapsAreDeeperUpToTheShadowsEnd) {
+TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
     const Stood box = stood("box", box_alone);
     const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
     for (const char* fit : {"scene", "casters", "view", "stabilised"}) {
@@ -264,7 +264,7 @@ TEST_F(GroundTest, MapsAreDeeperUpToTheShadowsEnd) {
 }
 
 // All of the model is seen, and the map has the same texels.
-TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
+TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
     for (const Stood& model : stood_models())
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
             SCOPED_TRACE(model.name + " " + std::string(fit.key));
@@ -297,7 +297,7 @@ TEST_F(GroundTest, AModelsOwnPixelsHaveTheSameVisibility) {
 }
 
 // Also where the picture shows a part of the model, and maps are for that part, or for slices of it.
-TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
+TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
     for (const auto& make : {box_alone, table_alone}) {
         const Session session = session_of(make(), {"map.resolution=1024"});
         ASSERT_FALSE(session.scene.ground_bounds.empty());
@@ -339,7 +339,7 @@ TEST_F(GroundTest, ItsShadowIsWholeUnderEveryFit) {
 
 // What is seen of the ground asks for shadows of what is not seen: for those the map grows, but never beyond its
 // casters.
-TEST_F(GroundTest, APartOfAModelHasAMapOfNoMoreThanItsCasters) {
+TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
     const Stood table = stood("table", table_alone);
     Settings s = table.with.settings;
     s.camera = manual_camera(table.with.scene, table.with.settings, 16.0 / 9);
@@ -371,11 +371,11 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };
 
-SI_TEST_IS(Repeated, GroundTest, ModelsShowTheirShadowsAtOnce);
-SI_TEST_IS(DriverIndependent, GroundTest, ModelsShowTheirShadowsAtOnce);
+SI_TEST_IS(Repeated, GroundTest, ShowsModelsShadowsWithDefaultSettings);
+SI_TEST_IS(DriverIndependent, GroundTest, ShowsModelsShadowsWithDefaultSettings);
 // What a file's own camera shows of the shadow is the file's affair; the camera that frames the scene is asked for it.
 // But a file opens with its own: there has to be a picture.
-TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
+TEST_F(GroundTest, ShowsModelsShadowsWithDefaultSettings) {
     const std::vector<test::SharedModel> files = test::shared_models();
     if (files.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     int shown = 0, with_camera = 0;
@@ -416,7 +416,7 @@ TEST_F(GroundTest, ModelsShowTheirShadowsAtOnce) {
     RecordProperty("by_own_cameras", by_own_cameras);
 }
 
-TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
+TEST_F(GroundTest, FollowsTheSettingAndThePlacement) {
     Session session = session_of(box_alone(), {"scene.scale=3", "scene.distance=100"});
     const double gap = session.scene.bounds.lo.y - session.scene.ground_bounds.hi.y;
     EXPECT_GT(gap, 0);
@@ -436,7 +436,7 @@ TEST_F(GroundTest, ItComesAndGoesWithTheSettingAndFollowsThePlacement) {
     EXPECT_NEAR(session.scene.ground_bounds.hi.y, session.scene.bounds.lo.y, 0.01);
 }
 
-TEST_F(GroundTest, WhatHasALevelSurfaceGetsNone) {
+TEST_F(GroundTest, IsNotAddedToModelsWithALevelSurface) {
     for (const BuiltinScene& row : builtin_scenes()) {
         if (row.key == "plane") continue;
         EXPECT_TRUE(has_level_surface(row.make())) << row.key;

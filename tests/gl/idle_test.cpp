@@ -111,7 +111,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, IdleTest);
 SI_TESTS_ARE(Repeated, IdleTest);
-TEST_F(IdleTest, WhatIsWithoutEffectChangesNoPixel) {
+TEST_F(IdleTest, IdleSettingsChangeNoPixel) {
     const Scene scene = load_scene("boxes");
     std::size_t compared = 0;
     for (const Sets& sets : states()) {

@@ -64,7 +64,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LeastBiasTwins);
-TEST_F(LeastBiasTwins, AreEqualOnRandomPlanes) {
+TEST_F(LeastBiasTwins, CpuAndGpuAgreeOnRandomPlanes) {
     int compared = 0, perspective = 0, warped = 0, grazing = 0;
     std::size_t next = 0;
     constexpr const char* formats[] = {"d16", "d24", "d32f", "colour", "linear", "linear16"};

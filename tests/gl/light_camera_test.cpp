@@ -83,7 +83,7 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
     }
 }
 
-TEST_F(LightCamera, WithoutLightsItIsTheAutomaticCameraAndSaysSo) {
+TEST_F(LightCamera, WithoutLightsTheAutomaticCameraIsUsedAndReported) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"camera.source", "light"}, {"light.count", "0"}});
     const FrameResult f = renderer.render(scene, s, small());
@@ -93,8 +93,8 @@ TEST_F(LightCamera, WithoutLightsItIsTheAutomaticCameraAndSaysSo) {
                             [](const std::string& n) { return n.starts_with("camera.source light"); }));
 }
 
-SI_TEST_IS(Repeated, LightCamera, CanBeTakenOverByHand);
-TEST_F(LightCamera, CanBeTakenOverByHand) {
+SI_TEST_IS(Repeated, LightCamera, CanBecomeAManualCamera);
+TEST_F(LightCamera, CanBecomeAManualCamera) {
     const Scene scene = load_scene("boxes");
     for (const Kind& kind : kKinds) {
         Settings s = settings_for(scene, {{"camera.source", "light"},
@@ -115,7 +115,7 @@ TEST_F(LightCamera, CanBeTakenOverByHand) {
     }
 }
 
-TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
+TEST_F(LightCamera, UtilisationOfAFlatMapEqualsTheCoveredShare) {
     // Through the light at one pixel a texel, each texel that holds a lit surface is read by its own pixel.
     const Scene scene = load_scene("boxes");
     const int n = 128;
@@ -147,8 +147,8 @@ TEST_F(LightCamera, UtilisationOfAFlatMapIsWhatThePictureCovers) {
     EXPECT_NEAR(texel_usage(coarse, s, n).utilisation(), usage.utilisation() / 4, 0.01);
 }
 
-SI_TEST_IS(Repeated, LightCamera, CoordinatesAreTheTexelThatTheProbeTests);
-TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
+SI_TEST_IS(Repeated, LightCamera, CoordinatesNameTheTexelOfTheProbe);
+TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "spot", "point"}) {
         // An offset of many texels, so that coordinates without it would be of another texel.
@@ -172,8 +172,8 @@ TEST_F(LightCamera, CoordinatesAreTheTexelThatTheProbeTests) {
     }
 }
 
-SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads);
-TEST_F(LightCamera, CoordinatesAreMarkedOnlyWhereTheKernelReads) {
+SI_TEST_IS(Repeated, LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel);
+TEST_F(LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {
         const Settings s = settings_for(scene, extra);

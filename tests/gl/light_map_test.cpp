@@ -69,7 +69,7 @@ Settings light_mapped(const Scene& scene, const Sets& more = {}) {
 }
 
 // A sheet of 4 m above a floor: of its shadow's edge a look-up is off by half a texel's diagonal at most.
-TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
+TEST_F(LightMapTest, EdgesDeviateByAtMostHalfATexelDiagonal) {
     std::vector<test::Place> places(std::begin(test::kPlaces), std::end(test::kPlaces));
     places.push_back({{115, 0, -115}, 90, 45});
     places.push_back({{1e5, 0, -1e5}, 30, 60});
@@ -108,9 +108,9 @@ TEST_F(LightMapTest, EdgesAreOffByHalfATexelsDiagonal) {
     }
 }
 
-SI_TEST_IS(Repeated, LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner);
+SI_TEST_IS(Repeated, LightMapTest, FinerTexelsApproachRaysOnTheStage);
 // Twice the texels across, about half as much wrong along the edges.
-TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
+TEST_F(LightMapTest, FinerTexelsApproachRaysOnTheStage) {
     const Scene scene = load_scene("stage");
     std::vector<double> shares;
     for (const int resolution : {256, 512, 1024, 2048}) {
@@ -125,9 +125,9 @@ TEST_F(LightMapTest, FollowsRaysOnTheStageAsTexelsGrowFiner) {
     EXPECT_LT(shares.back(), 0.014);
 }
 
-SI_TEST_IS(Repeated, LightMapTest, PenumbraeAreThoseOfTheLightsDisc);
+SI_TEST_IS(Repeated, LightMapTest, PenumbraeMatchTheLightsDisc);
 // The share of a disc on the sky beyond a straight edge, in closed form.
-TEST_F(LightMapTest, PenumbraeAreThoseOfTheLightsDisc) {
+TEST_F(LightMapTest, PenumbraeMatchTheLightsDisc) {
     test::Place above;
     above.elevation = 90;
     const Scene scene = test::floor_under_a_sheet(above);
@@ -232,7 +232,7 @@ TEST_F(LightMapTest, DoesNotBleedAcrossAThinWall) {
 
 // What stands on a floor and what lies mirrored is found as well as what does not; both sides of a sheet have their
 // own.
-TEST_F(LightMapTest, FindsMirroredTurnedAndDoubleSidedObjects) {
+TEST_F(LightMapTest, ContainsMirroredTurnedAndDoubleSidedObjects) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     scene.materials[std::size_t(grey)].double_sided = true;
@@ -255,7 +255,7 @@ TEST_F(LightMapTest, FindsMirroredTurnedAndDoubleSidedObjects) {
     }
 }
 
-TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
+TEST_F(LightMapTest, LightsAndInstancesHaveSeparateMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = light_mapped(scene, {{"light.count", "3"},
                                       {"light.1.source", "volumes-zfail"},
@@ -280,7 +280,7 @@ TEST_F(LightMapTest, LightsAndInstancesHaveTheirOwn) {
 }
 
 // Cameras share a map; whatever rays find asks for another.
-TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
+TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAgainForOtherChanges) {
     const Scene scene = load_scene("figures");
     Settings s = light_mapped(scene, {{"light_map.resolution", "256"}});
     const std::size_t before = baked();
@@ -340,7 +340,7 @@ TEST_F(LightMapTest, IsBakedOnceForAllCamerasAndAnewForAllElse) {
     EXPECT_EQ(baked(), before + 2) << "under another number it is the same scene";
 }
 
-TEST_F(LightMapTest, HasTheSameBytesAfterItIsForgotten) {
+TEST_F(LightMapTest, HasTheSameBytesAfterEviction) {
     const Scene scene = load_scene("boxes");
     const Settings s =
         light_mapped(scene, {{"light.size", "2"}, {"light_map.samples", "64"}, {"light_map.resolution", "200"}});

@@ -93,8 +93,8 @@ TEST_F(LightRange, AtHalfTheRangeFifteenSixteenthsAreLeft) {
     EXPECT_EQ(middle(), 0);
 }
 
-SI_TEST_IS(Repeated, LightRange, ProbeSaysWhyItIsDark);
-TEST_F(LightRange, ProbeSaysWhyItIsDark) {
+SI_TEST_IS(Repeated, LightRange, ProbeReportsPointsOutOfRange);
+TEST_F(LightRange, ProbeReportsPointsOutOfRange) {
     const Settings s = lit("point", 3);
     int beyond = 0, within = 0;
     for (int y = 20; y < 180; y += 10)
@@ -110,7 +110,7 @@ TEST_F(LightRange, ProbeSaysWhyItIsDark) {
     EXPECT_GT(within, 5);
 }
 
-TEST_F(LightRange, WhatLightDoesNotReachIsNotMeasured) {
+TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     Settings s = lit("point", 3);
     ReferenceCache cache;
     const MeasuredError error = measure_error(renderer, scene, s, small(), 0, {}, cache);

@@ -139,7 +139,7 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     EXPECT_EQ(request.reference, reference);
 }
 
-TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
+TEST_F(LiveErrorTest, OverlaysShowTheCountedPixels) {
     Settings s = hard(512, 0);
     set_setting(s, "view.overlay", "artefacts");
     request.outputs = {.colour = true, .overlay = true, .error = true};
@@ -183,7 +183,7 @@ TEST_F(LiveErrorTest, OverlaysShowWhatTheNumbersCount) {
     EXPECT_NEAR(sum / double(counted), frame.error->metrics.signed_mean, 1e-6);
 }
 
-TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
+TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
     scene = test::floor_and_box(10, {1.5, 1, 2}, 0);
     request.outputs = {.colour = false, .overlay = true};
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
@@ -221,7 +221,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapLessWhatThePlaneNeeds) {
     }
 }
 
-TEST_F(LiveErrorTest, TruePictureIsTheShadedOneUnderTheTruth) {
+TEST_F(LiveErrorTest, ReferencePictureIsShadedWithTheReference) {
     Settings s = hard(4096, 4);
     request.outputs = {.colour = true, .true_colour = true};
     frame = render_with_reference(renderer, scene, s, request, cache);

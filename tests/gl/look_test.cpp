@@ -41,7 +41,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, LookTest);
-TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
+TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
     for (const BuiltinScene& row : builtin_scenes()) {
         SCOPED_TRACE(row.key);
         const Scene scene = row.make();
@@ -64,7 +64,7 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAllOfItOnAndOff) {
 }
 
 // The ground that a loaded model gets is a part of the look, too: the model's own pixels know nothing of it.
-TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
+TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
     std::vector<std::string> files{""};
     for (const test::SharedModel& model : test::shared_models()) {
         const std::string name = model.file.filename().string();
@@ -123,7 +123,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAllOfItOnAndOff) {
     }
 }
 
-TEST_F(LookTest, SeveralLightsDoNotBecomePaper) {
+TEST_F(LookTest, SeveralLightsAreNotOverexposed) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 128, 3);
     s.light_count = 2;
@@ -161,7 +161,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
 }
 
 // As an eye sees it: of encoded values.
-TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
+TEST_F(LookTest, TheStageIsNeitherTooDarkNorOverexposed) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
     FrameRequest request{.width = 480, .height = 270};
@@ -195,7 +195,7 @@ TEST_F(LookTest, TheStageIsNeitherDarkNorPaper) {
     EXPECT_GE(lit / lit_count, 1.8 * (dark / dark_count));
 }
 
-TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyWhatIsEmpty) {
+TEST_F(LookTest, TheSkyFollowsTheSunAndFillsOnlyBackgroundPixels) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
     const ByteImage high = picture(scene, s);
@@ -222,7 +222,7 @@ TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
     EXPECT_LE(different_pixels(exposed, picture(scene, s), 1), 3u);
 }
 
-TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
+TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}});
     FrameRequest request = small();
@@ -257,7 +257,7 @@ TEST_F(LookTest, ARestingViewGetsSmoothOverMapsThatAreKept) {
 }
 
 /// Of each shading the camera is turned by a part of a pixel, however large the scene is and wherever it lies.
-TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
+TEST_F(LookTest, SmoothPicturesShowTheSameSceneAtEverySize) {
     const auto unlike = [&](const char* scale) {
         const Session session =
             open_session({.scene = "stage", .sets = {"map.resolution=256", std::string("scene.scale=") + scale}});
@@ -274,7 +274,7 @@ TEST_F(LookTest, SmoothPicturesAreOfTheSameSceneAtEverySize) {
     EXPECT_NEAR(unlike("0.01"), at_home, 0.1 * at_home);
 }
 
-TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
+TEST_F(LookTest, TheEditorAccumulatesAStaticViewAndThenSleeps) {
     const Scene scene = load_scene("boxes");
     FrameLoop loop(false);
     PictureState state;
@@ -309,7 +309,7 @@ TEST_F(LookTest, TheEditorAddsToWhatRestsAndThenSleeps) {
     EXPECT_FALSE(shows_smooth());
 }
 
-TEST_F(LookTest, ThePlanTellsOfEach) {
+TEST_F(LookTest, ThePlanReportsEachLookPass) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
         FrameRequest request = small();
@@ -333,7 +333,7 @@ TEST_F(LookTest, ThePlanTellsOfEach) {
     EXPECT_EQ(told(apart, "smoothing at rest").state, EffectState::NotNeeded) << "visibility has its own pixels";
 }
 
-TEST(SkyTest, AmbientLightIsAsMuchAsIsAskedFor) {
+TEST(SkyTest, AmbientLightEqualsTheSetting) {
     for (const double sine : {-1.0, -0.1, 0.0, 0.3, 0.7, 1.0}) {
         const Sky sky = sky_of({std::sqrt(1 - sine * sine), sine, 0});
         EXPECT_NEAR(luminance(sky.ambient), 1, 1e-9) << sine;

@@ -84,7 +84,7 @@ TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
     }
 }
 
-TEST_F(MapViewTest, FitsGreysToWhatIsDrawn) {
+TEST_F(MapViewTest, FitsGreysToTheDrawnDepths) {
     const Scene scene = load_scene("boxes");
     for (const char* source : {"light", "camera"})
         for (const char* type : {"directional", "spot", "point"})
@@ -149,7 +149,7 @@ TEST_F(MapViewTest, RampsFollowDepth) {
     }
 }
 
-TEST_F(MapViewTest, GreysByHandAreGivenBack) {
+TEST_F(MapViewTest, ManualGreysAreReturned) {
     const Scene scene = load_scene("boxes");
     const FrameResult f = frame(scene, settings_for(scene, {{"view.map_black", "0.25"}, {"view.map_white", "0.5"}}));
     EXPECT_EQ(f.map_black, 0.25f);
@@ -157,7 +157,7 @@ TEST_F(MapViewTest, GreysByHandAreGivenBack) {
     EXPECT_EQ(f.map_view_size, glm::ivec2(f.map_resolution));
 }
 
-TEST_F(MapViewTest, ANumberPastTheLastMapShowsTheLastAndSaysSo) {
+TEST_F(MapViewTest, ANumberAfterTheLastMapShowsTheLastAndIsReported) {
     const Scene scene = load_scene("boxes");
     const auto noted = [&](const char* type, const char* cascades, const char* face) {
         const FrameResult f = frame(
@@ -174,7 +174,7 @@ TEST_F(MapViewTest, ANumberPastTheLastMapShowsTheLastAndSaysSo) {
     EXPECT_EQ(noted("directional", "1", "5"), "") << "without effect there";
 }
 
-TEST_F(MapViewTest, ReadingBackGivesTheShownMap) {
+TEST_F(MapViewTest, ReadBackGivesTheShownMap) {
     const Scene scene = load_scene("boxes");
     const Settings s =
         settings_for(scene, {{"light.type", "point"}, {"light.count", "2"}, {"view.light", "0"}, {"view.face", "3"}});

@@ -59,7 +59,7 @@ TEST_F(MeasureTest, FindsNothingButEdgesInAWellBiasedFrame) {
     }
 }
 
-TEST_F(MeasureTest, CallsMissingBiasAcne) {
+TEST_F(MeasureTest, ClassifiesMissingBiasAsAcne) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     s.bias.constant = 0;
@@ -76,7 +76,7 @@ TEST_F(MeasureTest, CallsMissingBiasAcne) {
     EXPECT_NEAR(double(acne) / double(m.counted), m.acne, 1e-12);
 }
 
-TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
+TEST_F(MeasureTest, ClassifiesTooMuchBiasAsPeterPanning) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     Settings s = hard(1024);
     s.bias.unit = BiasUnit::Metres;
@@ -89,7 +89,7 @@ TEST_F(MeasureTest, CallsTooMuchBiasPeterPanning) {
     EXPECT_GT(m.signed_mean, 0.01);
 }
 
-TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
+TEST_F(MeasureTest, ClassifiesCulledFacesAsLostCasters) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));
@@ -105,7 +105,7 @@ TEST_F(MeasureTest, CallsCulledFacesLostCasters) {
     EXPECT_LT(measure(scene, s, {.as_rasterised = true}).false_light, 0.01) << "without the faces that culling drops";
 }
 
-TEST_F(MeasureTest, KeepsWhatTheMapDoesNotHoldApart) {
+TEST_F(MeasureTest, CountsPointsOutsideTheMapSeparately) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     s.lights[0].fit = LightFit::Manual;
@@ -145,7 +145,7 @@ TEST_F(MeasureTest, ErrorOfTheHardKernelFallsWithSlopeMinusOne) {
     EXPECT_NEAR(xy / xx, -1, 0.2);
 }
 
-TEST_F(MeasureTest, TruthIsKeptWhereOnlyTheMapChanges) {
+TEST_F(MeasureTest, TheReferenceIsCachedWhereOnlyTheMapChanges) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = hard(512);
     measure(scene, s);

@@ -202,7 +202,7 @@ struct Case {
 SI_TESTS_ARE(Repeated, Moments);
 // Every row under every type of light, both directions of depth, at home and away: moments by the map, bound by
 // moments, visibility by bound.
-TEST(Moments, AreThoseOfTheMapsDepthsAndBoundTheLightAsThePapersSay) {
+TEST(Moments, EqualMeansOfDepthPowersAndBoundTheLightAsThePapersState) {
     const Case cases[] = {{LightType::Directional, false, {0, 0, 0}, 30},
                           {LightType::Spot, true, {90, 5, -70}, 90},
                           {LightType::Point, false, {-115, 0, 20}, 30}};
@@ -323,7 +323,7 @@ void along_the_edge(const Scene& scene, const Settings& s, Visit visit) {
 
 // Where two depths meet, each bound by spread is met: the share of lit texels. ESM's is that share and a rest that
 // falls with e to the distance.
-TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
+TEST(Moments, OfTwoPlanesGiveTheLitShare) {
     const Scene scene = covered_floor(1);
     for (const Filter* row : moment_rows()) {
         Settings s = overhead(*row);
@@ -351,7 +351,7 @@ TEST(Moments, OfTwoPlanesGiveTheShareThatIsLit) {
 }
 
 // Under two covers nothing is lit. Variance says that some may be, by a closed form; the others let in less.
-TEST(Moments, LetLightBleedBelowTwoCoversAsMuchAsTheirBoundsSay) {
+TEST(Moments, BleedLightBelowTwoCoversWithinTheirBounds) {
     const Scene scene = covered_floor(3, 1);
     std::map<std::string_view, double> most;
     for (const Filter* row : moment_rows()) {
@@ -383,7 +383,7 @@ TEST(Moments, LetLightBleedBelowTwoCoversAsMuchAsTheirBoundsSay) {
 }
 
 // Any window of the table is the blur of the same width: the tables lose nothing that shows.
-TEST(Moments, BySummedAreasAreThoseOfABlur) {
+TEST(Moments, FromSummedAreasEqualThoseOfABlur) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest request{
@@ -447,7 +447,7 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
 }
 
 // At the limit of each format no number overflows, beyond it the limit is used and said.
-TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
+TEST(Moments, StayFiniteAtAndAboveTheExponentsLimits) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (row->moments.power == 0) continue;
@@ -479,7 +479,7 @@ TEST(Moments, StayNumbersAtTheExponentsLimitsAndBeyond) {
 }
 
 // 16 bits are coarser, not wrong: four moments by their transform stay near to those of 32.
-TEST(Moments, Of16BitsAreNearThoseOf32) {
+TEST(Moments, In16BitsAreCloseToThoseIn32) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     for (const Filter* row : moment_rows()) {
         if (!reads(*row, "filter.moment_format")) continue;
@@ -497,7 +497,7 @@ TEST(Moments, Of16BitsAreNearThoseOf32) {
 }
 
 // Several samples a texel: an edge covers as much of a texel as of its samples, at the places that the driver names.
-TEST(Moments, OfSeveralSamplesAreTheMeansOverThem) {
+TEST(Moments, OfSeveralSamplesAreTheirMeans) {
     Renderer& renderer = hard_renderer();
     ASSERT_FALSE(renderer.driver().map_samples.empty());
     const int samples = renderer.driver().map_samples.front();
@@ -574,7 +574,7 @@ Settings from_above(const Filter& row, const Scene& scene, double texels) {
 }
 
 // Over a pixel of four texels: the second mip level, each of its texels the mean of sixteen.
-TEST(Moments, OfMipLevelsAreMeansOverThePixelsFootprint) {
+TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
     const Scene scene = floor_and_box(8, {3.35, 1, 2.3}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const char* key : {"vsm", "evsm4"}) {
@@ -688,7 +688,7 @@ TEST(Moments, AreShownByTheMapViewer) {
 
 // All texels of a map, those whose windows the map's sides cut on both sides and those that they leave whole: also
 // where windows are as wide as the map, or wider.
-TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
+TEST(Moments, AreMeansOfWindowsClippedAtTheMapsSides) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
@@ -717,7 +717,7 @@ TEST(Moments, AreMeansOfWindowsThatTheMapsSidesCut) {
 }
 
 // Of a mip level each texel has the mean of the four below it, in the number itself.
-TEST(Moments, AreShownByMipLevels) {
+TEST(Moments, AreShownByMipLevel) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     const FrameRequest maps{.width = 32, .height = 18, .outputs = {.colour = false, .shadow_map = true}};
@@ -766,7 +766,7 @@ TEST(Moments, AreShownByMipLevels) {
 }
 
 // What is prepared is kept while only the camera moves, whatever is prepared.
-TEST(Moments, AreKeptWhileOnlyTheCameraMoves) {
+TEST(Moments, AreCachedWhileOnlyTheCameraMoves) {
     const Scene scene = floor_and_box(8, {1.5, 1, 2}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const Filter* row : moment_rows()) {

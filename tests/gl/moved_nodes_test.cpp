@@ -54,7 +54,7 @@ protected:
     ByteImage picture_;
 };
 
-TEST_F(MovedNodes, MeshesStayWhereOnlyTheirPlacesChange) {
+TEST_F(MovedNodes, MeshesAreNotUploadedWhereOnlyTransformsChange) {
     Scene scene = load_scene("teapot");
     const std::size_t all = uploads(scene);
     for (Node& node : scene.nodes) node.local[3].x += 0.25;
@@ -68,7 +68,7 @@ TEST_F(MovedNodes, MeshesStayWhereOnlyTheirPlacesChange) {
     expect_as_fresh(scene);
 }
 
-TEST_F(MovedNodes, WhatIsAnotherMeshOrMaterialIsHandedOverAnew) {
+TEST_F(MovedNodes, ChangedMeshesAndMaterialsAreUploadedAgain) {
     Scene scene = load_scene("teapot");
     const std::size_t all = uploads(scene);
     for (glm::vec3& p : scene.meshes[0].positions.edit()) p *= 1.5f;

@@ -79,7 +79,7 @@ protected:
     }
 };
 
-TEST_F(NumericHealthTest, FindsEachFaultOfADepthInEachKindOfMap) {
+TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
     struct Kind {
         const char* scene;
         Sets sets;
@@ -120,7 +120,7 @@ TEST_F(NumericHealthTest, FindsEachFaultOfADepthInEachKindOfMap) {
         }
 }
 
-TEST_F(NumericHealthTest, FindsWhatDepthBuffersOfFloatsCanHold) {
+TEST_F(NumericHealthTest, FindsFaultyValuesOfFloatDepthBuffers) {
     spoil({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
     const NumericHealth health = health_of("boxes", {{"map.format", "d32f"}});
     // Drivers may refuse what is none.
@@ -157,7 +157,7 @@ TEST_F(NumericHealthTest, FindsNegativeVariancesAndOverflowsAtEveryLevel) {
                  NumberFault::NegativeVariance, "moments, face +z of light 0", {5, 6});
 }
 
-TEST_F(NumericHealthTest, FindsWhatIsWrongWithPixels) {
+TEST_F(NumericHealthTest, FindsFaultyPixels) {
     // Rows of pixels count from the top.
     for (const auto& [value, fault] : {std::pair{kNaN, NumberFault::NotANumber}, {-0.1f, NumberFault::OutsideRange}})
         expect_alone("boxes", {{"light.count", "2"}},
@@ -165,7 +165,7 @@ TEST_F(NumericHealthTest, FindsWhatIsWrongWithPixels) {
                      "visibility of light 1", {70, 0});
 }
 
-TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
+TEST_F(NumericHealthTest, ReportsFirstWorstAndCount) {
     spoil({{.image = "shadow map", .at = {90, 40}, .numbers = {1.25f}},
            {.image = "shadow map", .at = {11, 41}, .numbers = {-7}},
            {.image = "shadow map", .at = {12, 41}, .numbers = {1.5f}}});
@@ -181,7 +181,7 @@ TEST_F(NumericHealthTest, TellsFirstWorstAndHowMany) {
               "(-7)");
 }
 
-TEST_F(NumericHealthTest, FindsItInThePagesOfTheMapThatHasThem) {
+TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
     // Wherever the page lies in the pool: every texel of it.
     gl::fault_injection().corrupt_image = [](std::string_view image, GLuint texture) {
         if (image != "shadow map") return;
@@ -231,7 +231,7 @@ TEST_F(NumericHealthTest, FindsMatricesThatSinglePrecisionCannotHold) {
 }
 
 // From exactly above, walls and pickets are seen edge-on: a pixel that one covers by rounding alone has no place.
-TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
+TEST_F(NumericHealthTest, SurfacesSeenEdgeOnHaveNoFault) {
     const Scene scene = load_scene("stage");
     Settings s = stage_from_above(scene, "1024");
     const auto expect_sound = [&] {
@@ -248,7 +248,7 @@ TEST_F(NumericHealthTest, WhatIsSeenEdgeOnIsSound) {
     }
 }
 
-TEST_F(NumericHealthTest, BuiltInScenesAreSound) {
+TEST_F(NumericHealthTest, BuiltInScenesHaveNoFault) {
     for (const BuiltinScene& scene : builtin_scenes()) {
         const NumericHealth health = health_of(std::string(scene.key).c_str(), {});
         EXPECT_TRUE(health.sound()) << scene.key << ": " << health_text(health);
@@ -257,7 +257,7 @@ TEST_F(NumericHealthTest, BuiltInScenesAreSound) {
     }
 }
 
-TEST_F(NumericHealthTest, CostsNothingUnlessAskedForAndThenLeavesThePictureAlone) {
+TEST_F(NumericHealthTest, RunsOnlyWhenEnabledAndChangesNoPixel) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene, {{"map.resolution", "256"}});
     FrameRequest request{.width = 96, .height = 54};

@@ -37,10 +37,10 @@ protected:
     }
 };
 
-SI_TEST_IS(Repeated, PagesTest, AreTheWholeMapsTexels);
+SI_TEST_IS(Repeated, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
 // Pages are drawn with the map's own matrix, moved by whole texels. All that may differ is where a rasteriser rounds a
 // corner to 1/256 of a texel.
-TEST_F(PagesTest, AreTheWholeMapsTexels) {
+TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
     std::size_t pixels = 0, wrong = 0, dark = 0;
     const Sets kinds[] = {{{"filter.kernel", "hard"}, {"light.elevation", "90"}},
                           {{"filter.kernel", "pcf5"}, {"map.reversed_z", "true"}, {"light.azimuth", "90"}},
@@ -79,7 +79,7 @@ TEST_F(PagesTest, AreTheWholeMapsTexels) {
 }
 
 // A hundred steps of everything that moves: what is kept is what would be drawn.
-TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
+TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
     Scene scene = displaced(load_scene("boxes"), {115, 3, -40});
     std::mt19937 engine(2);
     const auto between = [&](double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(engine); };
@@ -129,7 +129,7 @@ TEST_F(PagesTest, KeptAreThoseThatWouldBeDrawn) {
     EXPECT_GT(coarser, 20u);
 }
 
-TEST_F(PagesTest, OnlyWhatMovedIsDrawnAnew) {
+TEST_F(PagesTest, OnlyPagesOfMovedCastersAreDrawnAgain) {
     Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "2048"}, {"map.page_size", "64"}});
     const auto pages = [&] {
@@ -159,7 +159,7 @@ TEST_F(PagesTest, OnlyWhatMovedIsDrawnAnew) {
 }
 
 // Where the pool is too small coarser pages stand in: never a hole, and a sentence that says so.
-TEST_F(PagesTest, AFullPoolCostsSharpnessAlone) {
+TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "1024"}, {"map.page_size", "32"}});
     FrameResult frame;
@@ -188,7 +188,7 @@ TEST_F(PagesTest, AFullPoolCostsSharpnessAlone) {
 }
 
 // Glass is no part of what the surfaces are seen from, and reads the map all the same; so do masks and several lights.
-TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
+TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
     Scene scene;
     scene.materials.push_back({.name = "glass", .base_colour = {1, 1, 1, 0.9f}, .alpha = AlphaMode::Blend});
     scene.meshes = {make_quad(4, 4), make_quad(1, 1)};
@@ -214,9 +214,9 @@ TEST_F(PagesTest, BlendedSurfacesFindTheirPages) {
     EXPECT_GT(different_pixels(whole, picture(scene, s), 1), 200u) << "there is a shadow on the glass";
 }
 
-SI_TEST_IS(Repeated, PagesTest, AreSharperThanAFixedMapOfMoreTexels);
+SI_TEST_IS(Repeated, PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels);
 // Two kilometres of land: less is wrong than with one map of 4096 texels, for far fewer texels drawn.
-TEST_F(PagesTest, AreSharperThanAFixedMapOfMoreTexels) {
+TEST_F(PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);
     Settings s = settings_for(scene, {{"map.resolution", "4096"}});

@@ -52,7 +52,7 @@ protected:
     }
 };
 
-TEST_F(PlanningTest, WhatIsOnlyPlannedLeavesTheLastFrameReusable) {
+TEST_F(PlanningTest, ADiscardedPlanKeepsTheLastFrameReusable) {
     const std::vector<Sets> frames = {
         {{"light.count", "2"},
          {"light.1.type", "spot"},

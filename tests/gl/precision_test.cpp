@@ -31,7 +31,7 @@ Settings settings_at(Scene& scene, double distance, LightType type = LightType::
 }
 
 // Each pixel once more, from the ray that meets the scene to the map by other code than the product's.
-TEST(PrecisionTest, IsThatOfASecondComputation) {
+TEST(PrecisionTest, EqualsASecondComputation) {
     for (const LightType type : kLightTypes)
         for (const double distance : {0.0, 1e5}) {
             Scene scene = floor_and_box();
@@ -67,7 +67,7 @@ TEST(PrecisionTest, IsThatOfASecondComputation) {
 
 // From a place nearby errors are the same small ones everywhere; from the world's origin they are what rounding a
 // position of that size to 24 bits is worth in texels.
-TEST(PrecisionTest, FromTheWorldsOriginIsWhatRoundingCosts) {
+TEST(PrecisionTest, RelativeToTheWorldOriginEqualsTheRoundingError) {
     for (const double distance : {0.0, 1e3, 1e5, 1e7}) {
         Scene scene = floor_and_box();
         const Settings s = settings_at(scene, distance);
@@ -136,7 +136,7 @@ TEST(PrecisionTest, OverlaysShowTheNumbers) {
 }
 
 // Nothing of it is made unless it is asked for, and it is not made twice.
-TEST(PrecisionTest, CostsNothingUnasked) {
+TEST(PrecisionTest, IsComputedOnlyWhenEnabled) {
     Scene scene = floor_and_box();
     const Settings s = hard_settings();
     FrameRequest request{.width = kWidth, .height = kHeight};
@@ -159,7 +159,7 @@ Settings crawling(bool snap) {
     return s;
 }
 
-TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
+TEST(ShimmerTest, CountsShimmeringPixelsOnlyWithoutTexelSnapping) {
     const Scene scene = floor_and_box(60);
     const ShimmerOptions options{.steps = 6, .step_texels = 0.3};
     const Shimmer snapped = measure_shimmer(hard_renderer(), scene, crawling(true), kWidth, kHeight, options);
@@ -178,7 +178,7 @@ TEST(ShimmerTest, CountsWhatCrawlsWithoutWholeTexelsAndNothingWithThem) {
     EXPECT_GT(free.places, free.restless);
 }
 
-TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {
+TEST(ShimmerTest, IsZeroForFixedMapsAndPositiveForTurningLights) {
     const Scene scene = floor_and_box();
     const Settings s = hard_settings();
     Renderer& renderer = hard_renderer();
@@ -192,7 +192,7 @@ TEST(ShimmerTest, MapsThatFollowNoCameraStandStillAndALightThatTurnsDoesNot) {
     EXPECT_THROW(measure_shimmer(renderer, scene, dark, kWidth, kHeight, {}), Error);
 }
 
-TEST(StretchTest, MakesRangesAsMuchLongerAsItSays) {
+TEST(StretchTest, MultipliesTheDepthRange) {
     const Scene scene = floor_and_box();
     for (const LightType type : kLightTypes) {
         Settings s = hard_settings();

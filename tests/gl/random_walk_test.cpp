@@ -183,7 +183,7 @@ protected:
 SI_TESTS_ARE(Repeated, RandomWalkTest);
 SI_TESTS_ARE(DriverIndependent, RandomWalkTest);
 // One step changes one thing; two at once may leave as many maps as before, of other lights.
-TEST_F(RandomWalkTest, MapsThatAnotherLightTookAreDrawnAnew) {
+TEST_F(RandomWalkTest, MapsReplacedByAnotherLightAreDrawnAgain) {
     const Scene scene = load_scene("boxes");
     Stop stops[2];
     for (int i = 0; i < 2; ++i) {

@@ -157,7 +157,7 @@ TEST_F(RealScenes, NormalMapsTiltTheShadingNormalAlike) {
         }
 }
 
-TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
+TEST_F(RealScenes, TangentsOfTheFileOrientNormalMaps) {
     // Not along the texture's own axes, as a tool may have written them; glTF: bitangent = cross(normal, tangent) * w.
     struct Case {
         glm::vec4 tangent;
@@ -177,7 +177,7 @@ TEST_F(RealScenes, TangentsOfTheFileSayWhereAMapLeans) {
     }
 }
 
-TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
+TEST_F(RealScenes, PosesShareTexturesAndOtherScenesDoNot) {
     const auto moving = [](const glm::vec3& n) {
         Scene scene = mapped_floor(n, false);
         auto rig = std::make_shared<Rig>();
@@ -213,7 +213,7 @@ TEST_F(RealScenes, PosesShareTheirTexturesAndOtherScenesBringTheirOwn) {
     EXPECT_EQ(normal(fresher, other), others);
 }
 
-TEST_F(RealScenes, TheBiasFollowsTheNormalItIsToldTo) {
+TEST_F(RealScenes, TheBiasFollowsTheChosenNormal) {
     // Light from +x at 45 degrees; the floor's own normal is +y, its vertex normals lean to -x, its map leans them to
     // +x.
     Scene scene = mapped_floor({0.6f, 0, 0.8f}, true);

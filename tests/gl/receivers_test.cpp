@@ -18,7 +18,7 @@ bool on_one_surface(const Receiver& a, const Receiver& b) {
     return std::abs(glm::dot(d, a.normal_ws)) <= most && std::abs(glm::dot(d, b.normal_ws)) <= most;
 }
 
-TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
+TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStrips) {
     const Scene scene = load_scene("boxes");
     for (const int height : {1, 16, 17, 41}) {
         const ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 53, .height = height},
@@ -41,7 +41,7 @@ TEST_F(ReceiversTest, NeighboursAreJoinedAcrossStripsToo) {
     }
 }
 
-TEST_F(ReceiversTest, WhatShowsNothingIsEmptyWhateverTheMemoryHeld) {
+TEST_F(ReceiversTest, BackgroundPixelsAreEmptyForAnyMemoryContent) {
     const Scene scene = load_scene("boxes");
     ReferenceTask task = reference_task(renderer, scene, settings_for(scene), {.width = 320, .height = 180}, 0, {});
     for (int round = 0; round < 2; ++round) {  // the second is given what the first left

@@ -118,8 +118,8 @@ protected:
 };
 
 SI_TESTS_ARE(DriverIndependent, SectionTest);
-SI_TEST_IS(Repeated, SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap);
-TEST_F(SectionTest, StepsAreTheMapsTexelsUnderEveryLightAndMap) {
+SI_TEST_IS(Repeated, SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap);
+TEST_F(SectionTest, StepsEqualTheMapsTexelsUnderEveryLightAndMap) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.3);
     const std::vector<Sets> kinds{{{"light.type", "directional"}},
                                   {{"light.type", "directional"}, {"map.format", "d16"}},
@@ -306,7 +306,7 @@ TEST_F(SectionTest, PeterPanningPutsTheComparedPointBeforeItsOccluder) {
     EXPECT_GE(s.compared.y, s.looked_up()->from.y);
 }
 
-TEST_F(SectionTest, KeepsItsFormWhereThereIsNothingToCut) {
+TEST_F(SectionTest, KeepsItsFormWithoutGeometryToCut) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = sun(40, 1);
     s.lights[0].cast = false;

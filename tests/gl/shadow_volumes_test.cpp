@@ -104,7 +104,7 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
 
 // Counting before the surface is the same count wherever the camera stands outside, and another one within a volume:
 // there light and shadow change places.
-TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
+TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
     const auto differing = [&](const Scene& scene, Settings s) {
         FloatImage v[2];
         for (const int which : {0, 1}) {
@@ -135,7 +135,7 @@ TEST_F(ShadowVolumesTest, CountedBeforeTheSurfaceFailWithTheCameraInside) {
     EXPECT_LT(differing(sheet, s), 1e-4);
 }
 
-TEST_F(ShadowVolumesTest, AreExactTenKilometresOffTheOrigin) {
+TEST_F(ShadowVolumesTest, AreExactTenKilometresFromTheOrigin) {
     const Scene scene = moved_by(solid(load_scene("boxes")), {1e4, -3e3, 1e4});
     for (const char* type : {"directional", "spot", "point"}) {
         SCOPED_TRACE(type);
@@ -197,7 +197,7 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
 }
 
 // What the far plane cuts off still casts, and so does what is behind the camera; without perspective, too.
-TEST_F(ShadowVolumesTest, AreExactWhereThePlanesCut) {
+TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "point"})
         for (const char* parallel : {"false", "true"})
@@ -258,7 +258,7 @@ TEST_F(ShadowVolumesTest, ObjectsThatDoNotCastOrReceiveAreLeftOut) {
     EXPECT_EQ(compare(scene, s).dark, all) << "culling is of maps";
 }
 
-TEST_F(ShadowVolumesTest, EachLightHasItsOwnBesideMaps) {
+TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.count", "3"},
                                       {"light.0.source", "volumes-zfail"},
@@ -282,7 +282,7 @@ TEST_F(ShadowVolumesTest, EachLightHasItsOwnBesideMaps) {
 }
 
 // The plan tells what runs, why, and whose cost it is; what did not change is reused.
-TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
+TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
     FrameRequest colour = small();
@@ -311,7 +311,7 @@ TEST_F(ShadowVolumesTest, ThePlanCallsThemAndReusesThem) {
 }
 
 // More open triangles than are drawn unasked: the light has no shadow, the plan and a note say what it would take.
-TEST_F(ShadowVolumesTest, LargeOnesAreAskedFor) {
+TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));

@@ -58,8 +58,8 @@ std::vector<std::pair<glm::dvec3, TexelSlab>> points_on(const std::vector<TexelS
     return out;
 }
 
-SI_TEST_IS(Repeated, SlabsTest, StandWhereTheStoredDepthLies);
-TEST_F(SlabsTest, StandWhereTheStoredDepthLies) {
+SI_TEST_IS(Repeated, SlabsTest, LieAtTheStoredDepth);
+TEST_F(SlabsTest, LieAtTheStoredDepth) {
     const Scene scene = load_scene("boxes");
     const FrameRequest size{.width = 640, .height = 360};
     for (const auto& [type, fit] :
@@ -167,7 +167,7 @@ TEST_F(SlabsTest, EnoughBiasHidesThemInTheSurfacesThatTheyComeFrom) {
     EXPECT_EQ(strongly(Slabs::Biased).second, stored.first);
 }
 
-TEST_F(SlabsTest, EveryPaneHasThem) {
+TEST_F(SlabsTest, AreDrawnInEveryPane) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"map.resolution", "128"}});
     const auto panes = [&] {

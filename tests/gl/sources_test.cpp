@@ -35,8 +35,8 @@ protected:
     }
 };
 
-SI_TEST_IS(Repeated, SourcesTest, EveryRowHasWhatItClaims);
-TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
+SI_TEST_IS(Repeated, SourcesTest, EveryRowHasTextsAndConsistentNeeds);
+TEST_F(SourcesTest, EveryRowHasTextsAndConsistentNeeds) {
     ASSERT_FALSE(sources().empty());
     EXPECT_EQ(sources()[std::size_t(LightSettings{}.source)].key, "map");
     for (const Source& s : sources()) {
@@ -47,10 +47,10 @@ TEST_F(SourcesTest, EveryRowHasWhatItClaims) {
     }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, OnlyAMapIsDrawnAsAMap);
+SI_TEST_IS(Repeated, SourcesTest, OnlyShadowMapsDrawMaps);
 // Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
 // says why.
-TEST_F(SourcesTest, OnlyAMapIsDrawnAsAMap) {
+TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
     const Scene scene = load_scene("boxes");
     for (const Source& source : sources())
         for (const char* type : {"directional", "spot", "point"}) {
@@ -125,8 +125,8 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
         }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives);
-TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
+SI_TEST_IS(Repeated, SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture);
+TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
     const Scene scene = load_scene("stage");
     for (const Source& source : sources()) {
         if (!source.fused) continue;
@@ -147,7 +147,7 @@ TEST_F(SourcesTest, FusedSourcesGiveThePictureThatTheVisibilityTextureGives) {
 }
 
 // The rays' own answer at every pixel, wherever scene and light stand, hard and with size, in part.
-TEST_F(SourcesTest, TracedIsTheTruthItself) {
+TEST_F(SourcesTest, TracedEqualsTheReference) {
     Scene scene = load_scene("boxes");
     test::move_scene(scene, {4e3, -2e3, 9e3});
     for (const char* type : {"directional", "spot", "point"})
@@ -175,8 +175,8 @@ TEST_F(SourcesTest, TracedIsTheTruthItself) {
             }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwn);
-TEST_F(SourcesTest, EachLightHasItsOwn) {
+SI_TEST_IS(Repeated, SourcesTest, EachLightHasItsOwnSource);
+TEST_F(SourcesTest, EachLightHasItsOwnSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "3"},
                                       {"light.1.type", "spot"},
@@ -194,7 +194,7 @@ TEST_F(SourcesTest, EachLightHasItsOwn) {
     EXPECT_EQ(visibility(scene, s).data, reference(scene, s, 1).visibility.data);
 }
 
-TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
+TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     const Settings none = settings_for(scene, {{"light.source", "none"}});
@@ -216,9 +216,9 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndSaysSo) {
     EXPECT_FALSE(renderer.render(scene, turned, request).traced[0].met) << "another light, other rays";
 }
 
-SI_TEST_IS(Repeated, SourcesTest, TheTruePictureIsThatOfTheTracedSource);
+SI_TEST_IS(Repeated, SourcesTest, TheReferencePictureEqualsTheTracedSource);
 // What the true picture shows is what the row gives.
-TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
+TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
     for (const int light : {0, 1}) {
@@ -237,10 +237,10 @@ TEST_F(SourcesTest, TheTruePictureIsThatOfTheTracedSource) {
     }
 }
 
-SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap);
+SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap);
 // Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
 // is made up for it.
-TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
+TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
     const Scene scene = load_scene("boxes");
     FrameRequest request{.width = 161, .height = 93, .outputs = {.colour = false, .error = true}};
     for (const char* type : {"directional", "point"})
@@ -279,7 +279,7 @@ TEST_F(SourcesTest, ErrorsWithoutAMapAreCountedAndBlamedOnNoMap) {
         }
 }
 
-TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
+TEST_F(SourcesTest, AProbeReportsTheSourcesVisibility) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     FrameRequest request = asks_for_visibility();
@@ -304,7 +304,7 @@ TEST_F(SourcesTest, AProbedPixelTellsTheSourcesAnswer) {
     EXPECT_GT(dark, 2);
 }
 
-TEST_F(SourcesTest, SettingsOfMapsAreIdleWithoutOne) {
+TEST_F(SourcesTest, MapSettingsAreIdleWithoutAMap) {
     Settings s;
     const auto idle = [&](const char* key) { return std::string(idle_reason(s, *find_setting(key))); };
     const char* const of_maps[] = {"map.resolution", "map.wrap",      "bias.constant", "bias.raster_slope",

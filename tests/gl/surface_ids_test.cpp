@@ -32,7 +32,7 @@ Scene ring_scene() {
     return scene;
 }
 
-TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
+TEST_F(SurfaceIdsTest, EqualTheFirstHitsOfRays) {
     const Scene scene = ring_scene();
     const Settings settings = settings_for(scene);
     const SurfaceIds drawn = draw(scene, settings), traced = test::ids_by_rays(scene, frame.camera, 240, 160);
@@ -56,7 +56,7 @@ TEST_F(SurfaceIdsTest, AreWhatRaysFind) {
     for (std::size_t o = 0; o < pixels.size(); ++o) EXPECT_GT(pixels[o], 20u) << "object " << o;
 }
 
-TEST_F(SurfaceIdsTest, AreReusedAndFollowTheCamera) {
+TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     const Scene scene = ring_scene();
     Settings settings = settings_for(scene);
     const SurfaceIds first = draw(scene, settings);
@@ -100,7 +100,7 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     return scene;
 }
 
-TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
+TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
     for (const bool nearest : {true, false})
         for (const TextureWrap wrap : {TextureWrap::Repeat, TextureWrap::Clamp, TextureWrap::Mirror}) {
             const Scene scene = masked_quad(nearest, wrap);
@@ -135,7 +135,7 @@ TEST_F(SurfaceIdsTest, ShowMasksAsTheTruthHasThemAtLevelZero) {
         }
 }
 
-TEST_F(SurfaceIdsTest, TruthAndShadowMapHoldTheSameTriangles) {
+TEST_F(SurfaceIdsTest, ReferenceAndShadowMapHoldTheSameTriangles) {
     for (const char* name : {"stage", "boxes", "teapot", "figures"})
         for (const char* time : {"scene.time=0", "scene.time=0.7"}) {
             Session session = open_session({.scene = name, .sets = {time, "light.0.type=directional"}});
@@ -169,10 +169,10 @@ std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, cons
     return out;
 }
 
-SI_TEST_IS(Repeated, SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed);
+SI_TEST_IS(Repeated, SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed);
 // Where rounding alone has a triangle cover a pixel, a rasteriser may find no place for it. What follows is a number
 // all the same, and that of the fused pass the one of visibility drawn apart.
-TEST_F(SurfaceIdsTest, WhatIsSeenEdgeOnIsShadedAndProbed) {
+TEST_F(SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed) {
     const Scene scene = load_scene("stage");
     std::size_t met = 0;
     for (const int turn : {0, 4}) {

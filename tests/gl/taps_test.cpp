@@ -94,7 +94,7 @@ std::vector<SizedKernel> square_kernels() {
     return out;
 }
 
-TEST(ClosedForms, AreOfSquareKernels) {
+TEST(ClosedForms, ExistForSquareKernels) {
     for (const std::string_view key : kDefinedKernels) {
         const auto row = std::ranges::find(filters(), key, &Filter::key);
         ASSERT_NE(row, filters().end()) << key;
@@ -108,7 +108,7 @@ SI_TESTS_ARE(Repeated, TapsTest);
 SI_TESTS_ARE(Repeated, EachSquareKernel);
 class EachSquareKernel : public TapsTest, public testing::WithParamInterface<SizedKernel> {};
 
-TEST_P(EachSquareKernel, WeighsEachTexelOnceAndAsItsDefinitionSays) {
+TEST_P(EachSquareKernel, WeighsEachTexelOnceByItsDefinition) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings(GetParam().key, 128, 0.7);
     s.bias.normal = 0.5;
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels
                          });
 
 // A bilinear comparison weighs 2x2 texels by where it lies: as many as the row says make the picture, and no more.
-TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
+TEST_F(TapsTest, BilinearComparisonsEqualWeightedTexels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const char* kernel : {"tent", "gauss"})
         for (const int size : {5, 6, 7}) {
@@ -191,7 +191,7 @@ TEST_F(TapsTest, FewBilinearComparisonsMakeWhatManyTexelsWeigh) {
         }
 }
 
-TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
+TEST_F(TapsTest, StoreTheMapsDepthsAndFollowTheWrapModeOutside) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("pcf5", 64, 1);
     s.lights[0].fit = LightFit::Manual;
@@ -226,7 +226,7 @@ TEST_F(TapsTest, StoreWhatTheMapHoldsThereAndAnswerBeyondIt) {
     EXPECT_GT(beyond, 200);
 }
 
-TEST_F(TapsTest, TexelsReadAreThoseOfAllPixelsTaps) {
+TEST_F(TapsTest, TexelsReadAreTheTapsOfAllPixels) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     FrameRequest request{.width = 12, .height = 8};
     request.outputs = {.colour = false, .map_coordinates = true, .texels_read = true};

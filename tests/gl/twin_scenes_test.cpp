@@ -75,7 +75,7 @@ TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
     }
 }
 
-TEST_F(TwinScenes, ATwinIsToldApartWhenOnlyItsWindingIsTurned) {
+TEST_F(TwinScenes, ATwinWithReversedWindingLooksDifferent) {
     const Scene boxes = moved_by_nodes(load_scene("boxes"), glm::dmat4(1));
     Scene inside_out = boxes;
     for (Mesh& mesh : inside_out.meshes)

@@ -43,7 +43,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, ViewChoiceTest);
-TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameFace) {
     Scene scene = load_scene("boxes");
     for (const char* elevation : {"90", "30"})
         for (const Change& kind : {Change{{"light.type", "point"}}, {{"light.type", "spot"}, {"light.cone", "250"}}}) {
@@ -56,7 +56,7 @@ TEST_F(ViewChoiceTest, FacesAreThoseOfTheTwin) {
         }
 }
 
-TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameCascade) {
     const Scene scene = load_scene("stage");
     for (const char* choice : {"interval", "map"})
         for (const char* blend : {"0", "0.4"})
@@ -72,7 +72,7 @@ TEST_F(ViewChoiceTest, CascadesAreThoseOfTheTwin) {
             }
 }
 
-TEST_F(ViewChoiceTest, ClipLevelsAreThoseOfTheTwin) {
+TEST_F(ViewChoiceTest, ShaderAndCpuChooseTheSameClipLevel) {
     const Scene scene = load_scene("stage");
     for (const Change& camera : {Change{{"light.elevation", "90"}},
                                  {{"camera.source", "manual"}, {"camera.distance", "3"}},

@@ -10,7 +10,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -36,7 +36,7 @@ std::size_t differing(const FloatImage& a, const FloatImage& b, float tolerance 
 // ---- light.depth_bounds sdsm
 
 SI_TESTS_ARE(Repeated, ViewDepthsTest);
-TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
+TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
     for (const char* name : {"stage", "landscape", "plane"})
         for (const Sets& camera :
              {Sets{},
@@ -78,7 +78,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsAreThoseOfTheDepthsReadBack) {
         }
 }
 
-TEST_F(ViewDepthsTest, OnLandTheyMissLessThanBoxesDo) {
+TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"map.resolution", "512"}, {"light.cascades", "4"}, {"light.split", "logarithmic"}});
@@ -130,7 +130,7 @@ double depth_of(const LightView& view, const glm::dvec3& at) {
     return glm::dot(view.eye - at, view.axes[2]);
 }
 
-TEST_F(ViewDepthsTest, PancakesThrowTheSameShadowFromAShorterRange) {
+TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
     for (const test::Place& place : test::kPlaces)
         for (const auto& [fit, cascades] : {std::pair{"view", 1}, {"casters", 3}}) {
             SCOPED_TRACE(testing::Message() << fit << " " << cascades << " " << place.elevation);
@@ -168,7 +168,7 @@ TEST_F(ViewDepthsTest, PancakesThrowTheSameShadowFromAShorterRange) {
 }
 
 // How far above the floor the sheet is, the map no longer says.
-TEST_F(ViewDepthsTest, PancakesHaveNarrowPenumbrae) {
+TEST_F(ViewDepthsTest, PancakingNarrowsPenumbrae) {
     const test::Place place = test::kPlaces[0];
     const Scene scene = floor_under_far_sheet(place);
     Settings s = far_sheet_settings(scene, place, "view", 1);
@@ -217,7 +217,7 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
     }
 }
 
-TEST_F(ViewDepthsTest, LampsPancakeToo) {
+TEST_F(ViewDepthsTest, PancakingWorksForSpotAndPointLights) {
     Scene scene = test::floor_under_a_sheet({});
     for (const char* type : {"spot", "point"})
         for (const char* reversed : {"false", "true"}) {
@@ -276,7 +276,7 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
 
 // Through a fixed camera, maps that are made for another one, which moves by parts of a texel and turns: what is drawn
 // stays, but at borders of the texels and of the cascades.
-TEST_F(ViewDepthsTest, StabilisedShadowsDoNotCrawl) {
+TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
     const Scene scene = load_scene("boxes");
     const auto flips = [&](const char* fit) {
         Settings s = settings_for(scene, {{"light.cascades", "2"},

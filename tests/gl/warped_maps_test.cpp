@@ -93,7 +93,7 @@ protected:
 SI_TESTS_ARE(Repeated, WarpedMapsTest);
 // On land that reaches from the camera's feet to hills far away: where the texels of an even map are large in the
 // picture near the camera and small far away, those of a warped map are as large everywhere, and near ones are finer.
-TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
+TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndUniformInThePicture) {
     const Scene scene = load_scene("landscape");
     double near[2], far[2];
     const char* fits[] = {"view", "lispsm"};
@@ -111,7 +111,7 @@ TEST_F(WarpedMapsTest, TexelsAreFinerNearTheCameraAndEvenOverThePicture) {
     EXPECT_GT(far[1], 1.5 * far[0]) << "which is what it costs";
 }
 
-TEST_F(WarpedMapsTest, ErrsLessThanAnEvenMapAndComesToTheTruth) {
+TEST_F(WarpedMapsTest, HasLessErrorThanAUniformMapAndConvergesToTheReference) {
     const auto error = [&](const Scene& scene, Settings s) {
         set_setting(s, "filter.kernel", "hard");
         set_setting(s, "bias.kind", "receiver-plane");
@@ -206,7 +206,7 @@ TEST_F(WarpedMapsTest, LinearDepthsAreDistances) {
 }
 
 // Radii in metres and penumbrae are those of an even map: against the area truth they err no more.
-TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAnEvenMap) {
+TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAUniformMap) {
     const Scene scene = long_ground({0, 0, 0});
     // Without dpcf, whose contrast goes by the depth of the map, which is another under each fit.
     for (const char* kernel : {"pcss", "smrt", "vogel", "poisson"}) {
@@ -242,7 +242,7 @@ TEST_F(WarpedMapsTest, PenumbraeAreAsWideAsUnderAnEvenMap) {
 }
 
 // Windings stay, mirrored objects' too: what culling leaves out of an even map it leaves out of a warped one.
-TEST_F(WarpedMapsTest, CullingMeansTheSameFaces) {
+TEST_F(WarpedMapsTest, CullingSelectsTheSameFaces) {
     const Scene scene = long_ground({0, 0, 0});
     for (const char* cull : {"none", "back", "front"}) {
         const auto shadow = [&](const char* fit) {

@@ -37,7 +37,7 @@ const Tried& tried_named(const Waste& waste, std::string_view name) {
 
 SI_TESTS_ARE(DriverIndependent, WasteTest);
 SI_TESTS_ARE(Repeated, WasteTest);
-TEST_F(WasteTest, ALightThatShadowsIsNeededAndOneThatNobodySeesIsNot) {
+TEST_F(WasteTest, VisibleLightsAreNeededAndInvisibleOnesAreNot) {
     const Scene scene = load_scene("boxes");
     const Waste needed = waste_of(scene, {});
     EXPECT_TRUE(tried_named(needed, "map of light 0").changes);
@@ -53,7 +53,7 @@ TEST_F(WasteTest, ALightThatShadowsIsNeededAndOneThatNobodySeesIsNot) {
     }
 }
 
-TEST_F(WasteTest, WhatIsNotReadChangesNothing) {
+TEST_F(WasteTest, UnreadMapsChangeNothing) {
     for (const Sets& sets : {Sets{{"light.type", "point"}}, Sets{{"light.cascades", "4"}}}) {
         const Waste waste = waste_of(load_scene("stage"), sets);
         EXPECT_GE(waste.tried.size(), 4u);
@@ -64,7 +64,7 @@ TEST_F(WasteTest, WhatIsNotReadChangesNothing) {
     }
 }
 
-TEST_F(WasteTest, LeavingAMapEmptyLeavesNothingBehind) {
+TEST_F(WasteTest, TryingAnEmptyMapRestoresTheMap) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene);
     FrameRequest request = small();
@@ -75,7 +75,7 @@ TEST_F(WasteTest, LeavingAMapEmptyLeavesNothingBehind) {
     EXPECT_EQ(different_pixels(before, picture(scene, s, request)), 0u);
 }
 
-TEST_F(WasteTest, EffectsThatSettingsPutOnAreTriedToo) {
+TEST_F(WasteTest, EffectsEnabledBySettingsAreTried) {
     const Scene scene = load_scene("stage");
     const Waste waste = waste_of(scene, {{"light.contact", "0.5"}, {"map.blur_texels", "2"}});
     EXPECT_TRUE(tried_named(waste, "contact shadows of light 0").changes);
@@ -88,7 +88,7 @@ bool was_tried(const Waste& waste, std::string_view name) {
     return std::ranges::any_of(waste.tried, [&](const Tried& t) { return t.name == name; });
 }
 
-TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
+TEST_F(WasteTest, LookEffectsAreTriedWhereTheyAreEnabled) {
     const Scene scene = load_scene("boxes");
     const Waste waste = waste_of(scene, {});
     EXPECT_TRUE(tried_named(waste, "sky and its ambient light").changes);
@@ -100,7 +100,7 @@ TEST_F(WasteTest, WhatMakesThePictureOfLightIsTriedWhereItIsOn) {
     EXPECT_TRUE(was_tried(waste_of(scene, {{"shading.curve", "plain"}, {"shading.exposure", "1"}}), "tone curve"));
 }
 
-TEST_F(WasteTest, TheGroundIsTriedWhereOneWasPutUnderTheScene) {
+TEST_F(WasteTest, TheGroundIsTriedWhereItWasAdded) {
     Scene scene = make_scene(make_box({1, 2, 1.5}));
     add_ground(scene);
     ASSERT_FALSE(scene.ground_bounds.empty());
@@ -153,7 +153,7 @@ Scene fence(bool cut_out, bool floor = true) {
     return scene;
 }
 
-TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByTheShadowsOfWhatItCuts) {
+TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByShadowsOfMaskedCasters) {
     EXPECT_TRUE(tried_named(waste_of(fence(true), {}), "alpha test in maps").changes);
     EXPECT_FALSE(tried_named(waste_of(fence(false), {}), "alpha test in maps").changes) << "it cuts nothing";
     EXPECT_FALSE(was_tried(waste_of(fence(true), {{"light.cast", "false"}}), "alpha test in maps"));
@@ -169,7 +169,7 @@ TEST_F(WasteTest, BlendedCastersAreTriedWhereTheyCast) {
     EXPECT_FALSE(was_tried(waste_of(scene, {{"caster.blend", "none"}}), "shadows of blended casters"));
 }
 
-TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
+TEST_F(WasteTest, OverlaysAreTriedPaneByPane) {
     const Scene scene = load_scene("boxes");
     const Waste waste = waste_of(
         scene,
@@ -183,7 +183,7 @@ TEST_F(WasteTest, WhatIsShownOverThePictureIsTriedPaneByPane) {
     EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the picture is judged without it";
 }
 
-TEST_F(WasteTest, TimesAreTakenOfWasteWhereTheyAreAskedFor) {
+TEST_F(WasteTest, WasteIsTimedOnRequest) {
     const Scene scene = load_scene("boxes");
     const Waste untimed = waste_of(scene, {});
     EXPECT_FALSE(untimed.maps_ms);
@@ -288,7 +288,7 @@ std::optional<Scene> loaded(const Named& named) {
 }
 
 // Over all models, and by time too: SI_LONG=1, or ctest -L long.
-TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
+TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
     Sum sum;
     for (const Named& named : scene_names())
         if (const std::optional<Scene> scene = loaded(named))
@@ -303,7 +303,7 @@ TEST_F(WasteTest, OfMapsOverScenesAndModelsAsTheyAreIsSmall) {
 
 // Lights of several maps: of these there are some that nobody reads.
 // Label `long`: SI_LONG=1, or ctest -L long.
-TEST_F(WasteTest, OfFacesAndCascadesOverScenesAndModelsIsSmall) {
+TEST_F(WasteTest, OfFacesAndCascadesIsSmallOverScenesAndModels) {
     if (!takes_long()) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
     Sum sum, others;
     for (const Named& named : scene_names()) {

@@ -525,7 +525,7 @@ protected:
     int frames_ = 0;
 };
 
-TEST_F(Permutations, AreValidByTheReferenceCompiler) {
+TEST_F(Permutations, CompileWithTheReferenceCompiler) {
     ASSERT_EQ(std::system("command -v glslangValidator > /dev/null"), 0) << "install the package glslang-tools";
     const auto start = std::chrono::steady_clock::now();
     const fs::path folder = fresh_test_folder();
@@ -576,7 +576,7 @@ TEST_F(Permutations, AreValidByTheReferenceCompiler) {
 }
 
 // What is wrong is found, and named.
-TEST(ReferenceCompiler, FindsWhatIsWrong) {
+TEST(ReferenceCompiler, RejectsWrongShaders) {
     const std::string head = "#version 450 core\nlayout(location = 0) out vec4 c;\n";
     const std::vector<ShaderText> texts = {{false, head + "void main() { c = vec4(1.0); }\n"},
                                            {false, head + "void main() { c = 1; }\n"}};

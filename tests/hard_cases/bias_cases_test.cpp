@@ -66,7 +66,7 @@ struct GrazingCase {
 
 class HardCase1 : public testing::TestWithParam<GrazingCase> {};
 
-TEST_P(HardCase1, GrazingSweep) {
+TEST_P(HardCase1, NoAcneUnderGrazingLight) {
     const Scene scene = plane_scene();
     Settings s = plane_settings(GetParam().format, GetParam().filter);
     for (double theta : {0.0, 20.0, 45.0, 60.0, 75.0, 85.0, 89.0, 89.5}) {
@@ -100,7 +100,7 @@ class HardCase5Offset : public testing::TestWithParam<MapFormat> {};
 
 // What glPolygonOffset is worth was measured on this driver: no acne with as much of it as the plane needs, acne with
 // less.
-TEST_P(HardCase5Offset, ClearsAPlaneByItsWorthAndNotByATenthLess) {
+TEST_P(HardCase5Offset, ClearsAPlaneByTheEquivalentDepthBiasAndNotByATenthLess) {
     const Scene scene = plane_scene();
     const RasterTraits& driver = hard_renderer().driver();
     for (double theta : {45.0, 75.0})
@@ -200,7 +200,7 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
 
 // The share of acne without bias is one half for the nearest kernel, as a texel's plane lies behind its centre's depth
 // on one side of it and before it on the other.
-TEST(HardCase1Share, HalfOfThePlaneAtNoBias) {
+TEST(HardCase1Share, HalfOfThePlaneHasAcneWithoutBias) {
     Settings s = plane_settings(MapFormat::D32F, "hard");
     s.lights[0].elevation = 40;
     s.bias.constant = 0;
@@ -208,7 +208,7 @@ TEST(HardCase1Share, HalfOfThePlaneAtNoBias) {
 }
 
 // Case 2: where N.L goes to 0 the bias has no bound; the faces there hardly receive light.
-TEST(HardCase2, SphereTerminator) {
+TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
     const Scene scene = make_scene(make_sphere(1, 128, 64));
     Settings s = hard_settings();
     s.camera.target_y = 0;

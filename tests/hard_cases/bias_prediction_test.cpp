@@ -177,7 +177,7 @@ std::vector<double> shares_of(const std::string& line, std::size_t from) {
 
 class BiasPrediction : public testing::TestWithParam<Case> {};
 
-TEST_P(BiasPrediction, IsWhatIsMeasured) {
+TEST_P(BiasPrediction, AgreesWithTheMeasuredBias) {
     const Case& c = GetParam();
     const Scene scene = make_scene(make_plane(10, 10));
     const std::vector<std::string> lines = lines_of(kTable);

@@ -40,7 +40,7 @@ int faults_of(const DrawnCase& c) {
     return faults;
 }
 
-TEST(HardCase28, SplitsStayApartAndHoldWhatIsSeen) {
+TEST(HardCase28, SplitsStayDistinctAndCoverVisiblePoints) {
     for (const char* split : {"uniform", "logarithmic", "practical"})
         for (const char* lambda : {"0", "1"})
             for (const auto& [near, far] :
@@ -67,7 +67,7 @@ TEST(HardCase28, SplitsStayApartAndHoldWhatIsSeen) {
     shoot(hard_view("split-ends", true, {{"camera.near", "8"}, {"camera.far", "8"}}));
 }
 
-TEST(HardCase31, ALongTriangleBeforeTheNearPlaneIsNotBent) {
+TEST(HardCase31, ALongTriangleAcrossTheNearPlaneIsNotBent) {
     for (const char* reversed : {"false", "true"}) {
         const Changes depth = {{"map.reversed_z", reversed}};
         DrawnCase wide = hard_view("pancaking", true, depth);

@@ -32,7 +32,7 @@ struct OutlineCase {
 
 class BoxShadow : public testing::TestWithParam<OutlineCase> {};
 
-TEST_P(BoxShadow, EdgeWithinATexel) {
+TEST_P(BoxShadow, EdgesLieWithinATexel) {
     const OutlineCase& c = GetParam();
     const glm::dvec3 box(1.5, 1, 2);
     const double gap = 0.4;

@@ -210,7 +210,7 @@ double largest_change(const FloatImage& a, const FloatImage& b) {
 }
 
 // Case 5: units of the polygon offset differ by format and driver. What was measured on its own is what maps show.
-TEST(HardCase5, PolygonOffset) {
+TEST(HardCase5, PolygonOffsetActsAsMeasured) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (MapFormat format : {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour}) {
         const PolygonOffset& offset = hard_renderer().driver().offset[std::size_t(format)];

@@ -250,7 +250,7 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
 class HardCasesEverywhere : public testing::TestWithParam<const HardCase*> {};
 
 // All of a case in one test: what is drawn by one program is drawn by one process.
-TEST_P(HardCasesEverywhere, LookAndErrAsAtHome) {
+TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     const HardCase& row = *GetParam();
     Homes homes;
     Differences d;
@@ -276,7 +276,7 @@ std::vector<const HardCase*> all_rows() {
 INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()), key_name);
 
 // Label `long`: SI_LONG=1, or ctest -L long.
-TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
+TEST_P(HardCasesEverywhere, LookAndErrAsInPlaceInEveryPlacement) {
     if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 800 pictures a case: SI_LONG=1";
     Homes homes;
     Differences d;
@@ -285,7 +285,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsAtHomeInEveryPlacement) {
 }
 
 // The covering array covers.
-TEST(HardCasesPlacements, PairsAreAllThere) {
+TEST(HardCasesPlacements, PairsAreComplete) {
     const auto rows = pairwise(36, kSeed);
     std::set<std::array<std::size_t, 4>> pairs;
     for (const CaseAndPlacement& c : rows) {

@@ -67,7 +67,7 @@ TEST(HardCase22, VarianceIsNeverNegative) {
         << "without a least variance the sheet must be speckled";
 }
 
-TEST(HardCase23, NoExponentMakesNumbersThatAreNone) {
+TEST(HardCase23, NoExponentGivesNaN) {
     int formats = 0;
     const float large = std::exp(88.f);
     formats += std::isinf(large * large) ? 1 : 0;  // 32 bits
@@ -103,7 +103,7 @@ TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
     }
 }
 
-TEST(HardCase25, SumsOfIntegersAreABlur) {
+TEST(HardCase25, SumsOfIntegersEqualABlur) {
     const Shot blurred = shoot(hard_view("summed-areas", true, {{"filter.kernel", "vsm"}, {"filter.blur", "2"}}));
     const auto off = [&](bool fixed) {
         const Shot summed = shoot(hard_view("summed-areas", fixed));
@@ -117,7 +117,7 @@ TEST(HardCase25, SumsOfIntegersAreABlur) {
     shows_fault(25, off(false));
 }
 
-TEST(HardCase26, NothingAndAllBeforeTheSurface) {
+TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
     for (const char* kernel : {"pcss", "dpcf"})
         for (const char* size : {"0", "1"}) {
             SCOPED_TRACE(std::string(kernel) + " " + size);

@@ -78,7 +78,7 @@ TEST_P(GuidedPresets, ShowsWhatItsSentenceClaims) {
 
 INSTANTIATE_TEST_SUITE_P(Each, GuidedPresets, testing::ValuesIn(preset_keys()), identifier);
 
-TEST(Claims, OfAnUnknownMetricFail) {
+TEST(Claims, WithAnUnknownMetricFail) {
     Drawings drawings("hard-edges");
     for (const std::string metric : {"gray", "grey + gray", "cause.acme", "differing_share"}) {
         const ClaimSubject subject{.metric = metric};
@@ -109,7 +109,7 @@ TEST(GuidedPresetFiles, EachHasATextATopicAndAScene) {
     EXPECT_GE(titles.size(), 30u);
 }
 
-TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
+TEST(GuidedPresetFiles, OpenWithoutRemarksExceptForLostCasters) {
     for (const BuiltinPreset& p : builtin_presets()) {
         SCOPED_TRACE(p.key);
         const Session session = open_session({.scene = {}, .preset = p.key, .sets = {}});
@@ -132,7 +132,7 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksButForTheCastersTheyLose) {
     }
 }
 
-TEST(GuidedPresetFiles, AreWrittenAsTheProgramWritesThem) {
+TEST(GuidedPresetFiles, EqualTheProgramsOutput) {
     for (const auto& entry :
          std::filesystem::directory_iterator(std::filesystem::path(SI_SOURCE_DIR) / "assets/presets")) {
         const std::string text = read_text_file(entry.path());

@@ -22,7 +22,7 @@ std::string view_identifier(const testing::TestParamInfo<HardCaseView>& info) {
     return name;
 }
 
-TEST(HardCaseTable, EveryRowHasWordsASceneAndALimit) {
+TEST(HardCaseTable, EveryRowHasATextASceneAndALimit) {
     const auto rows = hard_cases();
     ASSERT_GE(rows.size(), 36u);
     std::set<std::string_view> keys, titles;
@@ -61,7 +61,7 @@ TEST(HardCaseTable, EveryRowHasTestsOfItsNumber) {
     }
 }
 
-TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
+TEST(HardCaseTable, IsInTheDocumentForBothDrivers) {
     for (const char* driver : kStabilityDrivers) {
         const auto lines = stability_rows(driver);
         for (const HardCase& row : hard_cases()) {
@@ -79,7 +79,7 @@ TEST(HardCaseTable, StandsInTheDocumentOfBothDrivers) {
 
 class HardCasePresets : public testing::TestWithParam<HardCaseView> {};
 
-TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
+TEST_P(HardCasePresets, OpensAsPresetAndAsScene) {
     const HardCaseView& view = GetParam();
     const std::string name = view.name();
     ASSERT_TRUE(is_builtin_scene(name));
@@ -104,9 +104,9 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsSceneWithoutAFault) {
 INSTANTIATE_TEST_SUITE_P(Each, HardCasePresets, testing::ValuesIn(hard_case_views().begin(), hard_case_views().end()),
                          view_identifier);
 
-SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowThem);
+SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowTheFault);
 // The picture of the fault is worse than that of the remedy, by the truth.
-TEST(HardCaseTable, PresetsOfFaultsShowThem) {
+TEST(HardCaseTable, PresetsOfFaultsShowTheFault) {
     for (const HardCase& row : hard_cases()) {
         if (row.broken.empty()) continue;
         // What only shows as the camera moves, and what the truth follows, too.

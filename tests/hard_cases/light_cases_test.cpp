@@ -13,7 +13,7 @@ namespace si::test {
 namespace {
 
 // Case 6: with the light parallel to "up", a basis from a cross product is 0/0 at exactly 0 degrees.
-TEST(HardCase6, LightStraightAbove) {
+TEST(HardCase6, ALightStraightAboveCastsCorrectShadows) {
     // A thin plate: its sides, where N.L changes sign under any tilt, fill no pixel.
     const Scene scene = floor_and_box(10, {3, 1e-3, 3}, 1.0);
     for (LightType type : {LightType::Directional, LightType::Spot}) {
@@ -86,7 +86,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
 }
 
 // A degree before and at the right angle there is about the same error.
-TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
+TEST(HardCase6, TheStageHasNoMoreErrorUnderALightStraightAbove) {
     const Scene scene = load_scene("stage");
     const auto iou = [&](double elevation) {
         Settings s;
@@ -99,7 +99,7 @@ TEST(HardCase6, StageIsNoWorseUnderALightStraightAbove) {
 }
 
 // Case 7: a light inside the geometry would need near <= 0.
-TEST(HardCase7, LightInsideTheBox) {
+TEST(HardCase7, ALightInsideABoxKeepsItsNearPlanePositive) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.25);
     for (LightType type : {LightType::Spot, LightType::Point})
         for (double distance : {1e-9, 0.05, 0.2, 0.5}) {
@@ -169,7 +169,7 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
 // Case 9: tan() of half the cone is 0 or enormous at the ends.
 class HardCase9 : public testing::TestWithParam<double> {};
 
-TEST_P(HardCase9, SpotAngle) {
+TEST_P(HardCase9, EverySpotAngleGivesFiniteMaps) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.5);
     Settings s = hard_settings();
     s.lights[0].type = LightType::Spot;

@@ -12,7 +12,7 @@ namespace si::test {
 namespace {
 
 // Case 19: sliders that hold NaN, infinities or near >= far.
-TEST(HardCase19, BadSettings) {
+TEST(HardCase19, BadSettingsAreRepairedAndReported) {
     const Scene scene = floor_and_box();
     int tried = 0;
     for (LightType type : {LightType::Directional, LightType::Spot, LightType::Point}) {
@@ -77,7 +77,7 @@ TEST(HardCase20, ErrorsFallWithResolution) {
     EXPECT_LT(shares.back(), 0.01);
 }
 
-TEST(HardCase20, KernelsWiderThanTheMap) {
+TEST(HardCase20, KernelsWiderThanTheMapGiveFinitePictures) {
     const Scene scene = floor_and_box();
     for (int n : {1, 2, 3})
         for (std::size_t row = 0; row < filters().size(); ++row)
@@ -90,7 +90,7 @@ TEST(HardCase20, KernelsWiderThanTheMap) {
             }
 }
 
-TEST(HardCase20, BeyondTheDriversLimit) {
+TEST(HardCase20, ResolutionsAboveTheDriversLimitAreReduced) {
     Settings s = hard_settings();
     s.map.resolution = 1 << 30;
     s.map.format = MapFormat::D16;
@@ -106,7 +106,7 @@ TEST(HardCase20, BeyondTheDriversLimit) {
 }
 
 // Case 29: outside of the map, and at its border.
-TEST(HardCase29, OutsideOfTheMapIsLit) {
+TEST(HardCase29, PointsOutsideTheMapAreLit) {
     const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
     for (const char* filter : {"hard", "hw2x2", "pcf5"}) {
         Settings s = hard_settings();
@@ -148,7 +148,7 @@ TEST(HardCase29, OutsideOfTheMapIsLit) {
 }
 
 // Inside, along the border, the fitted map's margin keeps every kernel right.
-TEST(HardCase29, NoErrorAlongTheBorder) {
+TEST(HardCase29, NoErrorsLieAlongTheBorder) {
     // The bar touches the edge of the scene, and so of the map.
     Scene scene;
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));

@@ -144,7 +144,7 @@ INSTANTIATE_TEST_SUITE_P(All, ReceiverPlaneBias, testing::ValuesIn(plane_cases()
 
 // A wall without thickness stands on a floor, turned against the map's axes so that its foot meets texels in every
 // place: between it and its shadow light comes through along b sin(theta).
-TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
+TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(20, 20), grey));
@@ -208,7 +208,7 @@ TEST(ReceiverPlane, LightsAStripBesideAWallAsWideAsTheClosedFormSays) {
 }
 
 // Before casters well away from the floor both kinds decide alike: no edge moves or widens.
-TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
+TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.6);
     for (const Filter& row : filters())
         for (const LightType type : kLightTypes) {
@@ -247,7 +247,7 @@ TEST(ReceiverPlane, DrawsTheEdgesOfDistantCastersAsOneDepthDoes) {
         }
 }
 
-TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
+TEST(ReceiverPlane, ClampBoundsTheDepthGradient) {
     const Plane plane{"", {0, 0, 0}, 10, 30};
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = over(plane, LightType::Directional, 80);
@@ -283,7 +283,7 @@ TEST(ReceiverPlane, ClampBoundsWhatAPlaneMayClaim) {
     EXPECT_EQ(acne(), 0) << "and with that much bias it is";
 }
 
-TEST(ReceiverPlane, ComparesByHandWhatSamplersCannot) {
+TEST(ReceiverPlane, ComparesInTheShaderWhereSamplersCannot) {
     const Scene scene = floor_and_box(10, {1.5, 1, 2}, 0.3);
     for (const char* filter : {"hard", "pcf3_nearest", "hw2x2", "pcf5"})
         for (const char* format : {"d16", "d32f"}) {

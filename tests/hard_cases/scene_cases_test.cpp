@@ -17,7 +17,7 @@ const PassInfo* shadow_pass(const FrameResult& frame) {
 }
 
 // Case 13: triangles without area rasterise to depths out of range on some drivers.
-TEST(HardCase13, DegenerateTriangles) {
+TEST(HardCase13, DegenerateTrianglesChangeNothing) {
     Scene clean, dirty;
     int without_normal = 0;  // whose plane, and slope, would be 0/0
     for (Scene* scene : {&clean, &dirty}) {
@@ -58,7 +58,7 @@ TEST(HardCase13, DegenerateTriangles) {
 }
 
 // Slivers that keep some area stay, and must not harm anything.
-TEST(HardCase13, Slivers) {
+TEST(HardCase13, SliversGiveFinitePictures) {
     Scene scene = floor_and_box();
     Mesh slivers;
     for (int i = 0; i < 50; ++i) {
@@ -88,7 +88,7 @@ void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
     EXPECT_FALSE(pass->reason.empty());
 }
 
-TEST(HardCase17, NothingToDo) {
+TEST(HardCase17, EmptyScenesAreDrawn) {
     const Scene scene = floor_and_box();
     Settings s = hard_settings();
     const Shot with = shoot(scene, s);
@@ -117,7 +117,7 @@ TEST(HardCase17, NothingToDo) {
 }
 
 // Case 18: a plane straight under the light has a depth range of zero.
-TEST(HardCase18, ZeroThicknessBounds) {
+TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     const Scene scene = make_scene(make_plane(10, 10));
     const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // of a fit without a least one
     shows_fault(18, std::isinf(1 / bare_range));
@@ -152,7 +152,7 @@ TEST(HardCase18, ZeroThicknessBounds) {
 }
 
 // Case 34: more than 65535 vertices, and index 65535, which 16-bit indices read as "restart".
-TEST(HardCase34, LargeIndices) {
+TEST(HardCase34, LargeIndicesAreDrawn) {
     const auto scene_with = [](const Mesh& plate) {
         Scene scene;
         add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));

@@ -50,7 +50,7 @@ protected:
     }
 };
 
-TEST_F(HardCase30, AreNoWorseThanTheFaces) {
+TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
     for (const glm::dvec3& at : {glm::dvec3(0), glm::dvec3(4e3, -120, 9e3)})
         for (const glm::dvec3& lamp : {glm::dvec3(0, 2, 0), glm::dvec3(0.3, 1.7, -0.4)})
             for (const char* kernel : {"pcf3", "pcf9", "poisson", "pcss", "vsm"}) {
@@ -81,7 +81,7 @@ TEST_F(HardCase30, AreNoWorseThanTheFaces) {
 }
 
 // What a look-up may reach is in the face that it is made in: nothing beyond the sides is ever read.
-TEST_F(HardCase30, NothingIsReadBesideAFace) {
+TEST_F(HardCase30, NothingIsReadOutsideAFace) {
     const Scene scene = hard_lamp();
     for (const Sets& reach : {Sets{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},
                               {{"filter.kernel", "pcss"}, {"light.size", "0.3"}},

@@ -31,7 +31,7 @@ double caught_share(double width, const glm::dvec2& texel_across) {
     return sum / (kSteps * kSteps);
 }
 
-TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
+TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
     double before = 1;
     for (const char* resolution : {"256", "512", "1024", "2048", "4096"}) {
         SCOPED_TRACE(resolution);
@@ -79,7 +79,7 @@ TEST(HardCase21, WiresLoseWhatTheirWidthPredicts) {
     EXPECT_LT(before, 0.1);
 }
 
-TEST(HardCase27, FacesOfAPixelsWidthHaveTheirOwnPlane) {
+TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     const DrawnCase c = hard_view("edge-on-planes", true);
     const ReferenceErrors e = compare(shoot(c), c.scene, reach_of(c.settings).edge + 1);
     EXPECT_GT(e.domain - e.boundary, 2000);
@@ -115,7 +115,7 @@ double wrong_share(const MeasuredError& e) {
     return double(wrong) / double(std::max<std::size_t>(e.metrics.counted, 1));
 }
 
-TEST(HardCase32, HolesOfAlphaLetTheLightThrough) {
+TEST(HardCase32, AlphaHolesLetLightThrough) {
     const DrawnCase c = hard_view("alpha", true);
     const MeasuredError e = measured(c);
     EXPECT_GT(e.metrics.counted, 5000u);
@@ -128,7 +128,7 @@ TEST(HardCase32, HolesOfAlphaLetTheLightThrough) {
                              differing_share(masked, shoot(hard_view("alpha", false)), 0.5)));
 }
 
-TEST(HardCase33, AMeshThatIsNotFiniteIsLeftOutAndTheRestStays) {
+TEST(HardCase33, MeshesThatAreNotFiniteAreLeftOutAlone) {
     const DrawnCase c = hard_view("not-finite", true);
     const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box, without the other mesh
     EXPECT_TRUE(std::isfinite(c.scene.bounds.radius()));
@@ -145,7 +145,7 @@ TEST(HardCase33, AMeshThatIsNotFiniteIsLeftOutAndTheRestStays) {
     }
 }
 
-TEST(HardCase35, FacetsTurnedAwayAreNoAcne) {
+TEST(HardCase35, FacetsTurnedAwayAreNotAcne) {
     const DrawnCase c = hard_view("smooth-terminator", true);
     const MeasuredError e = measured(c);
     const glm::dvec3 middle(0, 1.25, 0), to_light = e.lights[0].to_light;

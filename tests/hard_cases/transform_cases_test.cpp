@@ -31,7 +31,7 @@ Settings seen_from(Settings s, const glm::dvec3& target, double scale = 1) {
 }
 
 // Case 10: a million metres from the origin.
-TEST(HardCase10, FarFromTheOrigin) {
+TEST(HardCase10, ScenesFarFromTheOriginLookTheSame) {
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = type;
@@ -83,7 +83,7 @@ TEST(HardCase11, EveryScaleLooksTheSame) {
 }
 
 // Case 14: normals under a non-uniform scale.
-TEST(HardCase14, NormalsStandOnStretchedFaces) {
+TEST(HardCase14, NormalsArePerpendicularToStretchedFaces) {
     Scene scene;
     const int root = add_node(scene, "root", -1, scaled(4, 0.5, 1));
     const glm::dmat4 turn = turned(30) * turned(25, {1, 0, 0});
@@ -128,7 +128,7 @@ TEST(HardCase14, NormalsStandOnStretchedFaces) {
 }
 
 // Case 15: a mirrored scene under a mirrored light and camera is the mirrored picture, with culling too.
-TEST(HardCase15, MirroredScene) {
+TEST(HardCase15, MirroredScenesGiveMirroredPictures) {
     const auto make = [](const glm::dmat4& placed) {
         Scene scene = placed_scene(placed);
         // A single-sided plate that faces up: culling its back or front decides whether it casts.
@@ -162,7 +162,7 @@ TEST(HardCase15, MirroredScene) {
 }
 
 // Case 16: objects whose scale is 0 along one or all axes have no inverse.
-TEST(HardCase16, SingularScale) {
+TEST(HardCase16, SingularScalesGiveFinitePictures) {
     const Scene plain = placed_scene(glm::dmat4(1));
     const Shot without = shoot(plain, hard_settings());
     Scene scene = placed_scene(glm::dmat4(1));

@@ -164,7 +164,7 @@ double least_value(Share share_cleared) {
     return hi;
 }
 
-TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsWhatIsCovered) {
+TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     const Scene scene = floor_under_a_sheet(c.place);
     Settings s = settings(0);
     Settings bare = s;

@@ -84,7 +84,7 @@ Scene covered_in_part(const glm::dvec3& at) {
 
 SI_TESTS_ARE(DriverIndependent, EachFit);
 // Away from edges visibility is that of rays, whatever the map leaves out: so it is that of any other fit, too.
-TEST_P(EachFit, KeepsTheTruthWithinItsMapAndBeyond) {
+TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     const Scene scene = covered_in_part(c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", "scene");
@@ -156,7 +156,7 @@ TEST_P(EachFit, LightsALonePlane) {
 
 // A spot light may have a map of parallel rays, and a sun one in perspective. Neither has the light's own rays, but the
 // map's own are kept whatever the fit: of the sun that a spot's stand for, and of the point that a sun's come from.
-TEST(EachFitTheOtherProjection, KeepsTheTruthOfItsMapsRays) {
+TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
     const Scene scene = covered_in_part({0, 0, 0});
     for (const FitRow& row : fits())
         for (const LightType type : {LightType::Directional, LightType::Spot}) {

@@ -121,7 +121,7 @@ protected:
 };
 
 /// What such runs found once, by the settings that were left of it.
-TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
+TEST_F(RandomSettings, EarlierFaultsStayFixed) {
     struct Found {
         const char* scene;
         std::vector<std::pair<const char*, const char*>> sets;
@@ -171,7 +171,7 @@ TEST_F(RandomSettings, WhatTheyFoundStaysMended) {
 
 class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
 
-TEST_P(RandomSeeds, GiveNumbersAndNothingBrighterInShadow) {
+TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
     const unsigned first = number_from("SI_RANDOM_FIRST", 0), seeds = number_from("SI_RANDOM_SEEDS", kUsualSeeds);
     // By whole groups that share programs; of each a part only where nobody says how many, so that there are more.
     const unsigned each = std::getenv("SI_RANDOM_SEEDS") ? kSeedsAProgram : kUsualSeedsAProgram;

@@ -130,7 +130,7 @@ void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit
         for (int x = 0; x < shot.width; ++x) visit(reference.at(x, y), double(shot.visibility.at(x, y)));
 }
 
-TEST_P(EachKernel, APlaneIsLitAndWhatACoverShadowsIsDark) {
+TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
     const Scene scene = floor_under_a_sheet(c.place);
     Settings s = settings_of(c, 256);
     s.lights[0].elevation = 60;
@@ -192,7 +192,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     EXPECT_GE(least, 1 - row.tolerance.lit) << row.tolerance.why;
 }
 
-TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
+TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     const auto error = [&](int resolution) {
         Settings s = settings_of(c, resolution);
@@ -209,7 +209,7 @@ TEST_P(EachKernel, FinerMapsAreNearerToTheTruth) {
     EXPECT_LT(fine, 0.6 * coarse);
 }
 
-TEST_P(EachKernel, TapsTimesWeightsAreWhatTheGpuFound) {
+TEST_P(EachKernel, WeightedTapsEqualTheVisibilityOnTheGpu) {
     const Scene scene = there(c, floor_and_box(8, {1.5, 1, 2}, 0.4));
     Settings s = settings_of(c, 64);
     give_bias(s, fitted(scene, s), 1);
@@ -345,7 +345,7 @@ std::vector<SizedKernel> square_kernels() {
 class EachSquareKernel : public testing::TestWithParam<SizedKernel> {};
 
 // The weights are those that the GPU recorded, column by column. Which columns are lit follows from the geometry.
-TEST_P(EachSquareKernel, BlursAnEdgeAsItsTapsWeigh) {
+TEST_P(EachSquareKernel, BlursAnEdgeByItsTapWeights) {
     const SizedKernel& k = GetParam();
     const Scene scene = half_covered_floor();
     Settings s = overhead(k.key);
@@ -401,7 +401,7 @@ INSTANTIATE_TEST_SUITE_P(All, EachSquareKernel, testing::ValuesIn(square_kernels
 
 // Where only two depths meet, the bound of Chebyshev's inequality is met exactly: the share of lit texels, as
 // percentage- closer filtering has it over the same texels.
-TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
+TEST(Vsm, OfTwoPlanesEqualsTheLitShare) {
     const Scene scene = half_covered_floor();
     for (const int blur : {0, 1, 2}) {
         Settings s = overhead("vsm");
@@ -421,7 +421,7 @@ TEST(Vsm, OfTwoPlanesIsThePercentageItself) {
     }
 }
 
-TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
+TEST(Vsm, LightBleedReductionCutsAShareAndRescalesTheRest) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("vsm");
     s.bias.constant = 0.01;
@@ -437,7 +437,7 @@ TEST(Vsm, LightBleedReductionTakesAwayThatShareAndStretchesTheRest) {
     EXPECT_LT(worst, 1e-2);
 }
 
-TEST(Vsm, MomentsAreMapsWorkAndAloneWhenAskedFor) {
+TEST(Vsm, MomentsAreDrawnWithTheMapAndOnlyWhenNeeded) {
     const Scene scene = half_covered_floor();
     Settings s = overhead("pcf3");
     Renderer& renderer = hard_renderer();
@@ -468,7 +468,7 @@ struct SizedLight {
 class PenumbraKernels : public testing::TestWithParam<const char*> {};
 
 // What kernels that find the occluder say of an edge 1 m above a floor that faces the light: by the intercept theorem.
-TEST_P(PenumbraKernels, FindPenumbraeAsWideAsSimilarTrianglesSay) {
+TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
     const Scene scene = half_covered_floor();
     const double place_m = 5;
     // The light's target is the centre of the scene's bounds, half a metre above the floor.

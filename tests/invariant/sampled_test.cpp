@@ -70,7 +70,7 @@ double crossing(const std::map<int, std::pair<double, int>>& stripes, double str
     return 0;
 }
 
-TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
+TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
     const Scene scene = covered_floor_and_a_brick();
     using Changes = std::vector<std::pair<const char*, const char*>>;
     const std::pair<const char*, Changes> kernels[] = {
@@ -109,7 +109,7 @@ TEST(SoftKernels, MakePenumbraeAsWideAsTheLightDoes) {
 
 // A radius in metres is as wide on the ground whatever the map's resolution, and wherever a perspective map's texels
 // have what width; and the reach says so.
-TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
+TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
     const Scene scene = covered_floor_and_a_brick();
     for (const LightType type : kLightTypes)
         for (const int resolution : {512, 1024}) {
@@ -140,7 +140,7 @@ TEST(SampledKernels, ARadiusInMetresIsThatWideUnderEveryLight) {
         }
 }
 
-TEST(SampledKernels, SayWhereTheirTableEnds) {
+TEST(SampledKernels, ReportWhereTheirTableEnds) {
     const Scene scene = covered_floor_and_a_brick();
     const auto notes = [&](std::string_view kernel, const char* disk) {
         Settings s = soft_settings(kernel, LightType::Directional);
@@ -159,7 +159,7 @@ TEST(SampledKernels, SayWhereTheirTableEnds) {
 }
 
 // Each kernel against its own limit, 4096 places.
-TEST(SampledKernels, NoiseFallsWithTheSlopeThatTheirRowsState) {
+TEST(SampledKernels, NoiseFallsWithTheSlopeOfTheirRows) {
     const Scene scene = covered_floor_and_a_brick();
     int rows = 0;
     for (const Filter& row : filters()) {

@@ -93,7 +93,7 @@ protected:
     }
 };
 
-TEST_P(EachSource, LightsAPlaneAndDarkensWhatIsCovered) {
+TEST_P(EachSource, LightsAPlaneAndDarkensCoveredFloors) {
     if (!row.stands_for.empty()) return;  // it has a closed form of its own
     const Scene half = scene(true);
     const Shot shot = shoot(half, settings());
@@ -130,7 +130,7 @@ TEST_P(EachSource, LightsALonePlane) {
 class EachSourceWithoutAMap : public EachSource {};
 
 SI_TESTS_ARE(DriverIndependent, EachSourceWithoutAMap);
-TEST_P(EachSourceWithoutAMap, KnowsNoKernelBiasOrFit) {
+TEST_P(EachSourceWithoutAMap, IsIndependentOfKernelBiasAndFit) {
     const Scene half = scene(true);
     const FloatImage plain = shoot(half, settings(), 80, 60).visibility;
     const auto expect_same = [&](std::string_view key, std::string_view value) {

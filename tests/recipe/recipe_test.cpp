@@ -83,7 +83,7 @@ std::vector<std::string> added_lines(const std::string& before, const std::strin
     return out;
 }
 
-TEST(FilterKernelRecipe, NeedsNothingMoreThanItSays) {
+TEST(FilterKernelRecipe, ItsFilesAndCommandsSuffice) {
     const std::string page = file_bytes(kSource / kPage);
     const fs::path tree = fresh_test_folder() / "tree";
     for (const char* folder : kFolders) {

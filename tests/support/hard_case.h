@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "renderer/render/renderer.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 namespace si::test {
 

@@ -1,6 +1,6 @@
 #include "tests/support/traced.h"
 
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 namespace si::test {
 

@@ -11,7 +11,7 @@
 #include "renderer/view/bounds/flat_mesh.h"
 #include "renderer/view/fits/light_fit.h"
 #include "renderer/view/fits/region.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traits.h"
 
 namespace si {

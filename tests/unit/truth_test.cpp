@@ -10,7 +10,7 @@
 #include "renderer/settings/param.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traced.h"
 
 namespace si {

@@ -10,7 +10,7 @@
 #include "renderer/view/cascades/cascades.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/support/box_scene.h"
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 #include "tests/support/traits.h"
 
 namespace si {

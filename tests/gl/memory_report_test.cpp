@@ -16,9 +16,9 @@
 namespace si {
 namespace {
 
-class HeldTest : public FrameTest {
+class MemoryReportTest : public FrameTest {
 protected:
-    HeldTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
+    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
     void TearDown() override {
         gl::fault_injection() = {};
         FrameTest::TearDown();
@@ -39,8 +39,8 @@ protected:
     std::vector<MemoryUse> before_ = memory_report().holders;
 };
 
-SI_TESTS_ARE(DriverIndependent, HeldTest);
-TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
+SI_TESTS_ARE(DriverIndependent, MemoryReportTest);
+TEST_F(MemoryReportTest, ImageBytesFollowFormatSizeLayersLevelsAndSamples) {
     const auto bytes = [&](GLenum format, int w, int h, int layers, gl::TargetExtent extent) {
         gl::Target t;
         t.ensure("a test's image", format, w, h, layers, extent);
@@ -54,7 +54,7 @@ TEST_F(HeldTest, ImagesByFormatSizeLayersLevelsAndSamples) {
     EXPECT_EQ(of("a test's image").bytes, 0u);
 }
 
-TEST_F(HeldTest, MapsOfTheFrameAsLargeAsTheyAre) {
+TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
     const Scene scene = load_scene("boxes");
     picture(scene, settings_for(scene, {{"map.resolution", "512"}, {"map.format", "d32f"}}));
     EXPECT_EQ(of("shadow maps").bytes, 512u * 512 * 4);
@@ -65,7 +65,7 @@ TEST_F(HeldTest, MapsOfTheFrameAsLargeAsTheyAre) {
 
 #if !defined(__SANITIZE_ADDRESS__)  // whose allocator is not asked
 /// What is told to be let go is the driver's too, at the latest when nothing is drawn: 160 MB in forty layers.
-TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
+TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "32"}, {"map.format", "d32f"}});
@@ -84,7 +84,7 @@ TEST_F(HeldTest, TheDriverKeepsNoMapOfManyLayers) {
 }
 
 /// Nor where it was drawn in the background, by a context of its own.
-TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
+TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
     WarmupFrame next{.scene = scene, .settings = settings_for(*scene, {{"map.format", "d32f"}}), .request = {}};
@@ -105,7 +105,7 @@ TEST_F(HeldTest, WhatIsRehearsedLeavesNoMapOfManyLayers) {
 #endif
 
 /// A thread beside a window's has one picture drawn and one waiting at most.
-TEST_F(HeldTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
+TEST_F(MemoryReportTest, BackgroundDrawingWaitsForThePictureBeforeTheLast) {
     constexpr int kSide = 8192;
     gl::Target tiny, large;
     tiny.ensure("a test's image", GL_R8, 1, 1);
@@ -129,7 +129,7 @@ TEST_F(HeldTest, WhoLetsOthersDrawWaitsForThePictureBeforeTheLast) {
 
 /// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
 /// for, nor the memory of the one that failed.
-TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
+TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     gl::Target t;
     t.ensure("a test's image", GL_R32F, 64, 64);
     t.key = 5;
@@ -147,7 +147,7 @@ TEST_F(HeldTest, ATargetThatFoundNoMemoryIsNone) {
     EXPECT_EQ(width, 64);
 }
 
-TEST_F(HeldTest, WhatMeasuresInTheBackgroundGivesBackWhenNothingIsWanted) {
+TEST_F(MemoryReportTest, BackgroundMeasurementsReleaseMemoryWhenIdle) {
     const Settings s = settings_for(load_scene("boxes"), {{"map.resolution", "256"}});
     MeasuringThread thread(std::chrono::milliseconds(300));
     thread.start_measurement({.scene = std::make_shared<const Scene>(load_scene("boxes")),
@@ -172,7 +172,7 @@ gl::ProgramRequest plain_program(int number) {
             .preamble = "// " + std::to_string(number) + "\n"};
 }
 
-TEST_F(HeldTest, TheLongestUnusedProgramsGiveWay) {
+TEST_F(MemoryReportTest, LeastRecentlyUsedProgramsAreReleased) {
     gl::ProgramCache cache;
     for (int i = 0; i < 6; ++i) {
         cache.get(plain_program(i));
@@ -197,7 +197,7 @@ TEST_F(HeldTest, TheLongestUnusedProgramsGiveWay) {
     EXPECT_EQ(cache.size(), 2u);
 }
 
-TEST_F(HeldTest, FramesKeepSoManyProgramsAndDrawTheSame) {
+TEST_F(MemoryReportTest, FramesWithFewProgramsDrawTheSamePicture) {
     const Scene scene = load_scene("boxes");
     const FrameRequest tiny{.width = 32, .height = 18};
     gl::fault_injection().max_programs = 4;

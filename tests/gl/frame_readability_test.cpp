@@ -13,7 +13,7 @@ struct Shown {
     FrameRequest request;
 };
 
-class FramesApart : public FrameTest {
+class FrameReadability : public FrameTest {
 protected:
     /// Two that share nothing: scene, kinds and number of lights, formats, sizes, camera.
     std::vector<Shown> shown() {
@@ -46,8 +46,8 @@ protected:
     }
 };
 
-SI_TESTS_ARE(DriverIndependent, FramesApart);
-TEST_F(FramesApart, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
+SI_TESTS_ARE(DriverIndependent, FrameReadability);
+TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
     const std::vector<Shown> both = shown();
     std::vector<FloatImage> maps, views;
     for (const Shown& s : both) {  // each by a renderer that has drawn nothing else
@@ -79,7 +79,7 @@ TEST_F(FramesApart, EachIsReadWhileItIsThereAndRefusedWhenItIsGone) {
     }
 }
 
-TEST_F(FramesApart, OneThatDrawsNothingNewLeavesTheOtherAlone) {
+TEST_F(FrameReadability, AFrameThatDrawsNothingKeepsTheOtherReadable) {
     const std::vector<Shown> both = shown();
     const FrameResult f = draw(both[0]), again = draw(both[0]);
     EXPECT_TRUE(renderer.holds(f)) << "all was reused";
@@ -97,7 +97,7 @@ TEST_F(FramesApart, OneThatDrawsNothingNewLeavesTheOtherAlone) {
     EXPECT_NO_THROW(renderer.read_shadow_map(f, 0, 0)) << "the maps are the same";
 }
 
-TEST_F(FramesApart, ProbesInTurnEachAnswerForTheirOwn) {
+TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
     const std::vector<Shown> both = shown();
     const glm::ivec2 pixel{90, 60};
     std::vector<Probe> alone;
@@ -130,9 +130,9 @@ TEST_F(FramesApart, ProbesInTurnEachAnswerForTheirOwn) {
     }
 }
 
-SI_TEST_IS(Repeated, FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs);
+SI_TEST_IS(Repeated, FrameReadability, AProbeKeepsTheShownFrame);
 // Where it did not, a window that shows both would draw for ever.
-TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
+TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
     using Sets = std::vector<std::pair<std::string, std::string>>;
     const std::vector<Sets> all = {
         {},
@@ -172,7 +172,7 @@ TEST_F(FramesApart, AProbeLeavesTheFrameThatIsShownAsItIs) {
     }
 }
 
-TEST_F(FramesApart, OneWhoseImagesAreGivenUpIsGone) {
+TEST_F(FrameReadability, AFrameWithReleasedImagesIsRefused) {
     std::vector<Shown> frames(4, shown()[0]);
     set_setting(frames[0].settings, "filter.kernel", "vsm");
     set_setting(frames[1].settings, "map.blur_texels", "2");

@@ -73,7 +73,7 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, FixesTest);
 SI_TESTS_ARE(Repeated, FixesTest);
-TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
+TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
     const FixTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
@@ -83,13 +83,13 @@ TEST_F(FixesTest, PeterPanningIsCuredByTheLeastBias) {
               0.9 * double(table.wrong_of[std::size_t(Artefact::PeterPanning)]));
 }
 
-TEST_F(FixesTest, AnOffsetsStripIsCured) {
+TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
     cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
 }
 
-TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
+TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 320;
     height = 180;
@@ -103,7 +103,7 @@ TEST_F(FixesTest, TheStageIsCuredOfTooMuchBiasAndOfFrontCulling) {
     cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
 }
 
-TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
+TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(12, 12), grey));
@@ -118,7 +118,7 @@ TEST_F(FixesTest, AFenceIsCuredByTheResolutionThatItNeeds) {
     cured(scene, s, {Artefact::Undersampled}, 300);
 }
 
-TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
+TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 512, 0);
     const MeasuredError m = measure(scene, s);
@@ -151,7 +151,7 @@ TEST_F(FixesTest, SaysOfAPixelWhatPutsItRightAndWhatWasNotTried) {
 }
 
 // All rows of the tables of fits and biases that suit the light, and cascades.
-TEST_F(FixesTest, EveryOtherFitBiasAndNumberOfCascadesIsTried) {
+TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
     width = 160;
     height = 120;
     const Scene scene = test::floor_and_box(12, {1.5, 1, 2}, 0.4);
@@ -248,7 +248,7 @@ TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     EXPECT_EQ(numbers, 4);
 }
 
-TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
+TEST_F(FixesTest, CascadesRestoreShadowsTooFineForOneMap) {
     width = 320;
     height = 180;
     const Scene scene = load_scene("landscape");
@@ -265,7 +265,7 @@ TEST_F(FixesTest, CascadesCureWhatOneMapDoesNotResolve) {
     EXPECT_EQ(left, table.wrong - four->cured + four->broken);
 }
 
-TEST_F(FixesTest, ATighterFitKeepsWhatIsSeenAndSaysItsTexels) {
+TEST_F(FixesTest, ATighterFitKeepsVisibleShadowsAndReportsItsTexels) {
     const Scene scene = test::floor_and_box(40, {1.5, 1, 2}, 0);
     Settings s = test::texel_settings("hard", 256, 3);
     s.camera.distance = 4;

@@ -57,7 +57,7 @@ protected:
 };
 
 /// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
-TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
+TEST_F(DiagnosisTest, AnswersConcernTheChosenLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"},
                                       {"light.count", "2"},
@@ -86,8 +86,8 @@ TEST_F(DiagnosisTest, WhatALightIsAskedGoesByThatLight) {
     }
 }
 
-SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToWhatTheGpuFound);
-TEST_F(DiagnosisTest, TapsAddUpToWhatTheGpuFound) {
+SI_TEST_IS(Repeated, DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu);
+TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     constexpr std::pair<const char*, const char*> kUnder[] = {{"d16", "receiver-plane"},
                                                               {"d32f", "slope"},
@@ -165,7 +165,7 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
     EXPECT_GT(kinds[std::size_t(Artefact::Acne)], 5);
 }
 
-TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
+TEST_F(DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks) {
     const Scene scene = make_scene(make_plane(10, 10));
     for (const char* kernel : {"hard", "hw2x2"})
         for (const bool slope : {false, true}) {
@@ -196,7 +196,7 @@ TEST_F(DiagnosisTest, AcneNamesItsNeedAndTheRemedyCuresIt) {
         }
 }
 
-TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
+TEST_F(DiagnosisTest, AcneUnderAWideKernelIsStillReported) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("pcf5", 1.5);
     const PixelDiagnosis d = diagnosis(scene, s, {80, 60});
@@ -209,7 +209,7 @@ TEST_F(DiagnosisTest, AWideKernelHidesAcneThatIsStillTold) {
     EXPECT_EQ(measure(scene, s).metrics.any_acne, 0);
 }
 
-TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
+TEST_F(DiagnosisTest, TooMuchBiasIsPeterPanningAndLessFixesIt) {
     const Scene scene = test::sheet_over_floor(0.6);
     Settings s = plain("hard", 0);
     s.bias.constant = 60;
@@ -230,7 +230,7 @@ TEST_F(DiagnosisTest, TooMuchBiasIsCalledPeterPanningAndLessCuresIt) {
     EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
 }
 
-TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
+TEST_F(DiagnosisTest, WithoutAValidBiasItNamesTheNeededResolution) {
     const Scene scene = test::sheet_over_floor(0.3);
     Settings s = plain("pcf7", 12);
     s.map.resolution = 128;
@@ -255,7 +255,7 @@ TEST_F(DiagnosisTest, SaysWhenNoBiasIsRightAndWhichResolutionOpensTheWindow) {
     EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
 }
 
-TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
+TEST_F(DiagnosisTest, NormalOffsetCountsByItsEquivalentDepthBias) {
     const Scene scene = make_scene(make_plane(10, 10));
     Settings s = plain("hard", 0);
     s.bias.normal = 1;
@@ -273,7 +273,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsWorthAlongTheRay) {
     EXPECT_NEAR(even.has.depth / even.least.depth, 1, 1e-4);
 }
 
-TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
+TEST_F(DiagnosisTest, DistinguishesEdgesLostCastersAndPointsOutsideTheMap) {
     const Scene box = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = plain("hard", 3);
     s.map.resolution = 64;
@@ -301,7 +301,7 @@ TEST_F(DiagnosisTest, TellsEdgesLostCastersAndTheMapsOutsideApart) {
     EXPECT_EQ(diagnosis(sheet, s, *outside).verdict.find("outside the map"), 0u);
 }
 
-TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
+TEST_F(DiagnosisTest, NamesTheBlurWhereTheUnblurredMapIsRight) {
     Settings s = plain("hard", 3);
     s.map.blur_texels = 6;
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
@@ -314,13 +314,13 @@ TEST_F(DiagnosisTest, NamesTheBlurWhereTheMapWithoutItIsRight) {
     EXPECT_TRUE(diagnosis(scene, s, *pixel).right) << "as the verdict says";
 }
 
-TEST_F(DiagnosisTest, ValuesOfRemediesAreShortDecimals) {
+TEST_F(DiagnosisTest, ValuesOfFixesAreShortDecimals) {
     for (const auto& [from, to] :
          {std::pair{2.7501, 2.76}, {0.0027501, 0.00276}, {1e-7 * 1.2301, 1.24e-7}, {27501.0, 27600.0}, {3.0, 3.0}})
         EXPECT_EQ(rounded_up(from), to);
 }
 
-TEST_F(DiagnosisTest, ALargeLightIsSeenInPart) {
+TEST_F(DiagnosisTest, ALargeLightIsPartlyVisible) {
     const Scene scene = test::sheet_over_floor(1.2);
     Settings s = plain("hard", 3);
     s.lights[0].size = 8;

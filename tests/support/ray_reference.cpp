@@ -1,4 +1,4 @@
-#include "tests/support/ray_truth.h"
+#include "tests/support/ray_reference.h"
 
 #include <algorithm>
 #include <cmath>

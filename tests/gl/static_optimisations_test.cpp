@@ -120,7 +120,7 @@ const std::vector<Sets>& kinds() {
 
 SI_TESTS_ARE(DriverIndependent, StaticOptimisationsTest);
 SI_TESTS_ARE(Repeated, StaticOptimisationsTest);
-TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
+TEST_F(StaticOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     std::size_t next = 0;
     int kept = 0, frames = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
@@ -141,7 +141,7 @@ TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfEveryBuiltInScene) {
     EXPECT_GT(kept, frames / 4);
 }
 
-TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
+TEST_F(StaticOptimisationsTest, OnlyMovingCastersAreDrawnAfterTwoFrames) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3, all = 41 * ball + 2 + 8 * 12;
     for (const Sets& sets : {kinds()[0], kinds()[2]}) {
@@ -170,7 +170,7 @@ TEST_F(StaticOptimisationsTest, OnlyWhatMovesIsDrawnAfterTwoFrames) {
     }
 }
 
-TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
+TEST_F(StaticOptimisationsTest, FacesWithoutMovingCastersAreNotDrawn) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, {{"light.type", "point"},
                                           {"light.distance", "3"},
@@ -190,7 +190,7 @@ TEST_F(StaticOptimisationsTest, FacesThatNothingMovesInAreLeftAlone) {
     EXPECT_LE(drawn, 2) << "it lies to the light's side, in one face or on the edge of two";
 }
 
-TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
+TEST_F(StaticOptimisationsTest, KeepEveryTexelOfAnimatedModels) {
     const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
     if (!std::filesystem::exists(models)) GTEST_SKIP() << test::kLacks << "../shared/models";
     for (const char* file :
@@ -220,7 +220,7 @@ TEST_F(StaticOptimisationsTest, LeaveEveryTexelOfAnimatedModels) {
 }
 
 // What comes to rest goes on being drawn, until that has cost as much as to draw anew what rests.
-TEST_F(StaticOptimisationsTest, WhatComesToRestIsKeptInTime) {
+TEST_F(StaticOptimisationsTest, CastersThatStopMovingAreCached) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     const Settings s = small_maps(scene, kinds()[0]);
@@ -263,7 +263,7 @@ TEST_F(StaticOptimisationsTest, MasksAreDrawnOverMasks) {
     EXPECT_FALSE(is_kept(expect_the_same(scene, s, "other cutoffs")));
 }
 
-TEST_F(StaticOptimisationsTest, ACameraThatMovesTooFindsItAll) {
+TEST_F(StaticOptimisationsTest, AMovingCameraSeesCompleteMaps) {
     Scene scene = many_balls();
     for (const Sets& sets : {kinds()[0], kinds()[4]}) {
         Settings s = small_maps(scene, sets);
@@ -293,7 +293,7 @@ struct Declined {
     const char* reason;
 };
 
-TEST_F(StaticOptimisationsTest, WhatCannotBeKeptApartSaysWhy) {
+TEST_F(StaticOptimisationsTest, LightsWithoutStaticCacheReportTheReason) {
     const Declined all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
                             {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
                             {{{"light.fit", "scene"}}, "Post", "views changed"}};
@@ -311,7 +311,7 @@ TEST_F(StaticOptimisationsTest, WhatCannotBeKeptApartSaysWhy) {
     }
 }
 
-TEST_F(StaticOptimisationsTest, TheEffectIsTold) {
+TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     Scene scene = many_balls();
     const Settings s = small_maps(scene, kinds()[0]);
     const auto told = [&] {
@@ -346,7 +346,7 @@ Scene animated_ball() {
     return scene;
 }
 
-TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
+TEST_F(StaticOptimisationsTest, MeasuredFramesMoveAndCacheStaticCasters) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
     s.scene.time = 0.9;  // over the end
@@ -371,7 +371,7 @@ TEST_F(StaticOptimisationsTest, FramesThatAreMeasuredMoveAndKeepWhatRests) {
     }
 }
 
-TEST_F(StaticOptimisationsTest, AreMeasuredWhereSomethingMovesAndNowhereElse) {
+TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {
         Renderer again;  // that has seen nothing move

@@ -8,10 +8,10 @@
 namespace si {
 namespace {
 
-class StandInTest : public FrameTest {};
+class ProxySceneTest : public FrameTest {};
 
 /// Which programs a frame is made of, said by who makes them.
-TEST_F(StandInTest, AStandInCallsForTheProgramsOfItsScene) {
+TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     std::vector<std::string> names = {"stage", "boxes", "landscape"};
     for (const char* file : {"gen_forest_10k/forest_10k.glb", "gen_leaf_mask_uv1/leaf_mask_uv1.glb"}) {
         const auto path = std::filesystem::path(SI_SOURCE_DIR "/../shared/models") / file;
@@ -29,7 +29,7 @@ TEST_F(StandInTest, AStandInCallsForTheProgramsOfItsScene) {
     }
 }
 
-TEST_F(StandInTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
+TEST_F(ProxySceneTest, IsSmallAndKeepsEachKindOfObject) {
     Scene scene;
     const int plain = add_material(scene, "plain", {1, 0, 0}), cut = add_material(scene, "cut", {0, 1, 0});
     scene.materials[std::size_t(cut)].alpha = AlphaMode::Mask;
@@ -58,7 +58,7 @@ TEST_F(StandInTest, AStandInOfALargeSceneIsSmallAndKeepsEachKind) {
     EXPECT_NEAR(glm::distance(small.bounds.hi, scene.bounds.hi), 0, 1e-6);
 }
 
-TEST_F(StandInTest, AnEmptySceneHasAStandIn) {
+TEST_F(ProxySceneTest, ExistsForAnEmptyScene) {
     Scene nothing;
     finalise(nothing);
     EXPECT_TRUE(stand_in(nothing, {}).objects.empty());

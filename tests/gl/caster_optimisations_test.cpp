@@ -71,13 +71,13 @@ Scene displaced_by(Scene scene, const glm::dmat4& by) {
 
 SI_TESTS_ARE(DriverIndependent, CasterOptimisationsTest);
 SI_TESTS_ARE(Repeated, CasterOptimisationsTest);
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelInEveryBuiltInScene) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfBuiltInScenes) {
     for (const BuiltinScene& row : builtin_scenes())
         for (const Sets& sets : kinds_of_maps())
             expect_one_map(load_scene(std::string(row.key)), sets, std::string(row.key));
 }
 
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
     glm::dmat4 sheared = moved(115, 0, 40) * scaled(-1, 1.3, 1);
     sheared[1][0] = 0.4;
     for (const Sets& sets : kinds_of_maps()) {
@@ -87,7 +87,7 @@ TEST_F(CasterOptimisationsTest, LeaveEveryTexelAwayFromHomeMirroredAndSheared) {
     expect_one_map(Scene{}, {}, "an empty scene");
 }
 
-TEST_F(CasterOptimisationsTest, LeaveEveryTexelOfRealModels) {
+TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
     if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
     for (const test::SharedModel& model : models) {
@@ -122,7 +122,7 @@ const PassInfo& map_pass(const FrameResult& f) {
     return f.passes.front();
 }
 
-TEST_F(CasterOptimisationsTest, CastersBesideAFaceAreNotDrawn) {
+TEST_F(CasterOptimisationsTest, CastersOutsideAFaceAreNotDrawn) {
     const Scene scene = two_balls();
     const Settings s = settings_for(scene, {{"light.type", "point"},
                                             {"light.target_y", "1"},
@@ -158,7 +158,7 @@ TEST_F(CasterOptimisationsTest, BackFacesOfClosedCastersAreNotDrawn) {
             << key << ": both sides, or as asked";
 }
 
-TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
+TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(9, 9), grey));
@@ -194,7 +194,7 @@ TEST_F(CasterOptimisationsTest, FlatCastersSeenWellNeedNoFragmentShader) {
 
 // What the driver itself makes of both sides: rounding decides where a texel's centre lies on a silhouette, and nowhere
 // else. Among four million texels of the agreed scene these are fewer than ten.
-TEST_F(CasterOptimisationsTest, BackFacesWouldShowOnSilhouettesAlone) {
+TEST_F(CasterOptimisationsTest, BackFacesChangeSilhouetteTexelsOnly) {
     for (const char* key : {"boxes", "figures"}) {
         const Scene scene = load_scene(key);
         Settings all = settings_for(scene, {{"caster.cull", "none"}, {"map.resolution", "2048"}});

@@ -10,7 +10,7 @@ namespace {
 
 class ReferencePackets : public FrameTest {};
 
-TEST_F(ReferencePackets, ARayAnswersAsItDoesAloneInEveryBuiltInScene) {
+TEST_F(ReferencePackets, ARayInAPacketEqualsASingleRayInBuiltInScenes) {
     std::size_t rays = 0, occluded = 0;
     for (const BuiltinScene& row : builtin_scenes()) {
         const Scene scene = load_scene(std::string(row.key));

@@ -66,7 +66,7 @@ const Sets kFromAbove = {{"camera.source", "manual"},
                          {"shading.sky", "plain"}};
 
 SI_TESTS_ARE(Repeated, ShadingOptimisationsTest);
-TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
+TEST_F(ShadingOptimisationsTest, NearObjectsAreDrawnBeforeHiddenOnes) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
     const std::uint64_t spared = written_fragments(far_first, s, {}),
@@ -77,7 +77,7 @@ TEST_F(ShadingOptimisationsTest, WhatIsNearIsDrawnBeforeWhatItHides) {
     EXPECT_GT(forced, 2 * spared);
 }
 
-TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
+TEST_F(ShadingOptimisationsTest, DrawingLargeMeshesLastShadesFewerHiddenPixels) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     const Settings s = settings_for(scene, {{"light.cast", "false"}, {"shading.sky", "plain"}});
     FrameRequest request = small();
@@ -88,7 +88,7 @@ TEST_F(ShadingOptimisationsTest, LargeMeshesLastShadeLessOfWhatIsHidden) {
     EXPECT_LT(double(written_fragments(scene, s, {})), 1.05 * double(shown)) << "the ground is drawn last";
 }
 
-TEST_F(ShadingOptimisationsTest, OrderLeavesThePictureAlone) {
+TEST_F(ShadingOptimisationsTest, OrderChangesNoPixel) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     FrameRequest forced = small();
     forced.forced = {Optimisation::Order};
@@ -103,7 +103,7 @@ Mesh plates(double aside) {
     return mesh;
 }
 
-TEST_F(ShadingOptimisationsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
+TEST_F(ShadingOptimisationsTest, CoincidentPlatesShowTheSameOneFromEverySide) {
     Scene scene;
     const int red = add_material(scene, "red", {0.8f, 0.1f, 0.1f}),
               green = add_material(scene, "green", {0.1f, 0.8f, 0.1f});
@@ -128,7 +128,7 @@ TEST_F(ShadingOptimisationsTest, OfPlatesInOnePlaceOneWinsFromEverySide) {
     }
 }
 
-TEST_F(ShadingOptimisationsTest, ObjectsBesideThePictureAreNotDrawn) {
+TEST_F(ShadingOptimisationsTest, ObjectsOutsideThePictureAreNotDrawn) {
     Scene scene;
     const int mesh = add_mesh(scene, "ball", make_sphere(0.5, 16, 8), add_material(scene, "grey", glm::vec3(0.5f)));
     for (int x = -20; x <= 20; ++x) add_object(scene, "ball " + std::to_string(x), -1, mesh, moved(2 * x, 0, 0));
@@ -191,7 +191,7 @@ int active_samplers() {
     return samplers;
 }
 
-TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
+TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
     const Scene scene = load_scene("boxes");
     const Sets lone[] = {{{"light.intensity", "0"}},
                          {{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}, {"light.type", "point"}},
@@ -230,7 +230,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreNoPartOfTheProgram) {
     }
 }
 
-TEST_F(ShadingOptimisationsTest, WhereNothingCastsNothingIsLookedUp) {
+TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(20, 20), grey));
@@ -305,7 +305,7 @@ TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
 }
 
 // Powers of two are squared, others raised: the highlight grows evenly from one to the next.
-TEST_F(ShadingOptimisationsTest, HighlightsArePowersHoweverTheyAreComputed) {
+TEST_F(ShadingOptimisationsTest, HighlightsEqualPowersInEitherForm) {
     const Scene scene = load_scene("boxes");
     const auto mean = [&](const char* shininess) {
         const ByteImage p = picture(scene, settings_for(scene, {{"shading.specular", "1"},

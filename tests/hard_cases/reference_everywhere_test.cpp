@@ -122,7 +122,7 @@ std::vector<Solids> variants() {
 
 class HardCase36Everywhere : public testing::TestWithParam<LightType> {};
 
-TEST_P(HardCase36Everywhere, TheTruthIsTheClosedForm) {
+TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
     const LightType type = GetParam();
     std::vector<Placement> placements = one_by_one();
     placements.push_back({});
@@ -197,7 +197,7 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase36Everywhere, testing::Values(LightType::D
 
 // Vertices that are themselves far away are rounded as they are baked. Less the shift, the very numbers that are left
 // stand below a node that brings them back: that scene and the baked one are the same geometry.
-TEST(HardCase10Baked, VerticesFarAwayAreTheirOwnRoundedGeometry) {
+TEST(HardCase10Baked, DistantVerticesAreComparedAsRounded) {
     for (const glm::dvec3& at : {glm::dvec3(70.3, -13.7, 70.1),
                                  {-7071.3, 130.7, 7071.1},
                                  {70710.3, -1300.7, -70710.1},

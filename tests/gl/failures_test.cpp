@@ -13,7 +13,7 @@ namespace {
 
 using gl::DriverFailure;
 
-class TroubleTest : public ::testing::Test {
+class FailuresTest : public ::testing::Test {
 protected:
     HeadlessContext context;
     void SetUp() override { test::expect_named_driver(); }
@@ -94,16 +94,16 @@ protected:
     }
 };
 
-SI_TESTS_ARE(DriverIndependent, TroubleTest);
-TEST_F(TroubleTest, MemoryMayEndAtEveryCallOfAFrame) {
+SI_TESTS_ARE(DriverIndependent, FailuresTest);
+TEST_F(FailuresTest, OutOfMemoryIsHandledAtEveryCallOfAFrame) {
     survive_each(DriverFailure::Memory, 20);
 }
 
-TEST_F(TroubleTest, EveryShaderOfAFrameMayFail) {
+TEST_F(FailuresTest, FailureOfEveryShaderIsHandled) {
     survive_each(DriverFailure::Shader, 10);
 }
 
-TEST_F(TroubleTest, SmallerMapsAreTheWayOnAndNamed) {
+TEST_F(FailuresTest, SmallerMapsAreDrawnAndReported) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}});
     Settings smaller = s;
@@ -126,7 +126,7 @@ TEST_F(TroubleTest, SmallerMapsAreTheWayOnAndNamed) {
     EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512) << "another resolution ends it";
 }
 
-TEST_F(TroubleTest, WhereNoSizeHelpsTheSentenceSaysSo) {
+TEST_F(FailuresTest, WithoutMemoryForAnyMapTheMessageReportsIt) {
     const Scene scene = load_scene("boxes");
     Renderer renderer;
     always_fail("shadow maps");
@@ -138,7 +138,7 @@ TEST_F(TroubleTest, WhereNoSizeHelpsTheSentenceSaysSo) {
     }
 }
 
-TEST_F(TroubleTest, ALostContextIsSaidOnceAFrameAndEndsNothing) {
+TEST_F(FailuresTest, ALostContextIsReportedOncePerFrame) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings(scene);
     Renderer renderer;

@@ -71,7 +71,7 @@ protected:
 };
 
 SI_TESTS_ARE(Repeated, ViewOptimisationsTest);
-TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, CastersWithoutVisibleShadowAreNotDrawn) {
     const Scene scene = row_of_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
     for (const Sets& light : {Sets{}, Sets{{"light.type", "spot"}, {"light.distance", "30"}}}) {
@@ -88,7 +88,7 @@ TEST_F(ViewOptimisationsTest, CastersOfWhichNoShadowIsSeenAreNotDrawn) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, RunsOfLargeCastersThatShadowNothingVisibleAreNotDrawn) {
     const Scene scene = load_scene("landscape");
     Settings s =
         settings_for(scene, {{"camera.source", "manual"}, {"camera.elevation", "60"}, {"map.resolution", "512"}});
@@ -101,7 +101,7 @@ TEST_F(ViewOptimisationsTest, OfLargeCastersTheRunsThatCoverNothingSeenAreNotDra
     EXPECT_LT(double(saved), 0.3 * double(forced)) << "its triangles go row by row along z";
 }
 
-TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, FacesReadByNoVisiblePointAreNotDrawn) {
     const Scene scene = row_of_balls();
     const Settings s = settings_for(
         scene,
@@ -123,7 +123,7 @@ TEST_F(ViewOptimisationsTest, FacesThatNothingSeenIsLookedUpInAreNotDrawn) {
         }
 }
 
-TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
+TEST_F(ViewOptimisationsTest, CascadesReadByNoVisiblePointAreNotDrawn) {
     // A ball near the camera and a wall far behind it; between them, beside the picture, balls that only cast.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -158,7 +158,7 @@ TEST_F(ViewOptimisationsTest, CascadesThatNothingSeenIsLookedUpInAreNotDrawn) {
     EXPECT_EQ(cascades[3]->state, PassState::Drawn) << "it holds the wall";
 }
 
-TEST_F(ViewOptimisationsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
+TEST_F(ViewOptimisationsTest, ReceiversThatFaceAwayNeedNoCasters) {
     // A large ball that fills the picture, and beside the picture many small ones between it and the light.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -189,7 +189,7 @@ TEST_F(ViewOptimisationsTest, AgainstTheLightWhatFacesAwayCallsForNoCasters) {
         }
 }
 
-TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
+TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayNeedNoMap) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Floor", -1, add_mesh(scene, "Floor", make_plane(40, 40), grey), moved(7, 3, -2) * turned(20));
@@ -217,7 +217,7 @@ TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayCallForNoMap) {
 
 // A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
 // all of it.
-TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
+TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera) {
     const Scene scene = row_of_balls();
     const Sets lights[] = {{},
                            {{"light.elevation", "12"}, {"map.wrap", "clamp"}, {"light.fit", "manual"}},
@@ -255,7 +255,7 @@ TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromAnywhere) {
     EXPECT_LT(double(saved), 0.85 * double(forced));
 }
 
-TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
+TEST_F(ViewOptimisationsTest, UnreadTexelsAreNotBlurred) {
     const Scene scene = row_of_balls();
     const auto unread = [](const FrameResult& f, std::string_view name) {
         std::uint64_t count = 0;
@@ -283,7 +283,7 @@ TEST_F(ViewOptimisationsTest, WhatNothingReadsIsNotBlurred) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
+TEST_F(ViewOptimisationsTest, AMovingCameraDrawsEachMapOnce) {
     const Scene scene = row_of_balls();
     const Sets point = {{"light.type", "point"}, {"light.distance", "2"}, {"map.resolution", "128"}};
     // The last two prepare the whole of maps for their look-ups.
@@ -315,7 +315,7 @@ TEST_F(ViewOptimisationsTest, ACameraThatMovesPaysForEachMapOnce) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
+TEST_F(ViewOptimisationsTest, AnOrbitOverCompleteMapsDrawsNone) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}}, Sets{{"filter.kernel", "vsm"}}}) {
         Settings s = settings_for(scene, joined(camera_over("-16"), light));
@@ -334,7 +334,7 @@ TEST_F(ViewOptimisationsTest, AnOrbitOverMapsThatAreWholeDrawsNone) {
     }
 }
 
-TEST_F(ViewOptimisationsTest, WhoeverReadsWholeMapsHasThemWhole) {
+TEST_F(ViewOptimisationsTest, ReadersOfWholeMapsGetThemWhole) {
     const Scene scene = row_of_balls();
     for (const Sets& light : {Sets{}, Sets{{"light.type", "point"}, {"light.distance", "2"}}}) {
         const Settings s = settings_for(scene, joined(camera_over("-16"), joined({{"map.resolution", "128"}}, light)));
@@ -383,7 +383,7 @@ struct Uncalled {
     const char* reason;
 };
 
-TEST_F(ViewOptimisationsTest, ALightWithoutUseHasNoMapAndSaysWhy) {
+TEST_F(ViewOptimisationsTest, AnUnusedLightHasNoMapAndReportsTheReason) {
     const Scene scene = row_of_balls();
     const Uncalled all[] = {
         {{{"light.intensity", "0"}}, "intensity"},

@@ -100,7 +100,7 @@ TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
     }
 }
 
-TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
+TEST_F(LookupOptimisationsTest, TapsAreFetchedNearEdgesOnly) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = floor_settings("pcf");
     s.filter.size = 15;
@@ -121,7 +121,7 @@ TEST_F(LookupOptimisationsTest, TapsAreFetchedAboutEdgesAlone) {
     EXPECT_LT(fetched, int(saved.size()) / 2);
 }
 
-TEST_F(LookupOptimisationsTest, ASearchWithoutAPenumbraLooksOnce) {
+TEST_F(LookupOptimisationsTest, ABlockerSearchWithoutPenumbraReadsOnce) {
     const Scene scene = bare_floor();
     Settings s = floor_settings("pcss");
     s.filter.blocker_taps = 24;
@@ -193,8 +193,8 @@ const std::vector<Sets>& ways() {
     return all;
 }
 
-SI_TEST_IS(DriverIndependent, LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap);
-TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
+SI_TEST_IS(DriverIndependent, LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap);
+TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
     static constexpr const char* kKernels[] = {"pcf", "gauss", "poisson", "vogel", "pcss", "dpcf", "smrt"};
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4), far = scene;
     request.width = 64;
@@ -232,7 +232,7 @@ TEST_F(LookupOptimisationsTest, ForcedGivesTheSameBytesWhateverTheMap) {
 }
 
 /// Bounds are of maps that are kept: they are measured while the camera moves.
-TEST_F(LookupOptimisationsTest, WhatBoundsSpareIsMeasuredOverMapsThatAreKept) {
+TEST_F(LookupOptimisationsTest, TheGainOfBoundsIsMeasuredOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});
     const FrameRequest tiny{.width = 64, .height = 36};
