@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "app/sweep/journal.h"
-#include "tests/support/number_from.h"
+#include "tests/support/environment_number.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -25,7 +25,7 @@ using Words = std::vector<std::string>;
 
 /// Of presets, which take the least time; of the others a part. SI_KILLS=200 for a thorough run.
 int kills() {
-    return int(test::number_from("SI_KILLS", 12));
+    return int(test::environment_number("SI_KILLS", 12));
 }
 
 class Killed : public testing::Test {

@@ -10,7 +10,7 @@
 #include "app/sweep/html_report.h"
 #include "renderer/base/base64.h"
 #include "tests/support/fake_sweep.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -102,7 +102,7 @@ std::vector<int> numbers(const Json& list) {
 
 TEST(ReportPage, DrawsSortsAndFiltersInABrowser) {
     const Page page = open_page("stage");
-    if (!has_browser()) GTEST_SKIP() << test::kLacks << "chromium";
+    if (!has_browser()) GTEST_SKIP() << test::kMissingReason << "chromium";
     ASSERT_TRUE(page.seen.is_object()) << page.console;
     EXPECT_EQ(page.seen["dots"], 6) << "two of eight failed";
     EXPECT_EQ(page.seen["frontier"], page.results["frontier"]["cases"]);
@@ -137,7 +137,7 @@ TEST(ReportPage, StringsStayStrings) {
         rest.erase(svg, 26);
         EXPECT_EQ(rest.find(outside), std::string::npos) << outside;
     }
-    if (!has_browser()) GTEST_SKIP() << test::kLacks << "chromium";
+    if (!has_browser()) GTEST_SKIP() << test::kMissingReason << "chromium";
     ASSERT_TRUE(page.seen.is_object()) << page.console;
     EXPECT_TRUE(page.seen["errors"].empty());
     const std::string dom = file_bytes(page.file.parent_path() / "dom.html");

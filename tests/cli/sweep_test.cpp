@@ -15,7 +15,7 @@
 #include "app/report/measure_json.h"
 #include "app/sweep/columns.h"
 #include "app/sweep/journal.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/number_at.h"
 #include "tests/support/process.h"
 #include "tests/unit/gltf_test_file.h"
@@ -293,7 +293,7 @@ TEST(SweepCommand, AFailingCaseIsARow) {
 }
 
 TEST(SweepCommand, ShardsMergeIntoTheWholeWithParallel) {
-    if (!has("parallel")) GTEST_SKIP() << test::kLacks << "GNU parallel";
+    if (!has("parallel")) GTEST_SKIP() << test::kMissingReason << "GNU parallel";
     const fs::path folder = fresh_test_folder();
     ASSERT_EQ(run_program(sweep_of("whole", {"--no-time"}), folder).code, 0);
     std::string command = "parallel -j 2 '" SI_PROGRAM "'";
@@ -343,7 +343,7 @@ TEST(SweepCommand, AnArrayOfSlurmIsShards) {
     EXPECT_EQ(results_of(folder / "whole")["finished"], 3);
     EXPECT_NE(shell(script + arguments, folder), 0) << "without Slurm";
     EXPECT_EQ(shell("SLURM_ARRAY_TASK_ID=1 SLURM_ARRAY_TASK_COUNT=1 " + script + " boxes", folder), 2) << "without -o";
-    if (!has("shellcheck")) GTEST_SKIP() << test::kLacks << "shellcheck";
+    if (!has("shellcheck")) GTEST_SKIP() << test::kMissingReason << "shellcheck";
     EXPECT_EQ(shell("shellcheck " + script, folder), 0) << file_bytes(folder / "shell.txt");
 }
 

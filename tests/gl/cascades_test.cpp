@@ -17,7 +17,7 @@ using Change = std::vector<std::pair<std::string, std::string>>;
 class CascadesTest : public FrameTest {
 protected:
     FloatImage visibility(const Scene& scene, const Settings& s, FrameResult* frame = nullptr) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
         const FrameResult f = renderer.render(scene, s, request);
         if (frame) *frame = f;
@@ -54,7 +54,7 @@ TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
         const FittedLight& light = frame.lights[0];
         std::vector<FloatImage> maps;
         for (int v = 0; v < 3; ++v) maps.push_back(renderer.read_shadow_map(frame, 0, v));
-        const ReferenceTask task = reference_task(renderer, near, s, small(), 0);
+        const ReferenceTask task = reference_task(renderer, near, s, small_request(), 0);
         const Receivers receivers = reconstruct_receivers(*task.geometry, task.camera, task.ids, task.raster, {});
         std::size_t compared = 0, mixed = 0, wrong = 0;
         for (int y = 0; y < drawn.height; ++y)
@@ -139,7 +139,7 @@ TEST_F(CascadesTest, FourMissLessThanOneAtTheSameResolution) {
 TEST_F(CascadesTest, OnlyCascadesFollowTheCamera) {
     const Scene scene = load_scene("boxes");
     const auto map_state = [&](const Settings& s) {
-        for (const PassInfo& p : renderer.render(scene, s, small()).passes)
+        for (const PassInfo& p : renderer.render(scene, s, small_request()).passes)
             if (p.name.starts_with("shadow map 0")) return p.state;
         return PassState::Skipped;
     };
@@ -161,7 +161,7 @@ TEST_F(CascadesTest, TheProbeNamesTheCascade) {
     const FloatImage drawn = visibility(scene, s, &frame);
     int blended = 0;
     for (int y = 20; y < 180; y += 12) {
-        const Probe probe = renderer.probe(scene, s, small(), 160, y);
+        const Probe probe = renderer.probe(scene, s, small_request(), 160, y);
         if (!probe.hit) continue;
         const Probe::PerLight& p = probe.lights[0];
         const ChosenView chosen = frame.lights[0].chooser.choose(frame.lights[0].views, probe.position_ws);
@@ -179,9 +179,9 @@ TEST_F(CascadesTest, TheProbeNamesTheCascade) {
 TEST_F(CascadesTest, ACameraThroughTheLightHasTheWholeScenesMap) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"camera.source", "light"}});
-    const Camera one = renderer.render(scene, s, small()).camera;
+    const Camera one = renderer.render(scene, s, small_request()).camera;
     s.lights[0].cascades = 3;
-    const FrameResult several = renderer.render(scene, s, small());
+    const FrameResult several = renderer.render(scene, s, small_request());
     EXPECT_EQ(several.camera.eye, one.eye);
     EXPECT_EQ(several.camera.projection(), one.projection());
     EXPECT_EQ(several.lights[0].views.size(), 3u);

@@ -5,7 +5,7 @@
 #include "renderer/optimisations/optimisations.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 
@@ -89,7 +89,7 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfMovedMirroredAndShearedScenes) {
 
 TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     for (const test::SharedModel& model : models) {
         std::optional<Scene> scene;
         try {

@@ -25,7 +25,7 @@ TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
         s.shading = {.ambient = 0.1, .diffuse = 0.7, .specular = 0};
         s.shading.composition = Composition::DimLit;
         s.shading.dim = 0.3;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.visibility = true;
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage v = renderer.read_float(frame.visibility, 1);
@@ -72,7 +72,7 @@ TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
             s.lights[0].cone = 90;
         }
         set_setting(s, "view.overlay", "transform-difference");
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.overlay = true;
         const auto worst = [&](double distance_m) {
             s.camera.distance = distance_m;

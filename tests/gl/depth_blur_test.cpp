@@ -96,37 +96,37 @@ TEST_F(DepthBlur, BlursTheLayersOfEveryLight) {
 TEST_F(DepthBlur, RunsOnlyWhenEnabledAndIsCached) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "256"}});
-    const FrameResult off = renderer.render(scene, s, small());
+    const FrameResult off = renderer.render(scene, s, small_request());
     ASSERT_NE(off.pass("depth blur"), nullptr);
     EXPECT_EQ(off.pass("depth blur")->state, PassState::Skipped);
     EXPECT_NE(off.pass("depth blur")->reason.find("map.blur_texels is 0"), std::string::npos);
     const ByteImage sharp = renderer.read_colour(off.colour);
     s.map.blur_texels = 3;
-    const FrameResult on = renderer.render(scene, s, small());
+    const FrameResult on = renderer.render(scene, s, small_request());
     EXPECT_EQ(on.pass("depth blur")->state, PassState::Drawn);
     for (const PassInfo& pass : on.passes)
         EXPECT_EQ(pass.category == PassCategory::Maps, pass.name == "depth blur" || pass.name == "moments" ||
                                                            pass.name == "map bounds" ||
                                                            pass.name.starts_with("shadow map"))
             << pass.name;
-    const FrameResult again = renderer.render(scene, s, small());
+    const FrameResult again = renderer.render(scene, s, small_request());
     EXPECT_EQ(again.pass("depth blur")->state, PassState::Cached);
     const ByteImage blurred = renderer.read_colour(again.colour);
     EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
     s.lights[0].azimuth += 20;  // what it reads changes
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Drawn);
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Drawn);
     s.lights[0].azimuth -= 20;
     s.map.blur_texels = 0;
     EXPECT_EQ(picture(scene, s).data, sharp.data) << "switching it off leaves a trace";
     s.light_count = 0;
     s.map.blur_texels = 3;
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("depth blur")->state, PassState::Skipped);
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Skipped);
 }
 
 // Wrong on purpose: unlike a filter of the comparisons it makes no greys at the shadow's edge.
 TEST_F(DepthBlur, SoftensNoEdge) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     const auto greys = [&](const Settings& s) {
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);

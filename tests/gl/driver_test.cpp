@@ -30,7 +30,7 @@ class DriverTest : public FrameTest {
 protected:
     const Scene scene = load_scene("boxes");
     FrameResult draw(const Settings& s, bool timing = false) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = true;
         request.timing = timing;
         return renderer.render(scene, s, request);
@@ -39,7 +39,7 @@ protected:
 
 TEST_F(DriverTest, IsTheDriverThatTheRunNames) {
     const DriverInfo& d = renderer.driver();
-    EXPECT_NE(d.renderer.find(test::named_driver()), std::string::npos) << d.renderer;
+    EXPECT_NE(d.renderer.find(test::requested_driver()), std::string::npos) << d.renderer;
     RecordProperty("driver", d.renderer + ", " + d.version);
     std::printf("drawn by %s, %s\n", d.renderer.c_str(), d.version.c_str());
 }
@@ -162,7 +162,7 @@ TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     used.clear();
     Renderer fresh;
     EXPECT_TRUE(linked.empty()) << "before the first frame";
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = true;
     for (const char* kernel : {"pcf3", "pcss", "vsm", "savsm"}) {
         const Settings s = settings_for(scene, {{"filter.kernel", kernel}});
@@ -184,7 +184,7 @@ TEST_F(DriverTest, PassTimesUseTheReliableClockAndSumUpToTheFrame) {
     const DriverInfo& d = renderer.driver();
     const bool honest = d.query_share > 0.5 && d.query_share < 2;
     EXPECT_EQ(d.clock, honest ? "GPU timer queries" : "finished wall time (CPU rasteriser)") << d.query_share;
-    if (test::named_driver() == "zink") {
+    if (test::requested_driver() == "zink") {
         EXPECT_TRUE(honest) << "queries show " << 100 * d.query_share << " % of the wall time";
     }
     GLuint query = 0;

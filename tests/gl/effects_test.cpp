@@ -12,7 +12,7 @@ namespace {
 
 class EffectsTest : public FrameTest {
 protected:
-    std::vector<Effect> effects(const Scene& scene, const Sets& sets, FrameRequest request = small()) {
+    std::vector<Effect> effects(const Scene& scene, const Sets& sets, FrameRequest request = small_request()) {
         const Settings s = settings_for(scene, sets);
         const FrameResult frame = renderer.render(scene, s, request);
         last = frame;
@@ -64,7 +64,7 @@ const std::vector<Sets>& varied() {
 SI_TEST_IS(DriverIndependent, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
 SI_TEST_IS(Repeated, EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence);
 TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = request.outputs.surface_ids = request.outputs.texels_read = true;
     for (const char* name : {"stage", "boxes", "plane", "figures"}) {
         const Scene scene = load_scene(name);
@@ -131,7 +131,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
         {"visibility texture", {}, "shading", {{"shading.separate_visibility", "true"}}},
     };
     const Scene scene = load_scene("boxes");
-    FrameRequest cold = small();
+    FrameRequest cold = small_request();
     cold.force = true;
     for (const Remedied& r : all) {
         const std::vector<Effect> before = effects(scene, r.before, cold);
@@ -156,7 +156,7 @@ TEST_F(EffectsTest, ViewsThatAreNotShownAreReportedAsUnused) {
     for (const char* name : {"metrics", "pixels compared", "causes found"}) says(all, name, "asked for");
     says(all, "drawn depth range", "closed");
     says(all, "unfiltered map", "Not needed: causes are not shown");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = request.outputs.error = true;
     const std::vector<Effect> asked = effects(scene, {}, request);
     says(asked, "metrics", "not traced");
@@ -203,7 +203,7 @@ TEST_F(EffectsTest, AForcedEffectIsDrawn) {
     EXPECT_EQ(spared->state, EffectState::NotNeeded);
     EXPECT_EQ(spared->saving, Optimisation::Uncalled);
     const std::uint64_t draws = last.pass("visibility")->draws;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.forced = {Optimisation::Uncalled};
     const std::vector<Effect> forced = effects(scene, sets, request);
     EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Drawn);
@@ -222,7 +222,7 @@ TEST_F(EffectsTest, PartsSkippedByOptimisationsNameThemAndAreDrawnWhenForced) {
         EXPECT_EQ(state_of_effect(before, name), EffectState::NotNeeded) << name;
         ASSERT_TRUE(effect_named(before, name));
         EXPECT_EQ(effect_named(before, name)->saving, saving) << name;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
         EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
@@ -251,7 +251,7 @@ TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
     EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
     ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
     EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.forced = {Optimisation::Blockers};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
               EffectState::Drawn);
@@ -280,7 +280,7 @@ TEST_F(EffectsTest, TexelsOfLookUpsAreAnUpperBound) {
         {"filter.kernel", "pcss"}, {"filter.taps", "20"}, {"filter.blocker_taps", "10"}, {"light.size", "0"}};
     EXPECT_EQ(reason_of(effects(scene, no_size), "look-ups of light 0"),
               "Kernel PCSS fetches up to 21 texels a look-up.");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.forced = {Optimisation::Blockers};
     EXPECT_EQ(reason_of(effects(scene, no_size, request), "look-ups of light 0"),
               "Kernel PCSS fetches up to 30 texels a look-up.");

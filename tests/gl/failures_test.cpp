@@ -16,7 +16,7 @@ using gl::DriverFailure;
 class FailuresTest : public ::testing::Test {
 protected:
     HeadlessContext context;
-    void SetUp() override { test::expect_named_driver(); }
+    void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override { gl::fault_injection() = {}; }
 
     /// Calls of a kind are counted; the one of this number fails. 0: none does.

@@ -206,7 +206,7 @@ TEST_F(FitsTest, OnlyTheViewFitFollowsTheCamera) {
         const Settings s = settings_for(
             scene,
             {{"light.fit", fit}, {"camera.source", "manual"}, {"camera.distance", "4"}, {"camera.azimuth", azimuth}});
-        const FrameResult frame = renderer.render(scene, s, small());
+        const FrameResult frame = renderer.render(scene, s, small_request());
         EXPECT_TRUE(frame.lights[0].closed);
         return std::pair(frame.lights[0].views[0].half_width, frame.lights[0].views[0].eye);
     };

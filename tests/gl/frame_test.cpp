@@ -26,13 +26,13 @@ TEST_F(FrameTest, EqualInputsGiveEqualBytesInAnotherRenderer) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
     const ByteImage first = picture(scene, s);
-    FrameRequest again = small();
+    FrameRequest again = small_request();
     again.force = true;
     EXPECT_EQ(first.data, picture(scene, s, again).data);
     {
         HeadlessContext other_context;
         Renderer other;
-        EXPECT_EQ(first.data, other.read_colour(other.render(load_scene("stage"), s, small()).colour).data);
+        EXPECT_EQ(first.data, other.read_colour(other.render(load_scene("stage"), s, small_request()).colour).data);
     }
     context.make_current();
 }
@@ -45,7 +45,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
             Settings s = settings_for(scene, {{"light.type", light}});
             const ByteImage fused = picture(scene, s);
             s.shading.separate_visibility = true;
-            const FrameResult separate = renderer.render(scene, s, small());
+            const FrameResult separate = renderer.render(scene, s, small_request());
             ASSERT_NE(separate.pass("visibility"), nullptr);
             EXPECT_EQ(separate.pass("visibility")->state, PassState::Drawn);
             // Not one pixel may differ by more than the rounding of one 8-bit step.
@@ -57,7 +57,7 @@ TEST_F(FrameTest, FusedAndSeparateVisibilityGiveOnePicture) {
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePicture);
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
     const Scene scene = load_scene("stage");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     for (const Filter& filter : filters()) {
         Settings s = settings_for(scene, {{"filter.kernel", std::string(filter.key)}, {"filter.method", "gather"}});
@@ -78,7 +78,7 @@ SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMa
 // does not.
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     for (const char* format : {"d16", "d24", "d32f"})
         for (const char* reversed : {"false", "true"})
@@ -118,7 +118,7 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
 
 TEST_F(FrameTest, WiderKernelsSoftenMore) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     std::size_t previous = 0;
     for (const char* kernel : {"hard", "hw2x2", "pcf3", "pcf5", "pcf7", "pcf9"}) {
@@ -223,7 +223,7 @@ TEST_F(FrameTest, OverlayChangesThePictureAndItsOpacityMatters) {
 TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.shadow_map = true;
     using Names = std::set<std::string>;
     Names reused;
@@ -309,11 +309,11 @@ TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
              {{"view.slabs", "both"}, {"view.map_source", "camera"}},
              {{"view.panes", "four"}, {"view.overlay_2", "n-dot-l"}, {"view.overlay_range", "fitted"}}}) {
         const Settings s = settings_for(scene, extra);
-        FrameRequest all = small();
+        FrameRequest all = small_request();
         all.force = true;
         all.forced = OptimisationSet::all();
-        EXPECT_EQ(pictures(scene, s, small(), renderer), pictures(scene, s, all, renderer));
-        FrameRequest timed = small();
+        EXPECT_EQ(pictures(scene, s, small_request(), renderer), pictures(scene, s, all, renderer));
+        FrameRequest timed = small_request();
         timed.timing = timed.force = true;
         EXPECT_EQ(picture(scene, s).data, picture(scene, s, timed).data);
     }
@@ -391,7 +391,7 @@ TEST_F(FrameTest, CachedPicturesEqualFreshOnesAlongAWalkThroughViews) {
 
 TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .shadow_map = true};
     const auto sum = [&](const Settings& s) {
         const FloatImage map = renderer.read_shadow_map(renderer.render(scene, s, request), 0, 0);
@@ -413,18 +413,18 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
 TEST_F(FrameTest, TheFitIgnoresObjectsThatNoLongerCast) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene);
-    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    EXPECT_TRUE(renderer.render(scene, s, small_request()).lights.at(0).casts);
     for (const Object& o : scene.objects) s.objects[scene.nodes[std::size_t(o.node)].path].cast = false;
-    const FittedLight none = renderer.render(scene, s, small()).lights.at(0);
+    const FittedLight none = renderer.render(scene, s, small_request()).lights.at(0);
     EXPECT_FALSE(none.casts);
     EXPECT_EQ(none.reason, "no object casts");
     s.objects.begin()->second.cast = true;
-    EXPECT_TRUE(renderer.render(scene, s, small()).lights.at(0).casts);
+    EXPECT_TRUE(renderer.render(scene, s, small_request()).lights.at(0).casts);
     for (auto& [path, object] : s.objects) {
         object.cast = true;
         object.receive = false;
     }
-    EXPECT_EQ(renderer.render(scene, s, small()).lights.at(0).reason, "no object receives shadows");
+    EXPECT_EQ(renderer.render(scene, s, small_request()).lights.at(0).reason, "no object receives shadows");
 }
 
 SI_TEST_IS(Repeated, FrameTest, ProbeAgreesWithTheVisibilityPicture);
@@ -432,7 +432,7 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
     const Scene scene = load_scene("stage");
     for (const char* light : {"directional", "spot", "point"}) {
         const Settings s = settings_for(scene, {{"light.type", light}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .visibility = true};
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
         int hits = 0, dark = 0;
@@ -456,7 +456,7 @@ TEST_F(FrameTest, ProbeAgreesWithTheVisibilityPicture) {
 
 TEST_F(FrameTest, MapViewerShowsTheMap) {
     const Scene scene = load_scene("boxes");
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .shadow_map = true};
     for (const char* format : {"d16", "d24", "d32f", "colour"})
         for (const char* reversed : {"false", "true"}) {

@@ -60,20 +60,21 @@ TEST_F(GeometryOverlays, ChangeNothingInLaterPasses) {
     const ByteImage before = picture(scene, settings_for(scene));
     for (const char* overlay : {"wireframe", "overdraw"}) {
         picture(scene, settings_for(scene, {{"view.overlay", overlay}}));
-        FrameRequest again = small();
+        FrameRequest again = small_request();
         again.force = true;
         EXPECT_EQ(before, picture(scene, settings_for(scene), again)) << overlay;
         // The depth that the overlay needs is there even when nothing else of the picture is drawn.
         {
             HeadlessContext fresh_context;
             Renderer fresh;
-            FrameRequest values_only = small();
+            FrameRequest values_only = small_request();
             values_only.outputs = {.colour = false, .overlay = true};
             const Settings s = settings_for(scene, {{"view.overlay", overlay}});
             const FloatImage alone = fresh.read_float(fresh.render(scene, s, values_only).overlay, 4);
             const FrameRequest both{.width = 320, .height = 180, .outputs = {.overlay = true}, .force = true};
             EXPECT_EQ(alone.data, fresh.read_float(fresh.render(scene, s, both).overlay, 4).data) << overlay;
-            EXPECT_EQ(fresh.read_colour(fresh.render(scene, settings_for(scene), small()).colour), before) << overlay;
+            EXPECT_EQ(fresh.read_colour(fresh.render(scene, settings_for(scene), small_request()).colour), before)
+                << overlay;
         }
         context.make_current();
     }

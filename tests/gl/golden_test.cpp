@@ -34,7 +34,7 @@ class GoldenTest : public FrameTest, public testing::WithParamInterface<std::str
 
 SI_TESTS_ARE(Repeated, GoldenTest);
 TEST_P(GoldenTest, RowsMatchTheirGoldenPictures) {
-    const std::string driver = driver_at_hand();
+    const std::string driver = current_driver();
     const std::optional<double> most = most_different(driver);
     if (!most) GTEST_SKIP() << "the golden pictures are llvmpipe's, and this is " << driver;
     const std::filesystem::path folder = fresh_test_folder();

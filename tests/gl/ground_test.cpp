@@ -18,7 +18,7 @@
 #include "renderer/view/cameras/make_camera.h"
 #include "renderer/view/fits/light_fit.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 
@@ -139,7 +139,7 @@ protected:
     std::string picture_by_own_camera(Session& session) {
         const Scene& scene = session.scene;
         session.settings.camera = base_settings(scene).camera;
-        const auto [width, height] = std::pair(small().width, small().height);
+        const auto [width, height] = std::pair(small_request().width, small_request().height);
         const Camera camera = make_camera(scene, session.settings, double(width) / height);
         EXPECT_EQ(camera.eye, glm::dvec3(scene.cameras[0].world[3])) << "another camera than the file's first";
         const glm::dvec4 middle = camera.project(scene.bounds.centre(), width, height);
@@ -185,7 +185,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
                 EXPECT_LE(a[0].views[0].half_width, b[0].views[0].half_width * (1 + 1e-9));
             }
     const auto drawn = [&](const Scene& scene) {
-        FrameRequest whole = small();
+        FrameRequest whole = small_request();
         whole.outputs.shadow_map = whole.force = true;
         for (const PassInfo& pass : renderer.render(scene, with.settings, whole).passes)
             if (pass.name.starts_with("shadow map 0")) return pass.triangles;
@@ -199,7 +199,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
     s.lights[0].elevation = -60;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs.visibility = request.outputs.surface_ids = true;
     const auto of_box = [&](const Scene& scene) {
         const FrameResult frame = renderer.render(scene, s, request);
@@ -274,7 +274,7 @@ TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
             s.camera = manual_camera(model.with.scene, model.with.settings, 16.0 / 9);
             Settings bare = s;
             bare.scene = model.without.settings.scene;
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.surface_ids = true;
             const FrameResult stands = renderer.render(model.with.scene, s, request);
             const SurfaceIds ids = renderer.read_surface_ids(stands.surface_ids);
@@ -306,7 +306,7 @@ TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
             Settings s = session.settings;
             s.camera = manual_camera(session.scene, session.settings, 16.0 / 9);
             s.camera.distance *= nearer;
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.surface_ids = true;
             const auto visibility = [&](std::string_view fit, const char* cascades) {
                 set_setting(s, "light.fit", fit);
@@ -377,7 +377,7 @@ SI_TEST_IS(DriverIndependent, GroundTest, ShowsModelsShadowsWithDefaultSettings)
 // But a file opens with its own: there has to be a picture.
 TEST_F(GroundTest, ShowsModelsShadowsWithDefaultSettings) {
     const std::vector<test::SharedModel> files = test::shared_models();
-    if (files.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (files.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     int shown = 0, with_camera = 0;
     std::string by_own_cameras;
     for (const test::SharedModel& model : files) {

@@ -86,7 +86,7 @@ TEST_F(LightCamera, SeesTheDepthThatTheMapStores) {
 TEST_F(LightCamera, WithoutLightsTheAutomaticCameraIsUsedAndReported) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"camera.source", "light"}, {"light.count", "0"}});
-    const FrameResult f = renderer.render(scene, s, small());
+    const FrameResult f = renderer.render(scene, s, small_request());
     const Settings automatic = settings_for(scene, {{"light.count", "0"}});
     EXPECT_EQ(f.camera.eye, make_camera(scene, automatic, 320.0 / 180).eye);
     EXPECT_TRUE(std::any_of(f.notes.begin(), f.notes.end(),
@@ -154,7 +154,7 @@ TEST_F(LightCamera, CoordinatesNameTheTexelOfTheProbe) {
         // An offset of many texels, so that coordinates without it would be of another texel.
         const Settings s =
             settings_for(scene, {{"light.type", type}, {"bias.normal", "12"}, {"map.resolution", "512"}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .map_coordinates = true};
         const FloatImage at = renderer.read_float(renderer.render(scene, s, request).map_coordinates, 4);
         int tested = 0, apart = 0;
@@ -177,7 +177,7 @@ TEST_F(LightCamera, CoordinatesAreMarkedOnlyWithinTheKernel) {
     const Scene scene = load_scene("boxes");
     const auto reading = [&](const std::vector<std::pair<std::string, std::string>>& extra) {
         const Settings s = settings_for(scene, extra);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .map_coordinates = true};
         const FrameResult f = renderer.render(scene, s, request);
         if (!f.map_coordinates.texture) return -1;

@@ -74,7 +74,7 @@ TEST_F(LightMapTest, EdgesDeviateByAtMostHalfATexelDiagonal) {
     places.push_back({{115, 0, -115}, 90, 45});
     places.push_back({{1e5, 0, -1e5}, 30, 60});
     for (const test::Place& place : places) {
-        const Scene scene = test::floor_under_a_sheet(place);
+        const Scene scene = test::floor_under_sheet(place);
         for (const LightType type : test::kLightTypes)
             for (const int resolution : {64, 256}) {
                 SCOPED_TRACE(testing::Message() << int(type) << " at " << place.at.x << ", " << resolution);
@@ -130,7 +130,7 @@ SI_TEST_IS(Repeated, LightMapTest, PenumbraeMatchTheLightsDisc);
 TEST_F(LightMapTest, PenumbraeMatchTheLightsDisc) {
     test::Place above;
     above.elevation = 90;
-    const Scene scene = test::floor_under_a_sheet(above);
+    const Scene scene = test::floor_under_sheet(above);
     Settings s = light_mapped(test::hard_settings(), 1024);
     s.lights[0].elevation = 90;
     s.lights[0].size = 6;

@@ -44,7 +44,7 @@ protected:
 
 TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
     const double range = 3;
-    const FrameRequest request = small();
+    const FrameRequest request = small_request();
     for (const char* type : {"spot", "point"})
         for (const char* path : {"true", "false"}) {
             Settings s = lit(type, 0);
@@ -99,7 +99,7 @@ TEST_F(LightRange, ProbeReportsPointsOutOfRange) {
     int beyond = 0, within = 0;
     for (int y = 20; y < 180; y += 10)
         for (int x = 10; x < 320; x += 20) {
-            const Probe p = renderer.probe(scene, s, small(), x, y);
+            const Probe p = renderer.probe(scene, s, small_request(), x, y);
             if (!p.hit) continue;
             const bool reached = glm::distance(p.position_ws, glm::dvec3(0, kLightHeight, 0)) < 3;
             EXPECT_EQ(p.lights.at(0).verdict.find("beyond the light's range of 3 m") == std::string::npos, reached)
@@ -113,7 +113,7 @@ TEST_F(LightRange, ProbeReportsPointsOutOfRange) {
 TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     Settings s = lit("point", 3);
     ReferenceCache cache;
-    const MeasuredError error = measure_error(renderer, scene, s, small(), 0, {}, cache);
+    const MeasuredError error = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     const std::size_t beyond = error.metrics.pixels[std::size_t(PixelState::BeyondRange)];
     EXPECT_GT(beyond, 1000u);
     EXPECT_GT(error.metrics.counted, 1000u);
@@ -122,11 +122,11 @@ TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     set_setting(s, "light.near", "0.1");
     set_setting(s, "light.far", "1.9");
     set_setting(s, "light.fit", "manual");
-    const MeasuredError cut = measure_error(renderer, scene, s, small(), 0, {}, cache);
+    const MeasuredError cut = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     EXPECT_EQ(cut.metrics.counted, error.metrics.counted);
     EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";
     set_setting(s, "light.range", "0");
-    const MeasuredError endless = measure_error(renderer, scene, s, small(), 0, {}, cache);
+    const MeasuredError endless = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
     EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range is another truth";
 }
 

@@ -92,7 +92,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
         Settings on = with.settings;
         on.shading.exposure = 1;
         on.camera = manual_camera(with.scene, with.settings, 16.0 / 9);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = request.outputs.visibility = request.outputs.surface_ids = true;
         struct Drawn {
             FloatImage visibility;
@@ -146,7 +146,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     const auto tones = [&](const Settings& of) {
         std::vector<int> greens;
         const ByteImage image = picture(scene, of);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .surface_ids = true};
         const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, of, request).surface_ids);
         for (std::size_t i = 0; i < ids.data.size(); ++i)
@@ -225,7 +225,7 @@ TEST_F(LookTest, ExposureCountsInPowersOfTwo) {
 TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"map.resolution", "512"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const FrameResult first = renderer.render(scene, s, request);
     const ByteImage as_drawn = renderer.read_colour(first.colour);
     EXPECT_EQ(first.smooth.texture, 0u) << "nobody asked";
@@ -268,10 +268,10 @@ TEST_F(LookTest, SmoothPicturesShowTheSameSceneAtEverySize) {
             frame = renderer.render(session.scene, session.settings, request);
         return mean_difference(plain, renderer.read_colour(frame.smooth));
     };
-    const double at_home = unlike("1");
-    EXPECT_GT(at_home, 0);
-    EXPECT_NEAR(unlike("100"), at_home, 0.1 * at_home);
-    EXPECT_NEAR(unlike("0.01"), at_home, 0.1 * at_home);
+    const double is_unmoved = unlike("1");
+    EXPECT_GT(is_unmoved, 0);
+    EXPECT_NEAR(unlike("100"), is_unmoved, 0.1 * is_unmoved);
+    EXPECT_NEAR(unlike("0.01"), is_unmoved, 0.1 * is_unmoved);
 }
 
 TEST_F(LookTest, TheEditorAccumulatesAStaticViewAndThenSleeps) {
@@ -312,7 +312,7 @@ TEST_F(LookTest, TheEditorAccumulatesAStaticViewAndThenSleeps) {
 TEST_F(LookTest, ThePlanReportsEachLookPass) {
     const Scene scene = load_scene("boxes");
     const auto told = [&](const Settings& s, std::string_view name) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.smoothed = 1;
         request.force = true;
         for (const Effect& e : frame_effects(scene, s, renderer.render(scene, s, request), {}))

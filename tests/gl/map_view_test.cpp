@@ -14,7 +14,7 @@ namespace {
 class MapViewTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true};
         return renderer.render(scene, s, request);
     }
@@ -46,7 +46,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
             int surfaces = 0;
             for (int y = 4; y < 180; y += 23)
                 for (int x = 2; x < 320; x += 29) {
-                    const Probe p = renderer.probe(scene, s, small(), x, y);
+                    const Probe p = renderer.probe(scene, s, small_request(), x, y);
                     if (!p.hit) {
                         EXPECT_EQ(depth.at(x, y), 0) << "nothing drawn";
                         EXPECT_LT(grey(shown, x, y), 45) << "hatched, as dark as no surface here";
@@ -182,7 +182,7 @@ TEST_F(MapViewTest, ReadBackGivesTheShownMap) {
     EXPECT_EQ(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 3).data);
     EXPECT_NE(renderer.read_map_view_depth(f).data, renderer.read_shadow_map(f, 0, 2).data);
     EXPECT_EQ(f.map_view_curve.far, f.lights[0].views[3].curve.far);
-    FrameRequest closed = small();
+    FrameRequest closed = small_request();
     EXPECT_THROW(renderer.read_map_view_depth(renderer.render(scene, s, closed)), Error);
 }
 

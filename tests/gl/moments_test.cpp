@@ -393,7 +393,7 @@ TEST(Moments, FromSummedAreasEqualThoseOfABlur) {
             Settings s = texel_settings("vsm", 200, 0.5);  // no power of two
             s.filter.blur = radius;
             const FloatImage blurred = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
-            s.filter.kernel = kernel("savsm");
+            s.filter.kernel = kernel_row("savsm");
             s.filter.window = 2 * radius + 1;
             s.filter.sums = sums;
             const FloatImage summed = renderer.read_float(renderer.render(scene, s, request).visibility, 1);
@@ -435,8 +435,8 @@ TEST(Moments, LeaveNoAcneOnALitPlane) {
             s.lights[0].distance = place.light == LightType::Directional ? 0 : 7;
             s.lights[0].cone = 90;
             move_camera(s, place.at);
-            const Shot shot = shoot(scene, s, 80, 45);
-            const ReferenceErrors e = compare(shot, scene, 0);
+            const Shot shot = draw_shot(scene, s, 80, 45);
+            const ReferenceErrors e = compare_with_reference(shot, scene, 0);
             EXPECT_GT(e.domain, 500);
             double least = 1;
             for (int y = 20; y < 44; ++y)
@@ -463,14 +463,14 @@ TEST(Moments, StayFiniteAtAndAboveTheExponentsLimits) {
             }
             s.filter.exponent = limit;
             if (reads(*row, "filter.negative_exponent")) s.filter.negative_exponent = limit;
-            const Shot at_limit = shoot(scene, s);  // demands that all are numbers
+            const Shot at_limit = draw_shot(scene, s);  // demands that all are numbers
             EXPECT_TRUE(at_limit.frame.notes.empty());
-            const ReferenceErrors e = compare(at_limit, scene, 4);
+            const ReferenceErrors e = compare_with_reference(at_limit, scene, 4);
             EXPECT_LT(e.any_acne, e.domain / 20) << row->key << " " << index_of(format) << ": lit places must stay lit";
             EXPECT_LT(e.any_leak, e.domain / 3) << row->key;
             EXPECT_GT(shadow_share(at_limit), 0.01);
             s.filter.exponent = 88;
-            const Shot beyond = shoot(scene, s);
+            const Shot beyond = draw_shot(scene, s);
             ASSERT_EQ(beyond.frame.notes.size(), 1u) << row->key;
             EXPECT_NE(beyond.frame.notes[0].find("filter.exponent 88"), std::string::npos) << beyond.frame.notes[0];
             EXPECT_EQ(beyond.visibility.data, at_limit.visibility.data) << "not the limit";
@@ -488,9 +488,9 @@ TEST(Moments, In16BitsAreCloseToThoseIn32) {
         s.filter.negative_exponent = 5;
         s.filter.min_variance = 1e-4;
         s.filter.moment_bias = 1e-4;
-        const Shot wide = shoot(scene, s);
+        const Shot wide = draw_shot(scene, s);
         s.filter.moment_format = MomentFormat::Bits16;
-        const Shot narrow = shoot(scene, s);
+        const Shot narrow = draw_shot(scene, s);
         EXPECT_LT(differing_share(wide, narrow, 0.1), 0.03) << row->key;
         EXPECT_NE(wide.visibility.data, narrow.visibility.data) << row->key << ": the format changed nothing";
     }
@@ -578,7 +578,7 @@ TEST(Moments, OfMipLevelsAreMeansOverThePixelFootprint) {
     const Scene scene = floor_and_box(8, {3.35, 1, 2.3}, 0.4);
     Renderer& renderer = hard_renderer();
     for (const char* key : {"vsm", "evsm4"}) {
-        const Filter& row = filters()[std::size_t(kernel(key))];
+        const Filter& row = filters()[std::size_t(kernel_row(key))];
         Settings s = from_above(row, scene, 4);
         s.filter.exponent = s.filter.negative_exponent = 2;
         const FrameRequest maps{
@@ -620,14 +620,14 @@ TEST(Moments, OfMipLevelsAreSharperWithAnisotropy) {
     s.camera.distance = 14;
     s.filter.blur = 0;
     s.filter.mips = true;
-    const Shot plain = shoot(scene, s);
+    const Shot plain = draw_shot(scene, s);
     s.filter.anisotropy = 16;
     const double most = hard_renderer().driver().max_anisotropy;
-    const Shot sharp = shoot(scene, s);
+    const Shot sharp = draw_shot(scene, s);
     EXPECT_EQ(sharp.frame.notes.size(), most < 16 ? 1u : 0u);
     ASSERT_GE(most, 2) << "this driver has no anisotropy";
     s.filter.mips = false;
-    const Shot fine = shoot(scene, s);
+    const Shot fine = draw_shot(scene, s);
     const auto off = [&](const Shot& a) {
         double sum = 0;
         for (std::size_t i = 0; i < a.visibility.data.size(); ++i)

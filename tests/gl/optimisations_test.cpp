@@ -1,13 +1,14 @@
 // Savings are proved both ways: what is forced draws the same bytes, and counts say that what is saved was not done.
+#include "renderer/optimisations/optimisations.h"
+
 #include <algorithm>
 #include <cstdlib>
 
 #include "renderer/base/error.h"
 #include "renderer/inspect/effects.h"
-#include "renderer/optimisations/optimisations.h"
 #include "renderer/view/cameras/make_camera.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/shared_models.h"
 #include "tests/support/traits.h"
 
@@ -94,7 +95,7 @@ TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesInBuiltInScenes) {
 // All of them under all cases take an hour.
 TEST_F(OptimisationsTest, ForcedOrNotDrawTheSameBytesOfRealModels) {
     const std::vector<test::SharedModel> models = test::shared_models();
-    if (models.empty()) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (models.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     const bool all = std::getenv("SI_LONG");
     constexpr std::string_view kSome[] = {"godot_room",           "kaykit_graveyard",  "khr_SimpleInstancing",
                                           "gen_mirrored_sheared", "gen_leaf_mask_uv1", "gen_far_from_origin"};

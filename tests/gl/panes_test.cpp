@@ -17,7 +17,7 @@ using Extra = std::vector<std::pair<std::string, std::string>>;
 class PanesTest : public FrameTest {
 protected:
     FrameResult frame(const Scene& scene, const Extra& extra) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.overlay = true;
         return renderer.render(scene, settings_for(scene, extra), request);
     }

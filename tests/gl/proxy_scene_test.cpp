@@ -1,7 +1,8 @@
 // A small scene in place of a large one: it calls for the same programs.
+#include "renderer/scene/proxy_scene.h"
+
 #include <filesystem>
 
-#include "renderer/scene/proxy_scene.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 
@@ -17,7 +18,7 @@ TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
         const auto path = std::filesystem::path(SI_SOURCE_DIR "/../shared/models") / file;
         if (std::filesystem::exists(path)) names.push_back(path.string());
     }
-    const FrameRequest small_frame = small();
+    const FrameRequest small_frame = small_request();
     for (const std::string& name : names) {
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});

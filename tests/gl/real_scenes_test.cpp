@@ -6,7 +6,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/unit/gltf_test_file.h"
 
 namespace si {
@@ -18,7 +18,7 @@ using test::Json;
 class RealScenes : public FrameTest {
 protected:
     FloatImage visibility(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .visibility = true};
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
     }
@@ -37,7 +37,7 @@ protected:
     /// The pixel in the middle of the picture of an overlay.
     glm::dvec3 middle(const Scene& scene, Settings s, const char* overlay) {
         set_setting(s, "view.overlay", overlay);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .overlay = true};
         const FloatImage v = renderer.read_float(renderer.render(scene, s, request).overlay, 4);
         const int x = v.width / 2, y = v.height / 2;
@@ -88,7 +88,7 @@ TEST_F(RealScenes, AShadowMovesWithTheSkinThatCastsIt) {
 
 TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
     const std::string path = SI_SOURCE_DIR "/../shared/models/khr_RiggedSimple/glTF-Binary/RiggedSimple.glb";
-    if (!std::filesystem::exists(path)) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (!std::filesystem::exists(path)) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     const Session a = open_session({.scene = path, .sets = {"scene.time=0"}}),
                   b = open_session({.scene = path, .sets = {"scene.time=1"}});
     EXPECT_NE(visibility(a.scene, a.settings).data, visibility(b.scene, b.settings).data);
@@ -194,7 +194,7 @@ TEST_F(RealScenes, PosesShareTexturesAndOtherScenesDoNot) {
                                           {"camera.elevation", "60"},
                                           {"camera.distance", "3"},
                                           {"view.overlay", "normals"}});
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .overlay = true};
         return r.read_float(r.render(scene, s, request).overlay, 4).data;
     };
@@ -237,7 +237,8 @@ TEST_F(RealScenes, TheBiasFollowsTheChosenNormal) {
         // What the offset along a normal is worth along the light.
         set_setting(s, "bias.normal", "2");
         EXPECT_NEAR(middle(scene, s, "bias-applied").x, slope + 2 * glm::dot(normal, light), 0.02) << source;
-        const Probe probe = renderer.probe(scene, s, small(), small().width / 2, small().height / 2);
+        const Probe probe =
+            renderer.probe(scene, s, small_request(), small_request().width / 2, small_request().height / 2);
         ASSERT_EQ(probe.lights.size(), 1u);
         EXPECT_NEAR(probe.lights[0].bias_texels, slope, 0.01) << source;
         // Without its map the mapped normal is the vertex normal.

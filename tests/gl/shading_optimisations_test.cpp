@@ -19,7 +19,7 @@ class ShadingOptimisationsTest : public FrameTest {
 protected:
     /// How many fragments of a frame drawn anew passed the depth test, and so were shaded and written.
     std::uint64_t written_fragments(const Scene& scene, const Settings& s, const OptimisationSet& forced) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.force = true;
         request.forced = forced;
         renderer.render(scene, s, request);
@@ -80,7 +80,7 @@ TEST_F(ShadingOptimisationsTest, NearObjectsAreDrawnBeforeHiddenOnes) {
 TEST_F(ShadingOptimisationsTest, DrawingLargeMeshesLastShadesFewerHiddenPixels) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
     const Settings s = settings_for(scene, {{"light.cast", "false"}, {"shading.sky", "plain"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .surface_ids = true};
     const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, s, request).surface_ids);
     const auto shown = std::ranges::count_if(ids.data, [](const glm::uvec2& id) { return id.x != 0; });
@@ -90,7 +90,7 @@ TEST_F(ShadingOptimisationsTest, DrawingLargeMeshesLastShadesFewerHiddenPixels) 
 
 TEST_F(ShadingOptimisationsTest, OrderChangesNoPixel) {
     const Scene scene = test::agreed_scene(test::AgreedSize::Triangles100k);
-    FrameRequest forced = small();
+    FrameRequest forced = small_request();
     forced.forced = {Optimisation::Order};
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
@@ -141,7 +141,7 @@ TEST_F(ShadingOptimisationsTest, ObjectsOutsideThePictureAreNotDrawn) {
                                                     {"camera.distance", "12"},
                                                     {"camera.height", "6"},
                                                     {"light.cast", "false"}});
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.force = true;
             const FrameResult saved = renderer.render(scene, s, request);
             const PassInfo shading = *saved.pass("shading (with visibility)");
@@ -163,7 +163,7 @@ TEST_F(ShadingOptimisationsTest, ObjectsOutsideThePictureAreNotDrawn) {
 TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"filter.kernel", "pcf3"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.force = true;
     const FrameResult fused = renderer.render(scene, s, request);
     EXPECT_EQ(fused.pass("visibility")->state, PassState::Skipped);
@@ -201,7 +201,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
         Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // the last program is shading's
         all.insert(all.end(), sets.begin(), sets.end());
         const Settings s = settings_for(scene, all);
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         const FrameResult saved = renderer.render(scene, s, request);
         const int fetched = active_samplers();
         const ByteImage seen = renderer.read_colour(saved.colour);
@@ -224,7 +224,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
                              Sets{{"light.intensity", "0"}, {"shading.composition", "dim-lit"}},
                              Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
         const Settings s = settings_for(scene, sets);
-        FrameRequest forced = small();
+        FrameRequest forced = small_request();
         forced.forced = {Optimisation::Uncalled};
         EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u) << sets.back().first;
     }
@@ -248,7 +248,7 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
         return s;
     };
     const auto draw = [&](const Settings& s, OptimisationSet forced) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.forced = forced;
         return renderer.render(scene, s, request);
     };

@@ -123,7 +123,7 @@ TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
             EXPECT_LT(differing(boxes, settings_for(boxes, {{"light.type", type}})), 1e-4) << type;
     }
     // Under a sheet, the sun straight above it; and the same camera beside its shadow.
-    const Scene sheet = test::floor_under_a_sheet({});
+    const Scene sheet = test::floor_under_sheet({});
     Settings s = test::hard_settings();
     s.lights[0].elevation = 90;
     s.camera.target_y = 0.5;
@@ -285,7 +285,7 @@ TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
 TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
-    FrameRequest colour = small();
+    FrameRequest colour = small_request();
     FrameResult f = renderer.render(scene, s, colour);
     const auto state = [&](const char* name) { return f.pass(name)->state; };
     EXPECT_EQ(f.passes[0].state, PassState::Skipped);
@@ -307,7 +307,7 @@ TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     colour.forced = OptimisationSet::all();
     EXPECT_EQ(kept.data, picture(scene, s, colour).data);
     set_setting(s, "light.source", "map");
-    EXPECT_EQ(renderer.render(scene, s, small()).pass("shadow volumes 0"), nullptr);
+    EXPECT_EQ(renderer.render(scene, s, small_request()).pass("shadow volumes 0"), nullptr);
 }
 
 // More open triangles than are drawn unasked: the light has no shadow, the plan and a note say what it would take.

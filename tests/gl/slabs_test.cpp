@@ -112,7 +112,7 @@ TEST_F(SlabsTest, NothingIsDrawnOutsideTheRegionOrOverTheBackground) {
     Settings s = settings_for(scene, {{"light.fit", "scene"}, {"map.resolution", "256"}, {"view.slabs_texels", "16"}});
     const ByteImage without = picture(scene, s);
     s.view.slabs = Slabs::Both;
-    const FrameResult f = renderer.render(scene, s, small());
+    const FrameResult f = renderer.render(scene, s, small_request());
     const ByteImage with = renderer.read_colour(f.colour);
     // Around all slabs: the bounds of their corners on screen.
     glm::dvec2 lo(1e9), hi(-1e9);
@@ -172,7 +172,8 @@ TEST_F(SlabsTest, AreDrawnInEveryPane) {
     Settings s = settings_for(scene, {{"view.panes", "two"}, {"view.overlay_2", "n-dot-l"}, {"map.resolution", "128"}});
     const auto panes = [&] {
         std::vector<ByteImage> out;
-        for (const Pane& p : renderer.render(scene, s, small()).panes) out.push_back(renderer.read_colour(p.picture));
+        for (const Pane& p : renderer.render(scene, s, small_request()).panes)
+            out.push_back(renderer.read_colour(p.picture));
         return out;
     };
     const auto without = panes();
@@ -180,7 +181,7 @@ TEST_F(SlabsTest, AreDrawnInEveryPane) {
     const auto with = panes();
     for (std::size_t i = 0; i < 2; ++i) EXPECT_GT(different_pixels(without[i], with[i], 20), 500u) << i;
     set_setting(s, "light.cast", "false");
-    const FrameResult dark = renderer.render(scene, s, small());
+    const FrameResult dark = renderer.render(scene, s, small_request());
     EXPECT_EQ(dark.pass("texel slabs")->reason, "the light shown has no map");
 }
 

@@ -56,7 +56,7 @@ TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
         for (const char* type : {"directional", "spot", "point"}) {
             SCOPED_TRACE(testing::Message() << source.key << " " << type);
             const Settings s = settings_for(scene, {{"light.type", type}, {"light.source", std::string(source.key)}});
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs.visibility = request.outputs.shadow_map = true;
             const FrameResult f = render_with_reference(renderer, scene, s, request, cache, workers);
             EXPECT_EQ(f.lights[0].casts, source.needs.map);
@@ -93,7 +93,7 @@ TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
             }
             s.blob = {.size = 1.5, .softness = 0.4, .opacity = 0.8, .reach = 6};
             test::move_camera(s, place.at);
-            const test::Shot shot = test::shoot(scene, s, 160, 120);
+            const test::Shot shot = test::draw_shot(scene, s, 160, 120);
             const test::RayReference rays(scene);
             const FittedLight& fitted = shot.light();
             const glm::dvec3 middle = place.at + glm::dvec3(0, 1, 0);
@@ -135,12 +135,12 @@ TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
                                           {"light.0.source", std::string(source.key)},
                                           {"light.1.type", "spot"},
                                           {"light.1.elevation", "60"}});
-        const FrameResult fused = renderer.render(scene, s, small());
+        const FrameResult fused = renderer.render(scene, s, small_request());
         EXPECT_NE(fused.pass("shading (with visibility)"), nullptr);
         const ByteImage picture = renderer.read_colour(fused.colour);
         s.shading.separate_visibility = true;
         EXPECT_EQ(different_pixels(picture, this->picture(scene, s), 1), 0u);
-        FrameRequest all = small();
+        FrameRequest all = small_request();
         all.forced = OptimisationSet::all();
         EXPECT_EQ(different_pixels(this->picture(scene, s), this->picture(scene, s, all)), 0u);
     }
@@ -198,7 +198,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene, {{"light.source", "traced"}});
     const Settings none = settings_for(scene, {{"light.source", "none"}});
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const FrameResult untraced = renderer.render(scene, s, request);
     ASSERT_EQ(untraced.traced.size(), 1u);
     EXPECT_NE(untraced.traced[0].key, 0u);
@@ -223,13 +223,13 @@ TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
     for (const int light : {0, 1}) {
         s.view.light = light;
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs.true_colour = true;
         const ByteImage reference =
             renderer.read_colour(render_with_reference(renderer, scene, s, request, cache, workers).true_colour);
         Settings traced = s;
         set_setting(traced, "light." + std::to_string(light) + ".source", "traced");
-        FrameRequest plain = small();
+        FrameRequest plain = small_request();
         const ByteImage row =
             renderer.read_colour(render_with_reference(renderer, scene, traced, plain, cache, workers).colour);
         EXPECT_EQ(different_pixels(reference, row), 0u) << light;

@@ -9,7 +9,7 @@
 #include "renderer/scene/animation.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/traits.h"
 
 namespace si {
@@ -192,7 +192,7 @@ TEST_F(StaticOptimisationsTest, FacesWithoutMovingCastersAreNotDrawn) {
 
 TEST_F(StaticOptimisationsTest, KeepEveryTexelOfAnimatedModels) {
     const std::filesystem::path models = SI_SOURCE_DIR "/../shared/models";
-    if (!std::filesystem::exists(models)) GTEST_SKIP() << test::kLacks << "../shared/models";
+    if (!std::filesystem::exists(models)) GTEST_SKIP() << test::kMissingReason << "../shared/models";
     for (const char* file :
          {"khr_Fox/glTF/Fox.gltf", "khr_BoxAnimated/glTF-Binary/BoxAnimated.glb",
           "khr_InterpolationTest/glTF-Binary/InterpolationTest.glb", "gen_skin_morph/skin_morph.gltf"}) {

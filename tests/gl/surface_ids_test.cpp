@@ -67,7 +67,7 @@ TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     set_setting(settings, "camera.source", "manual");
     set_setting(settings, "camera.azimuth", "100");
     EXPECT_NE(draw(scene, settings).data, first.data);
-    const FrameResult other = renderer.render(scene, settings, small());
+    const FrameResult other = renderer.render(scene, settings, small_request());
     EXPECT_EQ(other.pass("surface ids")->state, PassState::Skipped);
 }
 
@@ -141,7 +141,7 @@ TEST_F(SurfaceIdsTest, ReferenceAndShadowMapHoldTheSameTriangles) {
             Session session = open_session({.scene = name, .sets = {time, "light.0.type=directional"}});
             const std::size_t first = std::size_t(session.scene.objects[0].node);
             set_setting(session.settings, "object." + session.scene.nodes[first].path + ".cast", "false");
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .shadow_map = true};
             request.force = true;
             const FrameResult result = renderer.render(session.scene, session.settings, request);

@@ -67,7 +67,8 @@ TEST_F(TwinScenes, MirroredAndShearedNodesLookLikeTheirPlainTwins) {
         for (const char* cull : {"none", "front", "back"}) {
             const Settings s = settings_for(boxes, {{"caster.cull", cull}});
             // Single precision rounds the two differently: a few pixels on edges.
-            const std::size_t pixels = std::size_t(small().width) * std::size_t(small().height), few = pixels / 200;
+            const std::size_t pixels = std::size_t(small_request().width) * std::size_t(small_request().height),
+                              few = pixels / 200;
             for (const char* overlay : {"none", "visibility", "n-dot-l", "normals"})
                 EXPECT_LE(differences(by_nodes, plain, overlay, s), few)
                     << name << ", " << overlay << ", cull " << cull;
@@ -146,7 +147,7 @@ TEST_F(TwinScenes, AMaskCutsTheSameHolesAsGeometry) {
     const Scene masked = sheet_over_floor(true), cut = sheet_over_floor(false);
     Settings s;
     s.lights[0].elevation = 70;
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     request.outputs = {.colour = false, .visibility = true};
     const auto shadow = [&](const Scene& scene) {
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);

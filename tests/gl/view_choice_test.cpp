@@ -15,7 +15,7 @@ class ViewChoiceTest : public FrameTest {
 protected:
     /// Compares the two at every pixel that reads the map. @return pixels by view
     std::vector<std::size_t> compare(const Scene& scene, const Settings& s) {
-        FrameRequest request = small();
+        FrameRequest request = small_request();
         request.outputs = {.colour = false, .shadow_map = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
         const FloatImage at = renderer.read_float(frame.map_coordinates, 4);

@@ -52,7 +52,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
                                                  {"map.resolution", "64"},
                                                  {"view.map_source", "camera"}})
                 set_setting(s, key, value);
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .shadow_map = true, .visibility = true};
             const FrameResult frame = renderer.render(scene, s, request);
             const FloatImage depths = renderer.read_map_view_depth(frame);
@@ -172,7 +172,7 @@ TEST_F(ViewDepthsTest, PancakingNarrowsPenumbrae) {
     const test::Place place = test::kPlaces[0];
     const Scene scene = floor_under_far_sheet(place);
     Settings s = far_sheet_settings(scene, place, "view", 1);
-    s.filter.kernel = test::kernel("pcss");
+    s.filter.kernel = test::kernel_row("pcss");
     s.lights[0].size = 0.4;
     const auto grey = [&] {
         return std::ranges::count_if(visibility(scene, s).data, [](float v) { return v > 0.02f && v < 0.98f; });
@@ -218,7 +218,7 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
 }
 
 TEST_F(ViewDepthsTest, PancakingWorksForSpotAndPointLights) {
-    Scene scene = test::floor_under_a_sheet({});
+    Scene scene = test::floor_under_sheet({});
     for (const char* type : {"spot", "point"})
         for (const char* reversed : {"false", "true"}) {
             Settings s = test::texel_settings("pcf3", 256, 3);
@@ -254,7 +254,7 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
                                               {"map.resolution", "256"},
                                               {"light.depth_bounds", bounds}});
             for (const auto& [key, value] : fit) set_setting(s, key, value);
-            FrameRequest request = small();
+            FrameRequest request = small_request();
             request.outputs = {.colour = false, .visibility = true};
             const FrameResult own = renderer.render(scene, s, request);
             s.camera.azimuth += 120;

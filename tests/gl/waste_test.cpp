@@ -67,7 +67,7 @@ TEST_F(WasteTest, UnreadMapsChangeNothing) {
 TEST_F(WasteTest, TryingAnEmptyMapRestoresTheMap) {
     const Scene scene = load_scene("boxes");
     const Settings s = settings_for(scene);
-    FrameRequest request = small();
+    FrameRequest request = small_request();
     const ByteImage before = picture(scene, s, request);
     request.emptied = MapOfLight{0, 0};
     EXPECT_GT(different_pixels(before, picture(scene, s, request)), 100u) << "the shadows are still there";

@@ -73,16 +73,16 @@ TEST_P(HardCase1, NoAcneUnderGrazingLight) {
         SCOPED_TRACE(theta);
         s.lights[0].elevation = 90 - theta;
         s.bias.constant = 0;
-        const Shot bare = shoot(scene, s);
+        const Shot bare = draw_shot(scene, s);
         const LeastBias b = predicted(bare, s);
         s.bias.constant = b.total();
-        judge(1, acne_share(shoot(scene, s)));
+        expect_within_limit(1, acne_share(draw_shot(scene, s)));
         // Elsewhere quantisation decides (at 0 degrees it is all or nothing), so only tilted planes can be judged.
         const double steps = b.kernel / (b.quantum + b.rounding);
         if (theta == 0 || steps < 20) continue;
-        shows_fault(1, acne_share(bare));
+        expect_fault(1, acne_share(bare));
         s.bias.constant = 0.9 * b.total();
-        EXPECT_GT(acne_share(shoot(scene, s)), 0) << "a tenth less bias must show acne: the prediction is tight";
+        EXPECT_GT(acne_share(draw_shot(scene, s)), 0) << "a tenth less bias must show acne: the prediction is tight";
     }
 }
 
@@ -108,7 +108,7 @@ TEST_P(HardCase5Offset, ClearsAPlaneByTheEquivalentDepthBiasAndNotByATenthLess) 
             SCOPED_TRACE(testing::Message() << theta << (offset == &BiasSettings::raster_units ? " units" : " slope"));
             Settings s = plane_settings(GetParam(), "hard");
             s.lights[0].elevation = 90 - theta;  // along neither axis of the map
-            const Shot bare = shoot(scene, s);
+            const Shot bare = draw_shot(scene, s);
             s.bias.*offset = 1;
             double needed = 0;
             for (double x : {-5.0, 0.0, 5.0})
@@ -120,14 +120,14 @@ TEST_P(HardCase5Offset, ClearsAPlaneByTheEquivalentDepthBiasAndNotByATenthLess) 
                     EXPECT_EQ(a.equivalent_depth(), a.raster);
                     needed = std::max(needed, a.least.total() / a.raster);
                 }
-            shows_fault(5, acne_share(bare));
+            expect_fault(5, acne_share(bare));
             s.bias.*offset = needed;
-            judge(5, acne_share(shoot(scene, s)));
+            expect_within_limit(5, acne_share(draw_shot(scene, s)));
             // The unit of a float format goes by the farthest depth of the whole triangle.
             if (driver.offset[std::size_t(GetParam())].unit_steps > 0 && offset == &BiasSettings::raster_units)
                 continue;
             s.bias.*offset = 0.9 * needed;
-            EXPECT_GT(acne_share(shoot(scene, s)), 0) << needed;
+            EXPECT_GT(acne_share(draw_shot(scene, s)), 0) << needed;
         }
 }
 
@@ -180,7 +180,7 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                         }
                     return seen;
                 };
-                Shot bare = shoot(scene, s);
+                Shot bare = draw_shot(scene, s);
                 double most = 0;
                 for (const auto& [pixel, at] : visible(bare)) {
                     const BiasBreakdown a = bias_breakdown(bare.light(), s, bare.frame.map_resolution,
@@ -189,7 +189,7 @@ TEST(HardCase1Places, NoAcneAtTheLeastBiasAnywhere) {
                     most = std::max(most, a.amount(a.least.total()).texels);
                 }
                 s.bias.constant = most;
-                Shot shot = shoot(scene, s);
+                Shot shot = draw_shot(scene, s);
                 const auto seen = visible(shot);
                 EXPECT_GT(seen.size(), 1500u);
                 std::size_t dark = 0;
@@ -204,7 +204,7 @@ TEST(HardCase1Share, HalfOfThePlaneHasAcneWithoutBias) {
     Settings s = plane_settings(MapFormat::D32F, "hard");
     s.lights[0].elevation = 40;
     s.bias.constant = 0;
-    EXPECT_NEAR(acne_share(shoot(plane_scene(), s, 320, 240)), 0.5, 0.02);
+    EXPECT_NEAR(acne_share(draw_shot(plane_scene(), s, 320, 240)), 0.5, 0.02);
 }
 
 // Case 2: where N.L goes to 0 the bias has no bound; the faces there hardly receive light.
@@ -233,13 +233,13 @@ TEST(HardCase2, TheTerminatorOfASphereHasLittleError) {
         EXPECT_GT(domain, 1000);
         return error / domain;
     };
-    judge(2, energy(shoot(scene, s, 80, 60)));
+    expect_within_limit(2, energy(draw_shot(scene, s, 80, 60)));
     s.bias = no_bias();
-    shows_fault(2, energy(shoot(scene, s, 80, 60)));
+    expect_fault(2, energy(draw_shot(scene, s, 80, 60)));
     // A bias without bound would reach infinity here.
     s.bias.slope = 1000;
     s.bias.normal = 100;
-    shoot(scene, s, 80, 60);
+    draw_shot(scene, s, 80, 60);
 }
 
 // Case 3: depth steps of the formats over wide ranges, seen as acne of a plane that a spot light looks at.
@@ -266,14 +266,14 @@ TEST_P(HardCase3, NoAcneWithTheFormatsStep) {
     s.map.resolution = 512;
     s.bias.constant = 0;
     const Scene scene = plane_scene();
-    const Shot bare = shoot(scene, s);
+    const Shot bare = draw_shot(scene, s);
     EXPECT_NEAR(bare.view().curve.far / bare.view().curve.near, c.ratio, 1e-9 * c.ratio);
     const LeastBias b = predicted(bare, s);
     s.bias.constant = b.total();
-    judge(3, acne_share(shoot(scene, s)));
+    expect_within_limit(3, acne_share(draw_shot(scene, s)));
     // Where a step swallows the tilt of the plane over a texel, all depths may round to one and nothing shows.
     if (b.kernel > 2 * (b.quantum + b.rounding)) {
-        shows_fault(3, acne_share(bare));
+        expect_fault(3, acne_share(bare));
     } else {
         EXPECT_TRUE(c.ratio >= 1e3 || c.format == MapFormat::D16) << "short ranges must resolve the plane";
     }

@@ -48,7 +48,7 @@ TEST_P(BoxShadow, EdgesLieWithinATexel) {
     s.bias = no_bias();
     s.bias.unit = BiasUnit::Texels;
     s.bias.constant = 4 * reach_of(s).bias;
-    const Shot shot = shoot(scene, s, 320, 240);
+    const Shot shot = draw_shot(scene, s, 320, 240);
     const FittedLight& light = shot.light();
     const RayReference rays(scene);
     const auto in_shadow = [&](const glm::dvec3& p) {
@@ -115,7 +115,7 @@ TEST(PointLight, SeamsShowNoError) {
         s.bias.unit = BiasUnit::Texels;
         // Near a face's rim the floor is tilted by 45 to 60 degrees against its axis.
         s.bias.constant = 4 * reach_of(s).bias;
-        const ReferenceErrors e = compare(shoot(scene, s), scene, reach_of(s).edge + 1);
+        const ReferenceErrors e = compare_with_reference(draw_shot(scene, s), scene, reach_of(s).edge + 1);
         EXPECT_GT(e.shadow, 200) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.any_acne, 0) << filter;

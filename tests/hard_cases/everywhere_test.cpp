@@ -88,7 +88,7 @@ std::optional<Judged> classified(const HardCase& row, bool fixed, const Placemen
     if (!place_settings(c.settings, placement) || resolved(row, placement) > allowance_of(row.key).finest_place)
         return {};
     c.settings.lights[0].elevation += turn;
-    if (!placement.at_home()) place_scene(c.scene, placement.matrix());
+    if (!placement.is_unmoved()) place_scene(c.scene, placement.matrix());
     ReferenceCache cache;
     const MeasuredError e =
         measure_error(hard_renderer(), c.scene, c.settings, {.width = kAcross, .height = kDown}, 0, {}, cache);
@@ -175,7 +175,7 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
     const double look = rounding ? 1 : allowed.look;
     int compared = 0;
     for (const Placement& placement : placements) {
-        if (placement.at_home() || (placement.mirrored && !allowed.mirrors)) continue;
+        if (placement.is_unmoved() || (placement.mirrored && !allowed.mirrors)) continue;
         SCOPED_TRACE(std::string(row.key) + ": " + placement.name());
         const Judged& home = homes.of(row, fixed, placement.light);
         const auto there = classified(row, fixed, placement);
@@ -216,10 +216,10 @@ constexpr std::uint32_t kSeed = 20260101;
 
 /// What the covering array over cases and placements has for a case.
 std::vector<Placement> in_pairs(const HardCase& row) {
-    static const std::vector<CaseAndPlacement> array = pairwise(hard_cases().size(), kSeed);
+    static const std::vector<PlacedCase> array = pairwise_placements(hard_cases().size(), kSeed);
     std::vector<Placement> out;
-    for (const CaseAndPlacement& c : array)
-        if (int(c.of) + 1 == row.number) out.push_back(c.placement);
+    for (const PlacedCase& c : array)
+        if (int(c.case_index) + 1 == row.number) out.push_back(c.placement);
     return out;
 }
 
@@ -229,7 +229,7 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
     // More would move the shadows of light that grazes; upwards, it would light a strip below tops of one height.
     const double turn = -1e-6 * 180 / M_PI;
     std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
-    for (std::size_t light = 1; light < lights_from().size(); ++light) {
+    for (std::size_t light = 1; light < light_directions().size(); ++light) {
         const Judged& exact = homes.of(row, true, light);
         const auto beside = classified(row, true, {.light = light}, turn);
         ASSERT_TRUE(beside);
@@ -254,7 +254,8 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     const HardCase& row = *GetParam();
     Homes homes;
     Differences d;
-    EXPECT_GE(compare_places(row, true, one_by_one(), homes, d), 14) << "most placements must lie in settings' ranges";
+    EXPECT_GE(compare_places(row, true, single_factor_placements(), homes, d), 14)
+        << "most placements must lie in settings' ranges";
     EXPECT_GE(compare_places(row, true, exact_placements(), homes, d), 6);
     EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
     expect_alike(row, d);
@@ -262,7 +263,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     // With the fault, too: what is wrong is wrong everywhere, and for the same reason.
     if (row.broken.empty()) return;
     Differences faults;
-    compare_places(row, false, one_by_one(), homes, faults);
+    compare_places(row, false, single_factor_placements(), homes, faults);
     compare_places(row, false, exact_placements(), homes, faults);
     expect_alike(row, faults);
 }
@@ -286,15 +287,15 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlaceInEveryPlacement) {
 
 // The covering array covers.
 TEST(HardCasesPlacements, PairsAreComplete) {
-    const auto rows = pairwise(36, kSeed);
+    const auto rows = pairwise_placements(36, kSeed);
     std::set<std::array<std::size_t, 4>> pairs;
-    for (const CaseAndPlacement& c : rows) {
+    for (const PlacedCase& c : rows) {
         const Placement& p = c.placement;
-        const std::size_t v[] = {c.of, p.distance, p.scale, p.light, p.mirrored ? 1u : 0u};
+        const std::size_t v[] = {c.case_index, p.distance, p.scale, p.light, p.mirrored ? 1u : 0u};
         for (std::size_t a = 0; a < 5; ++a)
             for (std::size_t b = a + 1; b < 5; ++b) pairs.insert({a, v[a], b, v[b]});
     }
-    const std::size_t d = distances().size(), s = scales().size(), l = lights_from().size();
+    const std::size_t d = distances().size(), s = scales().size(), l = light_directions().size();
     // Less those of mirrored under lights that no mirror keeps, and of rows that are at home, which compare nothing.
     const std::size_t whole = 36 * (d + s + l + 2) + d * s + d * l + 2 * d + s * l + 2 * s + 2 * l;
     EXPECT_GE(pairs.size() + 60, whole);

@@ -14,12 +14,12 @@ namespace {
 /// Errors beyond the reach of the kernel and its blur.
 ReferenceErrors errors(const DrawnCase& c, const Shot& shot) {
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
-    return compare(shot, c.scene, reach + 2);
+    return compare_with_reference(shot, c.scene, reach + 2);
 }
 
 /// Of the lit sheet of hard_slope(), away from its sides and from the bar's shadow: the share that is not lit.
 double grey_share(const DrawnCase& c) {
-    const Shot shot = shoot(c);
+    const Shot shot = draw_shot(c);
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
     const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, reach + 2);
@@ -39,8 +39,8 @@ double grey_share(const DrawnCase& c) {
 // Of depths that are all but equal, what single precision leaves of E(z^2) - E(z)^2 has either sign.
 TEST(HardCase22, VarianceIsNeverNegative) {
     const DrawnCase mended = hard_view("variance-cancels", true);
-    const Shot shot = shoot(mended);
-    judge(22, grey_share(mended));
+    const Shot shot = draw_shot(mended);
+    expect_within_limit(22, grey_share(mended));
     const FloatImage& map = shot.maps.at(0);
     const int radius = mended.settings.filter.blur;
     int negative = 0, flat = 0;
@@ -62,7 +62,7 @@ TEST(HardCase22, VarianceIsNeverNegative) {
             negative += second / n - (first / n) * (first / n) < 0;
         }
     EXPECT_GT(flat, 1000);
-    shows_fault(22, double(negative) / std::max(flat, 1));
+    expect_fault(22, double(negative) / std::max(flat, 1));
     EXPECT_GT(grey_share(hard_view("variance-cancels", false)), 1e-3)
         << "without a least variance the sheet must be speckled";
 }
@@ -72,7 +72,7 @@ TEST(HardCase23, NoExponentGivesNaN) {
     const float large = std::exp(88.f);
     formats += std::isinf(large * large) ? 1 : 0;  // 32 bits
     formats += large > 65504.f ? 1 : 0;            // 16 bits
-    shows_fault(23, formats);
+    expect_fault(23, formats);
     for (const char* kernel : {"esm", "evsm2", "evsm4"})
         for (const char* format : {"32-bit", "16-bit"})
             for (const char* exponent : {"0.5", "40", "88"}) {
@@ -82,8 +82,8 @@ TEST(HardCase23, NoExponentGivesNaN) {
                                                {"filter.moment_format", format},
                                                {"filter.exponent", exponent},
                                                {"filter.negative_exponent", exponent}});
-                const Shot shot = shoot(c);
-                judge(23, errors(c, shot).false_shadow);
+                const Shot shot = draw_shot(c);
+                expect_within_limit(23, errors(c, shot).false_shadow);
                 if (std::string(exponent) == "88") {
                     EXPECT_FALSE(shot.frame.notes.empty()) << "a clamped exponent must be said";
                 }
@@ -93,28 +93,28 @@ TEST(HardCase23, NoExponentGivesNaN) {
 TEST(HardCase24, FixedMomentsKeepSixteenBitsLit) {
     const auto grey = [](const char* kernel, bool fixed) {
         const DrawnCase c = hard_view("moment-steps", fixed, {{"filter.kernel", kernel}});
-        const ReferenceErrors e = errors(c, shoot(c));
+        const ReferenceErrors e = errors(c, draw_shot(c));
         EXPECT_GT(e.domain - e.shadow - e.boundary, 3000);
         return double(e.any_acne) / std::max(e.domain, 1);
     };
     for (const char* kernel : {"msm_hamburger", "msm_hausdorff"}) {
-        judge(24, grey(kernel, true));
-        shows_fault(24, grey(kernel, false));
+        expect_within_limit(24, grey(kernel, true));
+        expect_fault(24, grey(kernel, false));
     }
 }
 
 TEST(HardCase25, SumsOfIntegersEqualABlur) {
-    const Shot blurred = shoot(hard_view("summed-areas", true, {{"filter.kernel", "vsm"}, {"filter.blur", "2"}}));
+    const Shot blurred = draw_shot(hard_view("summed-areas", true, {{"filter.kernel", "vsm"}, {"filter.blur", "2"}}));
     const auto off = [&](bool fixed) {
-        const Shot summed = shoot(hard_view("summed-areas", fixed));
+        const Shot summed = draw_shot(hard_view("summed-areas", fixed));
         double total = 0;
         for (std::size_t i = 0; i < summed.visibility.data.size(); ++i)
             total += std::abs(double(summed.visibility.data[i]) - blurred.visibility.data[i]);
         return total / double(summed.visibility.data.size());
     };
     EXPECT_GT(shadow_share(blurred), 0.01);
-    judge(25, off(true));
-    shows_fault(25, off(false));
+    expect_within_limit(25, off(true));
+    expect_fault(25, off(false));
 }
 
 TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
@@ -122,7 +122,7 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
         for (const char* size : {"0", "1"}) {
             SCOPED_TRACE(std::string(kernel) + " " + size);
             const DrawnCase c = hard_view("no-blockers", true, {{"filter.kernel", kernel}, {"light.size", size}});
-            const Shot shot = shoot(c);
+            const Shot shot = draw_shot(c);
             const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + 2;
             const ReferenceImage reference = trace_reference(RayReference(c.scene), shot.frame.camera, shot.light(),
                                                              shot.width, shot.height, shot.frame.map_resolution, reach);
@@ -138,8 +138,8 @@ TEST(HardCase26, EmptyAndFullyCoveredWindowsGiveLightAndShadow) {
                     worst = std::max(worst, double(shot.visibility.data[i]));
                 }
             }
-            judge(26, worst);
-            shows_fault(26, clear);
+            expect_within_limit(26, worst);
+            expect_fault(26, clear);
             EXPECT_GT(covered, 100);
         }
 }

@@ -45,21 +45,22 @@ class Drawings {
 public:
     explicit Drawings(std::string key) : key_(std::move(key)) {}
 
-    const Guided& of(const ClaimSubject& subject) {
+    const GuidedDrawing& of(const ClaimSubject& subject) {
         auto& drawing = drawings_[{subject.preset, subject.set, subject.size}];
-        if (!drawing) drawing = std::make_unique<Guided>(key_, subject);
+        if (!drawing) drawing = std::make_unique<GuidedDrawing>(key_, subject);
         return *drawing;
     }
 
 private:
     std::string key_;
-    std::map<std::tuple<std::string, std::vector<std::string>, std::vector<int>>, std::unique_ptr<Guided>> drawings_;
+    std::map<std::tuple<std::string, std::vector<std::string>, std::vector<int>>, std::unique_ptr<GuidedDrawing>>
+        drawings_;
 };
 
 void expect_claim(const PresetClaim& claim, Drawings& drawings) {
     SCOPED_TRACE(claim.text);
-    const Guided& drawing = drawings.of(claim.subject);
-    const Guided* than = claim.than ? &drawings.of(*claim.than) : nullptr;
+    const GuidedDrawing& drawing = drawings.of(claim.subject);
+    const GuidedDrawing* than = claim.than ? &drawings.of(*claim.than) : nullptr;
     const double left = claim_metric(claim.subject, drawing, than);
     double right = claim.value;
     if (than && !compares_drawings(claim.subject.metric))

@@ -93,7 +93,7 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsScene) {
     static const std::set<std::string_view> remarks = {"spot-angle", "bad-numbers", "degenerate",    "not-finite",
                                                        "exponents",  "map-size",    "flattened",     "light-inside",
                                                        "no-depth",   "split-ends",  "reversed-depth"};
-    const Shot shot = shoot(preset.scene, preset.settings, 96, 72);
+    const Shot shot = draw_shot(preset.scene, preset.settings, 96, 72);
     if (remarks.contains(view.row->key)) return;
     EXPECT_TRUE(preset.notes.empty()) << preset.notes.front();
     for (const std::string& note : shot.frame.notes) ADD_FAILURE() << note;

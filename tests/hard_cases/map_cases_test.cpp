@@ -22,8 +22,8 @@ TEST(HardCase19, BadSettingsAreRepairedAndReported) {
             s.lights[0].fit = LightFit::Manual;
             s.lights[0].near = near;
             s.lights[0].far = far;
-            const Shot shot = shoot(scene, s);
-            judge(19, shot.frame.notes.empty());
+            const Shot shot = draw_shot(scene, s);
+            expect_within_limit(19, shot.frame.notes.empty());
             ++tried;
         }
         for (double bad : {double(NAN), double(INFINITY), -double(INFINITY)}) {
@@ -35,8 +35,8 @@ TEST(HardCase19, BadSettingsAreRepairedAndReported) {
             s.bias.constant = s.bias.slope = s.bias.normal = s.bias.raster_slope = s.bias.raster_units = bad;
             s.camera.azimuth = s.camera.distance = s.camera.fov = s.camera.near = s.camera.far = bad;
             s.shading.ambient = s.shading.shininess = s.view.map_black = s.view.overlay_opacity = bad;
-            const Shot shot = shoot(scene, s);
-            judge(19, shot.frame.notes.empty());
+            const Shot shot = draw_shot(scene, s);
+            expect_within_limit(19, shot.frame.notes.empty());
             ++tried;
         }
         Settings s = hard_settings();
@@ -48,11 +48,11 @@ TEST(HardCase19, BadSettingsAreRepairedAndReported) {
         s.filter.kernel = s.view.overlay = -3;
         s.map.resolution = -5;
         s.light_count = 99;
-        judge(19, shoot(scene, s).frame.notes.empty());
+        expect_within_limit(19, draw_shot(scene, s).frame.notes.empty());
         ++tried;
     }
-    shows_fault(19, tried);
-    EXPECT_TRUE(shoot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
+    expect_fault(19, tried);
+    EXPECT_TRUE(draw_shot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
 }
 
 // Case 20: maps of one texel, and beyond what the driver can do.
@@ -64,16 +64,16 @@ TEST(HardCase20, ErrorsFallWithResolution) {
         Settings s = hard_settings();
         s.map.resolution = n;
         set_setting(s, "filter.kernel", "hard");
-        const Shot shot = shoot(scene, s);
+        const Shot shot = draw_shot(scene, s);
         EXPECT_EQ(shot.frame.map_resolution, n);
         EXPECT_EQ(shot.maps.at(0).width, n);
-        const ReferenceErrors e = compare(shot, scene, 0);
+        const ReferenceErrors e = compare_with_reference(shot, scene, 0);
         const double wrong = double(e.false_light + e.false_shadow) / e.domain;
-        judge(20, std::max(0.0, wrong - before));
+        expect_within_limit(20, std::max(0.0, wrong - before));
         before = wrong;
         shares.push_back(wrong);
     }
-    shows_fault(20, shares.front());
+    expect_fault(20, shares.front());
     EXPECT_LT(shares.back(), 0.01);
 }
 
@@ -86,7 +86,7 @@ TEST(HardCase20, KernelsWiderThanTheMapGiveFinitePictures) {
                 s.lights[0].type = type;
                 s.map.resolution = n;
                 s.filter.kernel = int(row);
-                shoot(scene, s, 32, 24);
+                draw_shot(scene, s, 32, 24);
             }
 }
 
@@ -138,12 +138,12 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
         };
         for (MapWrap wrap : {MapWrap::Border, MapWrap::Range}) {
             s.map.wrap = wrap;
-            judge(29, wrong_outside(shoot(scene, s)));
+            expect_within_limit(29, wrong_outside(draw_shot(scene, s)));
         }
         s.map.wrap = MapWrap::Clamp;
-        shows_fault(29, wrong_outside(shoot(scene, s)));
+        expect_fault(29, wrong_outside(draw_shot(scene, s)));
         s.map.wrap = MapWrap::Repeat;
-        shows_fault(29, wrong_outside(shoot(scene, s)));
+        expect_fault(29, wrong_outside(draw_shot(scene, s)));
     }
 }
 
@@ -164,7 +164,7 @@ TEST(HardCase29, NoErrorsLieAlongTheBorder) {
         s.bias.unit = BiasUnit::Texels;
         s.bias.constant = 2.5 * reach_of(s).bias;
         const double reach = reach_of(s).edge + 1;
-        const ReferenceErrors e = compare(shoot(scene, s), scene, reach);
+        const ReferenceErrors e = compare_with_reference(draw_shot(scene, s), scene, reach);
         EXPECT_GT(e.shadow, 100) << filter;
         EXPECT_EQ(e.false_shadow, 0) << filter;
         EXPECT_EQ(e.false_light, 0) << filter;

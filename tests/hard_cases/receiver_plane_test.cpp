@@ -91,7 +91,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                 s.map.reversed_z = c.reversed;
                 set_setting(s, "filter.kernel", filter);
                 choose(s, "receiver-plane");
-                const Shot shot = shoot(scene, s);
+                const Shot shot = draw_shot(scene, s);
                 const auto pixels = seen(shot, plane);
                 ASSERT_GT(pixels.size(), 1500u);
                 std::size_t acne = 0;
@@ -113,7 +113,7 @@ TEST_P(ReceiverPlaneBias, LeavesNoAcneOnPlanes) {
                     {plane.at, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
                 choose(s, "constant");
                 s.bias.constant = middle.equivalent_depth();
-                const Shot one = shoot(scene, s);
+                const Shot one = draw_shot(scene, s);
                 classified += pixels.size();
                 for (const auto& [i, at] : pixels) acne_without += one.visibility.data[i] < 1 - 1e-3f;
             }
@@ -168,7 +168,7 @@ TEST(ReceiverPlane, LightsAStripAtAWallOfTheClosedFormsWidth) {
             s.camera.distance = 9;
             s.camera.target_x = s.camera.target_y = 0;
             s.camera.target_z = -0.5;
-            const Shot shot = shoot(scene, s, 480, 360);
+            const Shot shot = draw_shot(scene, s, 480, 360);
             double lit = 0, expected = 0;
             int columns = 0;
             const double pixel_m = 9 * 2 * std::tan(glm::radians(0.5 * s.camera.fov)) / 360;
@@ -220,10 +220,10 @@ TEST(ReceiverPlane, DrawsEdgesOfDistantCastersLikeASingleDepth) {
             s.lights[0].distance = 9;
             s.lights[0].cone = 80;
             choose(s, "receiver-plane");
-            const Shot plane = shoot(scene, s, 320, 240);
+            const Shot plane = draw_shot(scene, s, 320, 240);
             choose(s, "constant");
             s.bias.constant = 4 * reach_of(s).bias;
-            const Shot one = shoot(scene, s, 320, 240);
+            const Shot one = draw_shot(scene, s, 320, 240);
             const RayReference rays(scene);
             int floor = 0, partly = 0, dark = 0, differ = 0;
             for (int y = 0; y < plane.height; ++y)
@@ -254,14 +254,14 @@ TEST(ReceiverPlane, ClampBoundsTheDepthGradient) {
     set_setting(s, "filter.kernel", "pcf3");
     choose(s, "receiver-plane");
     const auto acne = [&] {
-        const Shot shot = shoot(scene, s);
+        const Shot shot = draw_shot(scene, s);
         std::size_t dark = 0;
         const auto pixels = seen(shot, plane);
         for (const auto& [i, at] : pixels) dark += shot.visibility.data[i] < 1 - 1e-3f;
         return double(dark) / double(pixels.size());
     };
     const auto account = [&] {
-        const Shot shot = shoot(scene, s);
+        const Shot shot = draw_shot(scene, s);
         return bias_breakdown(shot.light(), s, shot.frame.map_resolution,
                               {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, shot.frame.camera.origin()}, hard_renderer().driver());
     };
@@ -291,9 +291,9 @@ TEST(ReceiverPlane, ComparesInTheShaderWhereSamplersCannot) {
             Settings s = texel_settings(filter, 256, 0);
             set_setting(s, "map.format", format);
             choose(s, "receiver-plane");
-            const Shot gather = shoot(scene, s);
+            const Shot gather = draw_shot(scene, s);
             set_setting(s, "filter.method", "sampler");
-            const Shot sampler = shoot(scene, s);
+            const Shot sampler = draw_shot(scene, s);
             EXPECT_EQ(differing_share(gather, sampler, 1e-5), 0);
             const bool told = std::ranges::any_of(sampler.frame.notes, [](const std::string& note) {
                 return note.find("receiver-plane") != std::string::npos && note.find("gather") != std::string::npos;

@@ -124,9 +124,9 @@ class HardCase36Everywhere : public testing::TestWithParam<LightType> {};
 
 TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
     const LightType type = GetParam();
-    std::vector<Placement> placements = one_by_one();
+    std::vector<Placement> placements = single_factor_placements();
     placements.push_back({});
-    for (std::size_t light = 1; light < lights_from().size(); ++light)
+    for (std::size_t light = 1; light < light_directions().size(); ++light)
         placements.push_back({.distance = 4, .scale = 1 + light % (scales().size() - 1), .light = light});
     placements.push_back({.distance = 3, .scale = 3, .light = 4, .mirrored = true});
     std::size_t classified = 0, dark = 0, parallel = 0;
@@ -228,7 +228,7 @@ TEST(HardCase10Baked, DistantVerticesAreComparedAsRounded) {
             s.lights[0].type = type;
             s.lights[0].azimuth = 30;
             s.lights[0].elevation = 40;
-            const Shot a = shoot(baked, s), b = shoot(placed, s);
+            const Shot a = draw_shot(baked, s), b = draw_shot(placed, s);
             EXPECT_GT(shadow_share(a), 0.02);
             EXPECT_LE(differing_share(a, b), 5e-4) << int(type);
         }

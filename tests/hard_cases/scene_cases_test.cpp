@@ -45,14 +45,14 @@ TEST(HardCase13, DegenerateTrianglesChangeNothing) {
     }
     EXPECT_EQ(dirty.dropped_triangles, 4u);
     EXPECT_EQ(without_normal, 4);
-    shows_fault(13, without_normal);
+    expect_fault(13, without_normal);
     EXPECT_FALSE(dirty.warnings.empty());
     EXPECT_EQ(clean.dropped_triangles, 0u);
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = type;
-        const Shot a = shoot(clean, s), b = shoot(dirty, s);
-        judge(13, differing_share(a, b, 0) * double(a.visibility.data.size()));
+        const Shot a = draw_shot(clean, s), b = draw_shot(dirty, s);
+        expect_within_limit(13, differing_share(a, b, 0) * double(a.visibility.data.size()));
         EXPECT_EQ(a.maps.at(0).data, b.maps.at(0).data);
     }
 }
@@ -72,29 +72,29 @@ TEST(HardCase13, SliversGiveFinitePictures) {
     for (LightType type : kLightTypes) {
         Settings s = hard_settings();
         s.lights[0].type = type;
-        shoot(scene, s);
+        draw_shot(scene, s);
     }
 }
 
 // Case 17: when nothing casts or receives, or nothing is there, no shadow pass runs and all is lit.
 void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
     SCOPED_TRACE(what);
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     for (float v : shot.visibility.data) ASSERT_EQ(v, 1);
     const PassInfo* pass = shadow_pass(shot.frame);
     ASSERT_NE(pass, nullptr) << "the plan must say why there is no shadow pass";
     EXPECT_EQ(pass->state, PassState::Skipped);
-    judge(17, double(pass->draws));
+    expect_within_limit(17, double(pass->draws));
     EXPECT_FALSE(pass->reason.empty());
 }
 
 TEST(HardCase17, EmptyScenesAreDrawn) {
     const Scene scene = floor_and_box();
     Settings s = hard_settings();
-    const Shot with = shoot(scene, s);
+    const Shot with = draw_shot(scene, s);
     EXPECT_GT(shadow_share(with), 0.01);
     ASSERT_NE(shadow_pass(with.frame), nullptr);
-    shows_fault(17, double(shadow_pass(with.frame)->draws));
+    expect_fault(17, double(shadow_pass(with.frame)->draws));
 
     s.lights[0].cast = false;
     expect_no_shadow(scene, s, "light.cast off");
@@ -120,21 +120,21 @@ TEST(HardCase17, EmptyScenesAreDrawn) {
 TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     const Scene scene = make_scene(make_plane(10, 10));
     const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // of a fit without a least one
-    shows_fault(18, std::isinf(1 / bare_range));
+    expect_fault(18, std::isinf(1 / bare_range));
     for (LightType type : kLightTypes)
         for (bool reversed : {false, true}) {
             Settings s = hard_settings();
             s.lights[0].type = type;
             s.lights[0].elevation = 90;
             s.map.reversed_z = reversed;
-            const Shot shot = shoot(scene, s);
+            const Shot shot = draw_shot(scene, s);
             const LightView& view = shot.view();
             // Two texels at the plane; at the far end of the range they are a little larger.
             EXPECT_GE(view.curve.far - view.curve.near, 2 * view.texel_size(view.curve.near, 512));
-            judge(18, compare(shot, scene, 0).any_acne);
+            expect_within_limit(18, compare_with_reference(shot, scene, 0).any_acne);
             // Edge-on: the plane is a line in the map.
             s.lights[0].elevation = 0;
-            shoot(scene, s);
+            draw_shot(scene, s);
         }
     // It still casts and receives.
     Scene two;
@@ -146,7 +146,7 @@ TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     s.bias = no_bias();
     s.bias.constant = 1e-3;
     set_setting(s, "filter.kernel", "hard");
-    const ReferenceErrors e = compare(shoot(two, s), two, 1);
+    const ReferenceErrors e = compare_with_reference(draw_shot(two, s), two, 1);
     EXPECT_EQ(e.false_light, 0);
     EXPECT_EQ(e.false_shadow, 0);
 }
@@ -168,10 +168,10 @@ TEST(HardCase34, LargeIndicesAreDrawn) {
     ASSERT_GT(mesh.positions.size(), 65536u);
     EXPECT_TRUE(std::find(mesh.indices.begin(), mesh.indices.end(), 65535u) != mesh.indices.end());
     Settings s = hard_settings();
-    const Shot a = shoot(fine, s), b = shoot(coarse, s);
+    const Shot a = draw_shot(fine, s), b = draw_shot(coarse, s);
     EXPECT_GT(shadow_share(a), 0.01);
-    judge(34, differing_share(a, b));
-    shows_fault(34, differing_share(shoot(scene_with(wrapped), s), b));
+    expect_within_limit(34, differing_share(a, b));
+    expect_fault(34, differing_share(draw_shot(scene_with(wrapped), s), b));
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ protected:
     /// Pixels that are wrong though nothing changes in the kernel's reach of them, near a border of two faces and
     /// elsewhere.
     Seams count(const Scene& scene, const Settings& s) {
-        const test::Shot shot = test::shoot(scene, s, 200, 150);
+        const test::Shot shot = test::draw_shot(scene, s, 200, 150);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
         const test::ReferenceImage reference = test::trace_reference(
             test::RayReference(scene), shot.frame.camera, shot.light(), 200, 150, shot.frame.map_resolution, reach);
@@ -75,8 +75,8 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
                 const Seams seams = count(scene, s);
                 EXPECT_GT(seams.near, 500u);
                 EXPECT_GT(seams.inside, 3000u);
-                test::judge(30, std::max(0.0, seams.excess()));
-                test::shows_fault(30, double(seams.across));
+                test::expect_within_limit(30, std::max(0.0, seams.excess()));
+                test::expect_fault(30, double(seams.across));
             }
 }
 
@@ -91,9 +91,9 @@ TEST_F(HardCase30, NothingIsReadOutsideAFace) {
              Sets{{"light.type", "point"}, {"light.distance", "2"}, {"light.elevation", "90"}})
             set_setting(s, key, value);
         for (const auto& [key, value] : reach) set_setting(s, key, value);
-        const test::Shot lit = test::shoot(scene, s);
+        const test::Shot lit = test::draw_shot(scene, s);
         s.map.outside = Outside::Unlit;
-        EXPECT_EQ(test::differing_share(lit, test::shoot(scene, s), 1e-6), 0) << reach[0].second;
+        EXPECT_EQ(test::differing_share(lit, test::draw_shot(scene, s), 1e-6), 0) << reach[0].second;
     }
 }
 

@@ -36,7 +36,7 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
     for (const char* resolution : {"256", "512", "1024", "2048", "4096"}) {
         SCOPED_TRACE(resolution);
         const DrawnCase c = hard_view("thin-caster", true, {{"map.resolution", resolution}});
-        const Shot shot = shoot(c, 320, 240);
+        const Shot shot = draw_shot(c, 320, 240);
         const LightView& view = shot.view();
         const double texel = view.texel_size(1, shot.frame.map_resolution), side = 1.0 / 128;
         const glm::dmat3 turn(turned(10));
@@ -59,12 +59,12 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
         }
         ASSERT_GT(shadow, 200);
         const double share = double(missing) / shadow;
-        judge(21, std::max(0.0, share - (1 - caught)));
+        expect_within_limit(21, std::max(0.0, share - (1 - caught)));
         EXPECT_LE(share, before + 0.05) << "finer maps lose less";
         before = share;
         if (std::string(resolution) == "256") {
             EXPECT_LT(width, 0.5 * texel);
-            shows_fault(21, share);
+            expect_fault(21, share);
             const MeasuredError e = measured(c, 320, 240);
             std::size_t lost = 0, told = 0;
             for (const ClassifiedPixel& pixel : e.classified) {
@@ -81,19 +81,20 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
 
 TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     const DrawnCase c = hard_view("edge-on-planes", true);
-    const ReferenceErrors e = compare(shoot(c), c.scene, reach_of(c.settings).edge + 1);
+    const ReferenceErrors e = compare_with_reference(draw_shot(c), c.scene, reach_of(c.settings).edge + 1);
     EXPECT_GT(e.domain - e.boundary, 2000);
     EXPECT_GT(e.shadow, 1000);
-    judge(27, double(e.false_shadow + e.false_light) / e.domain);
+    expect_within_limit(27, double(e.false_shadow + e.false_light) / e.domain);
     const auto share_of = [](const DrawnCase& drawn, Artefact cause) {
         const ErrorMetrics m = measured(drawn).metrics;
         return double(m.artefacts[std::size_t(cause)]) / double(std::max<std::size_t>(m.counted, 1));
     };
     // In the light the stairs shadow themselves where the slope is too small.
-    judge(27, share_of(hard_view("edge-on-planes", true, {{"light.azimuth", "30"}, {"light.elevation", "40"}}),
-                       Artefact::Acne));
+    expect_within_limit(
+        27, share_of(hard_view("edge-on-planes", true, {{"light.azimuth", "30"}, {"light.elevation", "40"}}),
+                     Artefact::Acne));
     EXPECT_LT(share_of(c, Artefact::PeterPanning), 0.01);
-    shows_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
+    expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
 }
 
 /// Wrong pixels, whatever their cause is called, about which all is shadow or all is light in truth.
@@ -119,29 +120,30 @@ TEST(HardCase32, AlphaHolesLetLightThrough) {
     const DrawnCase c = hard_view("alpha", true);
     const MeasuredError e = measured(c);
     EXPECT_GT(e.metrics.counted, 5000u);
-    judge(32, wrong_share(e));
+    expect_within_limit(32, wrong_share(e));
     DrawnCase solid = c;
     for (Material& m : solid.scene.materials) m.alpha = AlphaMode::Opaque;
     finalise(solid.scene);
-    const Shot masked = shoot(c);
-    shows_fault(32, std::min(differing_share(masked, shoot(solid), 0.5),
-                             differing_share(masked, shoot(hard_view("alpha", false)), 0.5)));
+    const Shot masked = draw_shot(c);
+    expect_fault(32, std::min(differing_share(masked, draw_shot(solid), 0.5),
+                              differing_share(masked, draw_shot(hard_view("alpha", false)), 0.5)));
 }
 
 TEST(HardCase33, MeshesThatAreNotFiniteAreLeftOutAlone) {
     const DrawnCase c = hard_view("not-finite", true);
     const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box, without the other mesh
     EXPECT_TRUE(std::isfinite(c.scene.bounds.radius()));
-    shows_fault(33, double(std::ranges::count_if(
-                        c.scene.warnings, [](const std::string& w) { return w.find("Broken") != std::string::npos; })));
+    expect_fault(33, double(std::ranges::count_if(c.scene.warnings, [](const std::string& w) {
+                     return w.find("Broken") != std::string::npos;
+                 })));
     DrawnCase clean{box.scene, c.settings};
     clean.scene.cameras = c.scene.cameras;
     for (LightType type : kLightTypes) {
         DrawnCase dirty = c;
         dirty.settings.lights[0].type = clean.settings.lights[0].type = type;
-        const Shot a = shoot(dirty), b = shoot(clean);
+        const Shot a = draw_shot(dirty), b = draw_shot(clean);
         EXPECT_GT(shadow_share(a), 0.01);
-        judge(33, differing_share(a, b, 0) * double(a.visibility.data.size()));
+        expect_within_limit(33, differing_share(a, b, 0) * double(a.visibility.data.size()));
     }
 }
 
@@ -156,8 +158,8 @@ TEST(HardCase35, FacetsTurnedAwayAreNotAcne) {
         counted_wrong += e.classified[i].artefact != Artefact::None;
         smooth_lit += r.position_ws.y > 1e-3 && glm::dot(glm::normalize(r.position_ws - middle), to_light) > 0.02;
     }
-    judge(35, counted_wrong);
-    shows_fault(35, smooth_lit);
+    expect_within_limit(35, counted_wrong);
+    expect_fault(35, smooth_lit);
     EXPECT_EQ(e.metrics.any_acne, 0);
 }
 
@@ -186,8 +188,8 @@ TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
         own += meets_own(rays.triangle(hit->triangle), glm::vec3(from), glm::vec3(e.lights[0].to_light));
     }
     EXPECT_GT(bodies, 500);
-    judge(36, shadowed);
-    shows_fault(36, double(own) / std::max(bodies, 1));
+    expect_within_limit(36, shadowed);
+    expect_fault(36, double(own) / std::max(bodies, 1));
     EXPECT_GT(e.traced.reference->visibility.data.size(), 0u);
     EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source are the truth";
 }

@@ -165,11 +165,11 @@ double least_value(Share share_cleared) {
 }
 
 TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
-    const Scene scene = floor_under_a_sheet(c.place);
+    const Scene scene = floor_under_sheet(c.place);
     Settings s = settings(0);
     Settings bare = s;
     if (row.brings_need) set_setting(bare, "bias.kind", "constant");
-    const Shot none = shoot(scene, bare);
+    const Shot none = draw_shot(scene, bare);
     const double reach = reach_under(s, none.light(), none.frame.map_resolution).edge + 1;
     const auto reference_within = [&](double texels) {
         return trace_reference(RayReference(scene), none.frame.camera, none.light(), none.width, none.height,
@@ -183,7 +183,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     });
     if (row.stage == BiasStage::LookUp) reference = reference_within(reach + value);  // edges move by as much
     give(s, value * 1.001);
-    const Shot least = shoot(scene, s);
+    const Shot least = draw_shot(scene, s);
     const Told t = told(reference, least.frame, s, 1);
     const Tolerance& tolerance = filter_of(s).tolerance;
     ASSERT_GT(t.lit, 2000u);
@@ -216,10 +216,10 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
     for (const double value : {0.0, 3.0}) {
         Settings s = settings(value);
         s.objects["floor"] = s.objects["box"] = {.cast = false};
-        for (const float v : shoot(scene, s, 64, 48).visibility.data) ASSERT_TRUE(v == 1 || v == 0) << v;
+        for (const float v : draw_shot(scene, s, 64, 48).visibility.data) ASSERT_TRUE(v == 1 || v == 0) << v;
         // The floor alone does not cast: whatever lies away from the box's shadow reads an empty map.
         s.objects["box"].cast = true;
-        const Shot shot = shoot(scene, s, 64, 48);
+        const Shot shot = draw_shot(scene, s, 64, 48);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 5;
         const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(),
                                                          shot.width, shot.height, shot.frame.map_resolution, reach);

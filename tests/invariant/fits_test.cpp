@@ -88,9 +88,9 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     const Scene scene = covered_in_part(c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", "scene");
-    const Shot whole = shoot(scene, s);
+    const Shot whole = draw_shot(scene, s);
     set_setting(s, "light.fit", c.fit);
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
     // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
@@ -142,7 +142,7 @@ TEST_P(EachFit, LightsALonePlane) {
     move_scene(scene, c.place.at);
     Settings s = settings();
     set_setting(s, "light.fit", c.fit);
-    const Shot shot = shoot(scene, s, 80, 60);
+    const Shot shot = draw_shot(scene, s, 80, 60);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     int lit = 0;
@@ -173,7 +173,7 @@ TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
             set_setting(s, "light.fit", row.key);
             s.bias.unit = BiasUnit::Metres;
             s.bias.constant = 0.4;
-            const Shot shot = shoot(scene, s);
+            const Shot shot = draw_shot(scene, s);
             ASSERT_EQ(shot.light().views.size(), 1u) << "cascades are for parallel rays";
             EXPECT_FALSE(shot.light().closed) << "narrowed fits promise something of the light's own rays";
             EXPECT_FALSE(shot.light().is_warped());

@@ -17,8 +17,8 @@
 #include "renderer/measure/measured_error.h"
 #include "renderer/render/renderer.h"
 #include "renderer/settings/param.h"
-#include "tests/support/named_driver.h"
-#include "tests/support/number_from.h"
+#include "tests/support/environment_number.h"
+#include "tests/support/requested_driver.h"
 
 namespace si::test {
 namespace {
@@ -41,7 +41,7 @@ protected:
     HeadlessContext context;
     std::unique_ptr<Renderer> renderer = std::make_unique<Renderer>();
 
-    void SetUp() override { expect_named_driver(); }
+    void SetUp() override { expect_requested_driver(); }
 
     FrameResult draw(const Scene& scene, const Settings& s, bool health) {
         FrameRequest request{.width = kPixels, .height = kPixels};
@@ -172,15 +172,16 @@ TEST_F(RandomSettings, EarlierFaultsStayFixed) {
 class RandomSeeds : public RandomSettings, public testing::WithParamInterface<unsigned> {};
 
 TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
-    const unsigned first = number_from("SI_RANDOM_FIRST", 0), seeds = number_from("SI_RANDOM_SEEDS", kUsualSeeds);
+    const unsigned first = environment_number("SI_RANDOM_FIRST", 0),
+                   seeds = environment_number("SI_RANDOM_SEEDS", kUsualSeeds);
     // By whole groups that share programs; of each a part only where nobody says how many, so that there are more.
-    const unsigned each = std::getenv("SI_RANDOM_SEEDS") ? kSeedsAProgram : kUsualSeedsAProgram;
+    const unsigned each = std::getenv("SI_RANDOM_SEEDS") ? kSeedsPerProgram : kUsualSeedsAProgram;
     const unsigned groups = (seeds + each - 1) / each;
     int failures = 0;
     const unsigned from = groups * GetParam() / kParts * each;
     const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
     for (unsigned i = from; i < to; ++i) {
-        const unsigned seed = first + i / each * kSeedsAProgram + i % each;
+        const unsigned seed = first + i / each * kSeedsPerProgram + i % each;
         if (i > from && seed % kSeedsARenderer == 0) {
             renderer.reset();
             renderer = std::make_unique<Renderer>();

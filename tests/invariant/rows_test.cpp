@@ -131,11 +131,11 @@ void for_pixels(const Shot& shot, const Scene& scene, double reach_texels, Visit
 }
 
 TEST_P(EachKernel, PlanesAreLitAndCoveredFloorsAreDark) {
-    const Scene scene = floor_under_a_sheet(c.place);
+    const Scene scene = floor_under_sheet(c.place);
     Settings s = settings_of(c, 256);
     s.lights[0].elevation = 60;
     give_bias(s, fitted(scene, s), 2.5);  // a point light's faces see the floor at up to 68 degrees there
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1;
     int lit = 0, dark = 0, darkened = 0;
     double most = 0;
@@ -177,7 +177,7 @@ TEST_P(EachKernelOfOneMap, AGrazingPlaneStaysLit) {
     give_bias(s, fitted(scene, s), std::tan(glm::radians(c.light == LightType::Spot ? 84.0 : 70.0)));
     int lit = 0;
     double least = 1;
-    const Shot shot = shoot(scene, s);
+    const Shot shot = draw_shot(scene, s);
     const ReferenceImage reference = trace_reference(RayReference(scene), shot.frame.camera, shot.light(), shot.width,
                                                      shot.height, shot.frame.map_resolution, 0);
     for (std::size_t i = 0; i < reference.lit.size(); ++i) {
@@ -199,7 +199,7 @@ TEST_P(EachKernel, FinerMapsAreCloserToTheReference) {
         s.lights[0].size *= 0.1;  // a penumbra stays as wide as it is
         give_bias(s, fitted(scene, s), 1.5);
         double sum = 0;
-        for_pixels(shoot(scene, s), scene, 0, [&](Lit reference, double v) {
+        for_pixels(draw_shot(scene, s), scene, 0, [&](Lit reference, double v) {
             if (reference == Lit::Lit || reference == Lit::Shadow) sum += std::abs(v - (reference == Lit::Lit ? 1 : 0));
         });
         return sum;
@@ -352,7 +352,7 @@ TEST_P(EachSquareKernel, BlursAnEdgeByItsTapWeights) {
     s.filter.size = k.size;
     s.filter.point = k.point;
     constexpr int kWidth = 240, kHeight = 180;
-    std::vector<EdgePixel> pixels = pixels_at_edge(shoot(scene, s, kWidth, kHeight), scene);
+    std::vector<EdgePixel> pixels = pixels_at_edge(draw_shot(scene, s, kWidth, kHeight), scene);
     // Taps of single texels jump where the look-up crosses a texel's middle, if their number is even.
     if (k.point)
         std::erase_if(pixels, [](const EdgePixel& p) { return std::abs(p.place - std::floor(p.place) - 0.5) < 1e-3; });
@@ -411,7 +411,7 @@ TEST(Vsm, OfTwoPlanesEqualsTheLitShare) {
         s.filter.min_variance = 0;
         int partly = 0;
         double worst = 0;
-        for (const EdgePixel& p : pixels_at_edge(shoot(scene, s, 320, 240), scene)) {
+        for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
             const double expected = box_profile(p, 2 * blur + 1);
             worst = std::max(worst, std::abs(p.visibility - expected));
             partly += expected > 0.01 && expected < 0.99;
@@ -429,7 +429,7 @@ TEST(Vsm, LightBleedReductionCutsAShareAndRescalesTheRest) {
     s.filter.bleed = 0.3;
     s.filter.min_variance = 0;
     double worst = 0;
-    for (const EdgePixel& p : pixels_at_edge(shoot(scene, s, 320, 240), scene)) {
+    for (const EdgePixel& p : pixels_at_edge(draw_shot(scene, s, 320, 240), scene)) {
         const double share = box_profile(p, 3);
         const double expected = share >= 1 ? 1 : std::max(0.0, (share - 0.3) / 0.7);
         worst = std::max(worst, std::abs(p.visibility - expected));
@@ -513,7 +513,7 @@ TEST_P(PenumbraKernels, PenumbraWidthsFollowSimilarTriangles) {
                 // A ray that is stopped takes no more of its steps.
                 const int most = cost_of(s).texels;
                 ASSERT_LE(taps.at(x, y, 0), most);
-                ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel("smrt") ? most / 4 : most);
+                ASSERT_GE(taps.at(x, y, 0), s.filter.kernel == kernel_row("smrt") ? most / 4 : most);
                 const LightView& view = view_of(frame.lights[0], hit->position);
                 const double texel_m =
                     view.texel_size(glm::dot(view.eye - hit->position, view.axes[2]), frame.map_resolution);

@@ -87,7 +87,7 @@ TEST(SoftKernels, PenumbraWidthsMatchTheLightsSize) {
                 for (const auto& [key, value] : changes) set_setting(s, key, value);
                 SCOPED_TRACE(std::string(kernel) + " " + changes.front().second + " light " +
                              std::to_string(int(type)));
-                const Shot shot = shoot(scene, s, 240, 120);
+                const Shot shot = draw_shot(scene, s, 240, 120);
                 const FittedLight& light = shot.light();
                 const double above_m = light.position.y - kThere.y;
                 const double width_m = type == LightType::Directional ? 2 * std::tan(glm::radians(s.lights[0].size))
@@ -119,7 +119,7 @@ TEST(SampledKernels, ARadiusInMetresHoldsUnderEveryLight) {
             s.filter.taps = 256;
             set_setting(s, "filter.radius_unit", "metres");
             s.filter.radius = 0.08;
-            const Shot shot = shoot(scene, s, 240, 120);
+            const Shot shot = draw_shot(scene, s, 240, 120);
             std::map<int, std::pair<double, int>> stripes;
             const double stripe_m = 0.006;
             across_the_edge(shot, [&](double x, double v) {
@@ -175,7 +175,7 @@ TEST(SampledKernels, NoiseFallsWithTheSlopeOfTheirRows) {
             s.filter.blocker_taps = places;
             s.filter.rotate = turned;
             s.camera.distance = 0.45;
-            return shoot(scene, s, 64, 36).visibility.data;
+            return draw_shot(scene, s, 64, 36).visibility.data;
         };
         // A table that ends early tends to what the endless spiral over the same disk does.
         const bool ends = row.takes_table && std::ranges::find(row.settings, "filter.disk") == row.settings.end();

@@ -96,7 +96,7 @@ protected:
 TEST_P(EachSource, LightsAPlaneAndDarkensCoveredFloors) {
     if (!row.stands_for.empty()) return;  // it has a closed form of its own
     const Scene half = scene(true);
-    const Shot shot = shoot(half, settings());
+    const Shot shot = draw_shot(half, settings());
     // A texel of the map by which a source that is one may miss an edge; else what single precision leaves of a place.
     double slack_m = 2e-3;
     // Where four texels differ, a look-up mixes them: it is off by their diagonal, larger across a near light's rays.
@@ -122,7 +122,7 @@ TEST_P(EachSource, LightsAPlaneAndDarkensCoveredFloors) {
 
 TEST_P(EachSource, LightsALonePlane) {
     const Scene floor = scene(false);
-    each_floor_pixel(shoot(floor, settings(), 80, 60), floor,
+    each_floor_pixel(draw_shot(floor, settings(), 80, 60), floor,
                      [&](const glm::dvec3&, double v) { ASSERT_NEAR(v, 1, 1e-6); });
 }
 
@@ -132,11 +132,11 @@ class EachSourceWithoutAMap : public EachSource {};
 SI_TESTS_ARE(DriverIndependent, EachSourceWithoutAMap);
 TEST_P(EachSourceWithoutAMap, IsIndependentOfKernelBiasAndFit) {
     const Scene half = scene(true);
-    const FloatImage plain = shoot(half, settings(), 80, 60).visibility;
+    const FloatImage plain = draw_shot(half, settings(), 80, 60).visibility;
     const auto expect_same = [&](std::string_view key, std::string_view value) {
         Settings s = settings();
         set_setting(s, key, value);
-        EXPECT_EQ(shoot(half, s, 80, 60).visibility.data, plain.data) << key << " " << value;
+        EXPECT_EQ(draw_shot(half, s, 80, 60).visibility.data, plain.data) << key << " " << value;
     };
     for (const Filter& other : filters()) expect_same("filter.kernel", other.key);
     for (const Choice& other : bias_choices()) expect_same("bias.kind", other.key);

@@ -9,7 +9,7 @@
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/filters.h"
 #include "renderer/settings/overlays.h"
-#include "tests/support/named_driver.h"
+#include "tests/support/requested_driver.h"
 
 namespace si::test {
 namespace {
@@ -67,11 +67,11 @@ Renderer& hard_renderer() {
     static Shared* shared = nullptr;
     if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);  // which owns it
     shared->context->make_current();
-    expect_named_driver();
+    expect_requested_driver();
     return *shared->renderer;
 }
 
-Shot shoot(const Scene& scene, const Settings& settings, int width, int height) {
+Shot draw_shot(const Scene& scene, const Settings& settings, int width, int height) {
     Renderer& renderer = hard_renderer();
     Shot shot;
     shot.width = width;
@@ -121,7 +121,7 @@ double shadow_share(const Shot& shot) {
     return shot.visibility.data.empty() ? 0 : double(dark) / double(shot.visibility.data.size());
 }
 
-ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texels) {
+ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, double reach_texels) {
     const RayReference rays(scene);
     EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
     const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
@@ -147,7 +147,7 @@ ReferenceErrors compare(const Shot& shot, const Scene& scene, double reach_texel
     return e;
 }
 
-int kernel(std::string_view key) {
+int kernel_row(std::string_view key) {
     for (std::size_t i = 0; i < filters().size(); ++i)
         if (filters()[i].key == key) return int(i);
     ADD_FAILURE() << "no kernel " << key;
@@ -233,7 +233,7 @@ void move_camera(Settings& settings, const glm::dvec3& by) {
     settings.camera.target_z += by.z;
 }
 
-Scene floor_under_a_sheet(const Place& place) {
+Scene floor_under_sheet(const Place& place) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), grey));

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 #include "tests/support/traits.h"
 
 namespace si::test {
@@ -82,7 +82,7 @@ class LackingTests : public testing::EmptyTestEventListener {
     void OnTestPartResult(const testing::TestPartResult& result) override {
         const std::string reason = result.message();
         const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
-        if (!test || !result.skipped() || !reason.starts_with(kLacks)) return;
+        if (!test || !result.skipped() || !reason.starts_with(kMissingReason)) return;
         const std::string file = SI_TEST_OUTPUT_DIR "/lacking-" + std::to_string(getpid()) + ".txt";
         std::ofstream(file, std::ios::app) << test->test_suite_name() << "." << test->name() << " " << reason << "\n";
     }

@@ -24,19 +24,19 @@ constexpr Distance kDistances[] = {{"home"},
 constexpr Scale kScales[] = {{"as it is"},          {"x 0.001", 1e-3},  {"x 0.1", 0.1},
                              {"x 1000", 1e3},       {"x 1000000", 1e6}, {"x 1/1024", 1.0 / 1024, true},
                              {"x 1024", 1024, true}};
-constexpr LightFrom kLights[] = {{"its own light", {}, false},
-                                 {"from above", LightAngles{0, 90}, true},
-                                 {"from above, turned", LightAngles{-270, 90}, false},
-                                 {"from +z", LightAngles{0, 0}, true},
-                                 {"from -z", LightAngles{180, 0}, true},
-                                 {"from +x", LightAngles{90, 0}, false},
-                                 {"from -x", LightAngles{-90, 0}, false},
-                                 {"from +x, 45 up", LightAngles{90, 45}, false},
-                                 {"from -z, 45 up", LightAngles{-180, 45}, true},
-                                 {"from below", LightAngles{0, -90}, false}};
+constexpr LightDirection kLights[] = {{"its own light", {}, false},
+                                      {"from above", LightAngles{0, 90}, true},
+                                      {"from above, turned", LightAngles{-270, 90}, false},
+                                      {"from +z", LightAngles{0, 0}, true},
+                                      {"from -z", LightAngles{180, 0}, true},
+                                      {"from +x", LightAngles{90, 0}, false},
+                                      {"from -x", LightAngles{-90, 0}, false},
+                                      {"from +x, 45 up", LightAngles{90, 45}, false},
+                                      {"from -z, 45 up", LightAngles{-180, 45}, true},
+                                      {"from below", LightAngles{0, -90}, false}};
 
 bool may_stand(const Placement& p) {
-    return !p.mirrored || lights_from()[p.light].mirrors;
+    return !p.mirrored || light_directions()[p.light].mirrors;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ std::span<const Distance> distances() {
 std::span<const Scale> scales() {
     return kScales;
 }
-std::span<const LightFrom> lights_from() {
+std::span<const LightDirection> light_directions() {
     return kLights;
 }
 
@@ -69,7 +69,7 @@ glm::dmat4 Placement::matrix() const {
     return moved(at.x, at.y, at.z) * scaled(mirrored ? -f : f, f, f);
 }
 
-std::vector<Placement> one_by_one() {
+std::vector<Placement> single_factor_placements() {
     std::vector<Placement> out;
     for (std::size_t i = 1; i < std::size(kDistances); ++i) out.push_back({.distance = i});
     for (std::size_t i = 1; i < std::size(kScales); ++i) out.push_back({.scale = i});
@@ -91,7 +91,7 @@ std::vector<Placement> all_placements() {
         for (std::size_t s = 0; s < std::size(kScales); ++s)
             for (std::size_t l = 0; l < std::size(kLights); ++l)
                 for (const bool mirrored : {false, true})
-                    if (const Placement p{d, s, l, mirrored}; may_stand(p) && !p.at_home()) out.push_back(p);
+                    if (const Placement p{d, s, l, mirrored}; may_stand(p) && !p.is_unmoved()) out.push_back(p);
     return out;
 }
 
@@ -123,7 +123,7 @@ bool place_settings(Settings& settings, const Placement& placement) {
     return within;
 }
 
-std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed) {
+std::vector<PlacedCase> pairwise_placements(std::size_t cases, std::uint32_t seed) {
     using Row = std::array<std::size_t, 5>;  // case, distance, scale, light, mirrored
     const Row sizes = {cases, std::size(kDistances), std::size(kScales), std::size(kLights), 2};
     const auto placement = [](const Row& r) { return Placement{r[1], r[2], r[3], r[4] == 1}; };
@@ -143,7 +143,7 @@ std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed) {
         return gain;
     };
     Random random(seed);
-    std::vector<CaseAndPlacement> out;
+    std::vector<PlacedCase> out;
     while (!wanted.empty()) {
         Row best{};
         std::size_t most = 0;
@@ -164,7 +164,7 @@ std::vector<CaseAndPlacement> pairwise(std::size_t cases, std::uint32_t seed) {
         if (most == 0) continue;
         for (std::size_t a = 0; a < best.size(); ++a)
             for (std::size_t b = a + 1; b < best.size(); ++b) wanted.erase({a, best[a], b, best[b]});
-        if (!placement(best).at_home()) out.push_back({best[0], placement(best)});
+        if (!placement(best).is_unmoved()) out.push_back({best[0], placement(best)});
     }
     return out;
 }

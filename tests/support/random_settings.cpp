@@ -166,7 +166,7 @@ const Scene& small_scene(const std::string& key) {
 }
 
 RandomCase random_case(unsigned seed) {
-    Chance of_programs(0x51ed270bu + seed / kSeedsAProgram), of_numbers(0x2545f491u ^ (seed * 2654435761u));
+    Chance of_programs(0x51ed270bu + seed / kSeedsPerProgram), of_numbers(0x2545f491u ^ (seed * 2654435761u));
     RandomCase out{.scene = kScenes[std::size_t(of_programs.below(int(kScenes.size())))], .settings = {}};
     const Scene& scene = small_scene(out.scene);
     Settings& s = out.settings;

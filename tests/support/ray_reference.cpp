@@ -54,7 +54,7 @@ RayReference::RayReference(const Scene& scene)
 }
 
 template <class Visit>
-bool RayReference::along(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
+bool RayReference::visit_near_line(const glm::dvec3& origin, const glm::dvec3& direction, Visit visit) const {
     const double length2 = glm::dot(direction, direction);
     for (const Group& g : groups_) {
         const glm::dvec3 aside = glm::cross(g.centre - origin, direction);
@@ -69,7 +69,7 @@ std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const gl
     const glm::dvec3 origin = origin_ws - centre_;
     Hit hit;
     hit.distance = kFar;
-    along(origin, direction, [&](std::size_t i) {
+    visit_near_line(origin, direction, [&](std::size_t i) {
         const double t = intersect(triangles_[i], origin, direction);
         if (t > 0 && t < hit.distance) {
             hit.distance = t;
@@ -89,7 +89,7 @@ bool RayReference::occluded(const glm::dvec3& point_ws, const FittedLight& light
     const double reach = light.type == LightType::Directional ? kFar : glm::distance(light.position, point_ws);
     // Neighbours in the receiver's own plane are met at distance 0.
     const double from = std::max(least, 1e-9 * radius_);
-    return along(origin, dir, [&](std::size_t i) {
+    return visit_near_line(origin, dir, [&](std::size_t i) {
         if (int(i) == own) return false;
         const double t = intersect(triangles_[i], origin, dir);
         return t > from && t < reach;

@@ -12,7 +12,7 @@
 
 #include "app/base/output.h"
 #include "tests/support/hard_case.h"
-#include "tests/support/named_driver.h"
+#include "tests/support/requested_driver.h"
 
 namespace si::test {
 namespace {
@@ -109,7 +109,7 @@ public:
     void know_driver() {
         if (!versions_.empty()) return;
         driver_ = stability_driver();
-        versions_ = fmt::format("{}, OpenGL {}", driver_at_hand(),
+        versions_ = fmt::format("{}, OpenGL {}", current_driver(),
                                 reinterpret_cast<const char*>(glGetString(GL_VERSION)));  // NOLINT
     }
 
@@ -145,7 +145,7 @@ void expect_document(const HardCase& row, bool holds) {
 
 }  // namespace
 
-void judge(int number, double value) {
+void expect_within_limit(int number, double value) {
     hard_renderer();  // a context
     const HardCase& row = row_of(number);
     Results& results = Results::get();
@@ -157,7 +157,7 @@ void judge(int number, double value) {
     expect_document(row, value <= row.limit);
 }
 
-void shows_fault(int number, double value) {
+void expect_fault(int number, double value) {
     hard_renderer();
     const HardCase& row = row_of(number);
     Results& results = Results::get();
@@ -169,7 +169,7 @@ void shows_fault(int number, double value) {
 }
 
 std::string stability_driver() {
-    const std::string renderer = driver_at_hand();
+    const std::string renderer = current_driver();
     for (const char* driver : {"zink", "llvmpipe"})  // zink's name holds the other's
         if (renderer.find(driver) != std::string::npos) return driver;
     return {};

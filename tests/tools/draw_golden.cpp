@@ -14,7 +14,7 @@
 #include "renderer/base/error.h"
 #include "renderer/settings/param.h"
 #include "tests/support/golden.h"
-#include "tests/support/named_driver.h"
+#include "tests/support/requested_driver.h"
 
 namespace {
 
@@ -50,7 +50,7 @@ void draw(const std::vector<std::string>& rows, const std::filesystem::path& fol
     const std::vector<GoldenPicture> pictures = chosen_pictures(rows);
     const si::HeadlessContext context;
     si::Renderer renderer;
-    if (const std::string driver = si::test::driver_at_hand(); !driver.starts_with("llvmpipe"))
+    if (const std::string driver = si::test::current_driver(); !driver.starts_with("llvmpipe"))
         throw si::Error("golden pictures are llvmpipe's, and this is " + driver + "; set LIBGL_ALWAYS_SOFTWARE=1");
     for (const GoldenPicture& picture : pictures) {
         const auto file = golden_file(folder, picture);

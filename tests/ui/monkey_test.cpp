@@ -14,9 +14,9 @@
 #include <thread>
 
 #include "app/session/presets.h"
-#include "tests/support/confined.h"
-#include "tests/support/lacks.h"
-#include "tests/support/number_from.h"
+#include "tests/support/confinement.h"
+#include "tests/support/environment_number.h"
+#include "tests/support/missing_reason.h"
 #include "tests/ui/window_fixture.h"
 #include "tests/ui/xdnd.h"
 
@@ -51,7 +51,7 @@ protected:
         files_ = monkey_files(work_ / "files");
         if (const char* more = std::getenv("SI_MONKEY_FILES"))
             for (const auto& entry : fs::recursive_directory_iterator(more)) files_.push_back(entry.path());
-        confinement_ = Confinement::to(folder_);
+        confinement_ = Confinement::for_folder(folder_);
     }
 
     /// Nothing outside the test's folder can be changed by what it starts.
@@ -165,9 +165,9 @@ protected:
 
 TEST_F(WindowMonkey, DoesNoHarm) {
     if (!is_confined())
-        GTEST_SKIP() << test::kLacks << "Landlock in the kernel: nothing would keep it from a person's files";
-    const std::uint32_t seed = number_from("SI_MONKEY_SEED", kUsualSeed);
-    const int count = int(number_from("SI_MONKEY_EVENTS", kUsualEvents));
+        GTEST_SKIP() << test::kMissingReason << "Landlock in the kernel: nothing would keep it from a person's files";
+    const std::uint32_t seed = environment_number("SI_MONKEY_SEED", kUsualSeed);
+    const int count = int(environment_number("SI_MONKEY_EVENTS", kUsualEvents));
     std::vector<std::string> events;
     if (const char* replayed = std::getenv("SI_MONKEY_REPLAY")) {
         std::ifstream in(replayed);

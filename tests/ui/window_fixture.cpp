@@ -45,7 +45,7 @@ Process::Process(const std::vector<std::string>& arguments, const fs::path& fold
     dup2(out, 1);
     dup2(out, 2);
     if (keep_fd >= 0) fcntl(keep_fd, F_SETFD, 0);
-    if (confinement && !confinement->put_in_force()) _exit(125);
+    if (confinement && !confinement->apply_to_this_process()) _exit(125);
     execvp(argv[0], argv.data());
     _exit(127);
 }

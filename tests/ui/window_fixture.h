@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "renderer/frame/frame.h"
-#include "tests/support/confined.h"
+#include "tests/support/confinement.h"
 #include "tests/ui/screen.h"
 
 namespace si::test {

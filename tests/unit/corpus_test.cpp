@@ -8,7 +8,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/gltf/gltf.h"
-#include "tests/support/lacks.h"
+#include "tests/support/missing_reason.h"
 
 namespace si::test {
 namespace {
@@ -77,7 +77,7 @@ private:
 };
 
 void run(const std::filesystem::path& folder, const char* table, std::size_t at_least) {
-    if (!std::filesystem::exists(folder / table)) GTEST_SKIP() << test::kLacks << folder;
+    if (!std::filesystem::exists(folder / table)) GTEST_SKIP() << test::kMissingReason << folder;
     const std::vector<Case> cases = read_table(folder / table);
     ASSERT_GE(cases.size(), at_least);
     [[maybe_unused]] const long most_kib = std::max(1L << 20, peak_kib());  // of tests in the same process, too

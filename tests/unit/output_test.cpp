@@ -14,7 +14,7 @@
 
 #include "renderer/base/atomic_file.h"
 #include "renderer/base/error.h"
-#include "tests/support/number_from.h"
+#include "tests/support/environment_number.h"
 #include "tests/support/process.h"
 
 namespace si {
@@ -130,7 +130,7 @@ TEST(OutputFiles, TwoOfOneNameAreRefused) {
 TEST(OutputFiles, AKillAtAnyMomentLeavesTheOldOrTheNewOne) {
     const fs::path folder = fresh_test_folder(), file = folder / "a.bin";
     const std::string one(3'000'001, '1'), two(2'000'003, '2');
-    const int kills = int(test::number_from("SI_KILLS", 20));
+    const int kills = int(test::environment_number("SI_KILLS", 20));
     std::mt19937 random(1);
     for (int i = 0; i < kills; ++i) {
         write_file(file, one);

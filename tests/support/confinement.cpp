@@ -1,4 +1,4 @@
-#include "tests/support/confined.h"
+#include "tests/support/confinement.h"
 
 #include <fcntl.h>
 #include <linux/landlock.h>
@@ -32,7 +32,7 @@ bool allow(int rules, const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::optional<Confinement> Confinement::to(const std::filesystem::path& folder) {
+std::optional<Confinement> Confinement::for_folder(const std::filesystem::path& folder) {
     landlock_ruleset_attr handled{};
     handled.handled_access_fs = kChanging;
     const int rules = int(syscall(SYS_landlock_create_ruleset, &handled, sizeof handled, 0));
@@ -53,7 +53,7 @@ Confinement& Confinement::operator=(Confinement&& other) noexcept {
     return *this;
 }
 
-bool Confinement::put_in_force() const {
+bool Confinement::apply_to_this_process() const {
     return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && syscall(SYS_landlock_restrict_self, rules_, 0) == 0;
 }
 
