@@ -1,4 +1,4 @@
-// What the scene advises is what one gets: each change that is shown, made and measured again.
+// Tests advice on built-in scenes: each suggested change is made and measured again.
 #include "renderer/advise/advice.h"
 
 #include "renderer/advise/autopilot.h"
@@ -16,7 +16,7 @@ protected:
     int width = 240, height = 160;
     Workers workers;
 
-    /// Times by a clock that counts work, so that ranks depend on no machine.
+    /// Clock that counts work, so that ranks do not depend on the machine.
     AdviceMeter meter_by_work(const Scene& scene) {
         AdviceMeter meter = rendered_meter(renderer, scene, width, height, {}, cache, workers);
         meter.time = [judge = meter.judge](const Settings& a, const Settings& b) {
@@ -31,7 +31,7 @@ protected:
         return try_advice(s, advice_ideas(s, facts), meter_by_work(scene));
     }
 
-    /// Makes each change as the editor and --set do, and measures it as `measure` does.
+    /// Makes each suggested change as the editor and --set do, and measures the result as `measure` does.
     void keeps_what_it_says(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
         Measurer measurer(renderer, width, height);
         Settings classified_as = s;
@@ -81,7 +81,7 @@ TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "narrow-penumbra"));
     keeps_what_it_says(scene, s, all);
-    // Too little bias: it puts pixels right.
+    // Too little bias: the change corrects pixels.
     s = settings_for(scene, {{"bias.normal", "0"}, {"bias.constant", "0"}});
     all = advised(scene, s);
     EXPECT_TRUE(has(all, "bias"));
@@ -90,7 +90,7 @@ TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
 
 TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
-    // Seen from straight above, under a light from straight above, 115 m from the origin.
+    // The camera and the light are straight above the scene, 115 m from the origin.
     const glm::dvec3 far_off(80, 0, 80);
     test::move_scene(scene, far_off);
     const Settings s = settings_for(scene, {{"light.elevation", "90"},
@@ -122,7 +122,7 @@ TEST_F(AdviceTest, AStoppedSearchThrows) {
                  Cancelled);
 }
 
-/// Frames of which only one thing moves draw what depends on it, and no more.
+/// Frames in which one thing moves draw only the passes that depend on it.
 TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     const Scene scene = load_scene("boxes");
     Measurer measurer(renderer, width, height);
@@ -146,7 +146,7 @@ TEST_F(AdviceTest, MotionsDrawOnlyThePassesThatReadThem) {
     EXPECT_GE(ran({{"light.elevation", "90"}}, CostCase::Light).first, 8) << "a light at the zenith moves, too";
 }
 
-/// Real errors over a made-up clock that counts bytes: within a tenth of the optimum that all combinations have.
+/// Errors are real and the clock counts bytes. The result lies within a tenth of the optimum over all combinations.
 TEST_F(AdviceTest, TheAutopilotComesWithinATenthOfTheOptimum) {
     const std::vector<SweepAxis> axes = {{"filter.kernel", {"", "hard", "pcf3", "pcf5"}},
                                          {"map.resolution", {"", "256", "512", "1024"}},

@@ -1,4 +1,4 @@
-// Shaders read a frame's numbers from uniform blocks or from images of the same buffers: the bits must be the same.
+// Tests that shaders read the same bits of a frame's numbers from uniform blocks and from images of the same buffers.
 #include "renderer/frame/blocks.h"
 
 #include "renderer/settings/filters.h"

@@ -1,4 +1,4 @@
-// Cascades as they are drawn: each pixel by the map of its interval, two of them mixed in a band, nothing read beside.
+// Tests drawn cascades: each pixel reads the map of its interval, a band mixes two maps, and nothing outside is read.
 #include <algorithm>
 #include <cmath>
 
@@ -34,12 +34,12 @@ TEST_F(CascadesTest, OneCascadeEqualsASingleMap) {
         for (const auto& [key, value] :
              Change{{"light.split_lambda", "0.9"}, {"light.cascade_blend", "0.7"}, {"light.cascade_choice", "map"}})
             set_setting(with, key, value);
-        if (!plain.empty()) set_setting(with, "light.cascades", "4");  // without effect there
+        if (!plain.empty()) set_setting(with, "light.cascades", "4");  // no effect for these lights
         EXPECT_EQ(picture(scene, s), picture(scene, with));
     }
 }
 
-// The band mixes what two maps say, by the share that the chooser names: the nearest texels looked up by hand.
+// The band mixes two maps by the share that the chooser returns. The test looks up the nearest texels itself.
 TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
     Scene near = load_scene("stage");
     for (const char* reversed : {"false", "true"}) {
@@ -95,7 +95,7 @@ TEST_F(CascadesTest, PixelsReadTheMapOfTheirCascade) {
 }
 
 SI_TEST_IS(Repeated, CascadesTest, NothingIsReadOutsideAMap);
-// Where taps would reach beyond a map's sides or its far plane, the answer there would show.
+// A tap outside a map or past its far plane would show the outside mode's value.
 TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
     for (const char* name : {"stage", "landscape"}) {
         const Scene scene = load_scene(name);
@@ -114,7 +114,7 @@ TEST_F(CascadesTest, NothingIsReadOutsideAMap) {
                 const FloatImage unlit = visibility(scene, s);
                 std::size_t differ = 0;
                 for (std::size_t i = 0; i < lit.data.size(); ++i) differ += lit.data[i] != unlit.data[i];
-                // The border's colour is also what empty texels hold under neither.
+                // The border's colour equals that of empty texels under either setting.
                 EXPECT_EQ(differ, 0u) << name << " " << elevation << " " << more[0].second;
             }
     }

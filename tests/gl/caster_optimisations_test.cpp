@@ -1,4 +1,4 @@
-// What is drawn into maps, and what is not: the texels are the same, and counts tell what was left out.
+// Tests skipped casters of maps: the texels stay equal, and counts show the skipped work.
 #include <bit>
 #include <cmath>
 
@@ -35,7 +35,7 @@ protected:
             count += std::bit_cast<std::uint32_t>(a[i]) != std::bit_cast<std::uint32_t>(b[i]);
         return count;
     }
-    /// Every texel of every map, with each of the savings forced.
+    /// Compares every texel of every map with each optimisation forced.
     void expect_one_map(const Scene& scene, const Sets& sets, const std::string& what) {
         Settings s = settings_for(scene, sets);
         s.map.resolution = std::min(s.map.resolution, 512);
@@ -103,7 +103,7 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     }
 }
 
-/// A floor, a ball, and one far away.
+/// Makes a floor, a ball, and a distant ball.
 Scene two_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -179,7 +179,7 @@ TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
         sets.emplace_back(key, value);
         return sets;
     };
-    // Of the floor, whose side begins where the map does, a driver of few sub-pixel bits may leave strays.
+    // The floor's side begins at the map's side. A driver with few sub-pixel bits may leave stray triangles there.
     const std::uint64_t well_seen = bare(slanted, {});
     EXPECT_GE(well_seen, 3u) << "the boxes, of which no side is seen edge-on";
     EXPECT_LE(well_seen, 4u) << "and the floor; the ball has many sides";
@@ -192,15 +192,15 @@ TEST_F(CasterOptimisationsTest, FlatCastersNotSeenEdgeOnNeedNoFragmentShader) {
         expect_one_map(scene, sets, "flat casters");
 }
 
-// What the driver itself makes of both sides: rounding decides where a texel's centre lies on a silhouette, and nowhere
-// else. Among four million texels of the agreed scene these are fewer than ten.
+// Drivers round both sides of a closed body. Rounding decides only texels whose centre lies on a silhouette: fewer
+// than ten among four million texels of the agreed scene.
 TEST_F(CasterOptimisationsTest, BackFacesChangeSilhouetteTexelsOnly) {
     for (const char* key : {"boxes", "figures"}) {
         const Scene scene = load_scene(key);
         Settings all = settings_for(scene, {{"caster.cull", "none"}, {"map.resolution", "2048"}});
         const FrameResult drawn = frame(scene, all);
         const std::vector<float> saved = texels(drawn);
-        all.bias.raster_units = 1e-30;  // so that nothing is left out
+        all.bias.raster_units = 1e-30;  // disables the skipping of back faces
         const std::vector<float> both = texels(frame(scene, all));
         std::size_t others = 0;
         double most = 0;

@@ -1,5 +1,5 @@
-// Why pixels are wrong: the GPU's decisions against those in C++ from the same trials, and scenes in which one or two
-// things are wrong against their repaired twins.
+// Compares the GPU's causes of wrong pixels with C++ decisions from the same trials, and scenes with one or two faults
+// with their repaired twins.
 #include <cstring>
 #include <map>
 
@@ -47,7 +47,7 @@ protected:
         return out;
     }
 
-    /// Decides in C++ upon what the GPU's trials gave, and demands the GPU's own decisions. @returns the GPU's
+    /// Decides in C++ from the GPU's trials and expects the GPU's own decisions. @returns the GPU's decisions
     MeasuredError agree(const Scene& scene, const Settings& s, const char* what, const ReferenceOptions& options = {}) {
         SCOPED_TRACE(what);
         const MeasuredError gpu = measure(scene, s, options);
@@ -83,7 +83,7 @@ protected:
                  std::size_t least = 100) {
         return named(measure(scene, wrong), measure(scene, twin), causes, least);
     }
-    /// Of the pixels that are wrong, and right in the twin, the share that names one of the causes.
+    /// Returns the share of pixels with one of the causes, among pixels that are wrong here and right in the twin.
     double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
                  std::size_t least = 100) {
         std::size_t cured = 0, told = 0;
@@ -286,7 +286,7 @@ TEST_F(CausesTest, EdgesOfABoxOnAPlaneAreClassifiedAsEdges) {
     }
 }
 
-/// A thing that can be wrong: how it gets so, how it is right, what it is called.
+/// Fault of a scene: settings that cause the fault, settings that repair it, and its cause.
 struct Fault {
     const char* what;
     void (*wrong)(Settings&);
@@ -304,7 +304,7 @@ const std::vector<Fault>& faults() {
         {"front culling",
          [](Settings& s) { s.caster.cull = Cull::Front; },
          {Artefact::LostCaster, Artefact::PeterPanning}},
-        // At the bias of a narrow one it shadows itself, which more bias cures as well.
+        // At the bias of a narrow kernel the scene shadows itself, which more bias fixes as well.
         {"wide kernel",
          [](Settings& s) { set_setting(s, "filter.kernel", "pcf9"); },
          {Artefact::Filter, Artefact::Leak, Artefact::Acne}},
@@ -333,7 +333,7 @@ TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) 
             }
             faults()[a].wrong(both);
             if (both == twin) continue;
-            // Thirty texels of offset are worth more than the plane needs: its constant is not too little then.
+            // Thirty texels of normal offset exceed the plane's need: its constant bias is not too little then.
             if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset"))
                 continue;
             const double share = named(scene, both, twin, faults()[a].causes, 0);
@@ -348,7 +348,7 @@ TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) 
     if (HasFailure()) std::puts(table.c_str());
 }
 
-/// A room that is one mesh, its walls and floor joined, with a box that touches the floor.
+/// Makes a room as one mesh of joined walls and floor, with a box that touches the floor.
 Scene room() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -364,7 +364,7 @@ Scene room() {
     return scene;
 }
 
-/// Four tiles of hills that meet in the middle, with a box over the seams.
+/// Makes four tiles of hills that meet in the middle, with a box over the seams.
 Scene tiles() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -381,8 +381,8 @@ Scene tiles() {
     return scene;
 }
 
-/// A sheet over a floor with holes in it, as fine as it may be drawn by a coarse map. @param levels whether its mask
-/// has coarser ones
+/// Makes a sheet with fine holes over a floor; the holes are as fine as a coarse map can draw. @param levels gives the
+/// mask coarser mip levels
 Scene masked_sheet(bool levels) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});

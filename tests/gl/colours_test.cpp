@@ -1,4 +1,4 @@
-// The colours that legends explain are those that the shaders paint with.
+// Tests that shaders draw the colours that legends explain.
 #include "shaders/shared/colours.h"
 
 #include <algorithm>
@@ -33,7 +33,7 @@ TEST_F(ColoursTest, DepthBandsFollowDepth) {
             const float d = depth.at(x, y);
             const int band = d < 0.45f ? 0 : d < 0.6f ? 1 : 2;
             ++bands[band];
-            // Within the first band, which is nearly all of a perspective map, brightness tells depths apart.
+            // The first band covers nearly all of a perspective map; brightness separates its depths.
             expect_colour(shown, x, y,
                           band == 0   ? shared::BAND_NEAR * (0.35f + 0.65f * d / 0.45f)
                           : band == 1 ? shared::BAND_MIDDLE

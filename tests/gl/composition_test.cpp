@@ -1,4 +1,4 @@
-// How light and shadow become a picture: one pass with visibility as a factor, or a dim pass and a lit one over it.
+// Tests how light and shadow become a picture: in one pass with visibility as a factor, or in a dim and a lit pass.
 #include <algorithm>
 #include <cmath>
 
@@ -11,8 +11,8 @@ namespace {
 
 class CompositionTest : public FrameTest {};
 
-// Each pixel of a soft shadow is wholly lit or wholly dim, by whether its visibility reaches the alpha test; a dim one
-// has the share of diffuse light that was asked for.
+// Each pixel of a soft shadow is lit or dim, depending on whether its visibility reaches the alpha test. A dim pixel
+// has the requested share of diffuse light.
 TEST_F(CompositionTest, PixelsAreLitFrom99PercentAndDimBelow) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {
@@ -60,8 +60,8 @@ TEST_F(CompositionTest, FusedAndSeparateVisibilityGiveTheSamePicture) {
     EXPECT_GT(different_pixels(fused, picture(scene, s)), 1000u);
 }
 
-// The two ways to a place in the map are one in exact numbers: in single precision they differ by what its digits are
-// worth, which grows with how far the camera stands from what it sees.
+// Both ways to a map coordinate are equal in exact numbers. In single precision their difference grows with the
+// distance from the camera to the surface.
 TEST_F(CompositionTest, TextureMatrixFromEyeSpaceDiffersByRoundingOnly) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     for (const LightType type : test::kLightTypes) {

@@ -1,4 +1,4 @@
-// Contexts without a display: what they offer, that they follow one another, that nothing piles up.
+// Tests contexts without a display: version, switching, and release of memory.
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST(HeadlessContext, TwoContextsCanBeSwitched) {
 TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const auto cycle = [] {
         const HeadlessContext context;
-        GLuint texture = 0;  // 16 MiB, cleared so that it is really there
+        GLuint texture = 0;  // 16 MiB, cleared so that the driver allocates it
         glCreateTextures(GL_TEXTURE_2D, 1, &texture);
         glTextureStorage2D(texture, 1, GL_RGBA8, 2048, 2048);
         glClearTexImage(texture, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
@@ -67,7 +67,7 @@ TEST(HeadlessContext, FiftyContextsReleaseAllMemory) {
     const long memory = resident_kib();
     for (int i = 0; i < 50; ++i) cycle();
     EXPECT_EQ(open_files(), files);
-    // A context that were kept would hold its texture: 50 of them 800 MiB.
+    // Leaked contexts would hold 50 such textures, 800 MiB.
     EXPECT_LT(resident_kib() - memory, 100 * 1024);
 }
 

@@ -1,5 +1,5 @@
-// map.blur_texels: every stored depth is the mean of its neighbours', whatever the format and the light; 0 costs
-// nothing.
+// Tests map.blur_texels: every stored depth is the mean of its neighbours in every format and light type; 0 runs no
+// pass.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +8,7 @@
 namespace si {
 namespace {
 
-/// The mean of the texels within `radius` along both axes that lie in the map, in double.
+/// Returns the mean of the map's texels within `radius` along both axes, in double.
 std::vector<double> box_blur(const FloatImage& map, int radius) {
     std::vector<double> out(map.data.size());
     for (int y = 0; y < map.height; ++y)
@@ -43,8 +43,8 @@ TEST_F(DepthBlur, EqualsTheMeanOfNeighboursInEveryFormatAndLightType) {
                                                   {"light.type", light},
                                                   {"map.reversed_z", reversed}});
                 for (const int radius : {1, 4}) {
-                    // The faces of a point light overlap by what is read beyond them: as far for an offset as for a
-                    // blur.
+                    // The faces of a point light overlap by the reach of look-ups: a blur needs as much as an offset
+                    // of equal size.
                     Settings unblurred = s;
                     unblurred.map.blur_texels = 0;
                     unblurred.bias.normal += radius;
@@ -113,7 +113,7 @@ TEST_F(DepthBlur, RunsOnlyWhenEnabledAndIsCached) {
     EXPECT_EQ(again.pass("depth blur")->state, PassState::Cached);
     const ByteImage blurred = renderer.read_colour(again.colour);
     EXPECT_GT(different_pixels(sharp, blurred, 2), 100u);
-    s.lights[0].azimuth += 20;  // what it reads changes
+    s.lights[0].azimuth += 20;  // changes the blur's input
     EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Drawn);
     s.lights[0].azimuth -= 20;
     s.map.blur_texels = 0;
@@ -123,7 +123,7 @@ TEST_F(DepthBlur, RunsOnlyWhenEnabledAndIsCached) {
     EXPECT_EQ(renderer.render(scene, s, small_request()).pass("depth blur")->state, PassState::Skipped);
 }
 
-// Wrong on purpose: unlike a filter of the comparisons it makes no greys at the shadow's edge.
+// The blur is wrong on purpose: unlike filters of comparisons it makes no greys at shadow edges.
 TEST_F(DepthBlur, SoftensNoEdge) {
     const Scene scene = load_scene("boxes");
     FrameRequest request = small_request();

@@ -1,5 +1,5 @@
-// The dossier of a probed pixel: taps that add up to what the GPU found, a truth that agrees with `measure`, verdicts,
-// and remedies that work.
+// Tests the diagnosis of a probed pixel: taps that add up to the GPU's visibility, a reference that agrees with
+// `measure`, verdicts, and working fixes.
 #include <bit>
 #include <cstring>
 
@@ -32,7 +32,7 @@ protected:
         ReferenceCache cache;
         return measure_error(renderer, scene, s, kPicture, 0, {}, cache);
     }
-    /// The first pixel from the middle of the picture outwards that `measure` calls this.
+    /// Returns the first pixel of a class in `measure`, searched from the middle of the picture outwards.
     std::optional<glm::ivec2> find(const MeasuredError& m, Artefact wanted) {
         std::optional<glm::ivec2> best;
         int least = 1 << 30;
@@ -56,7 +56,7 @@ protected:
     }
 };
 
-/// A probe asks each light by its own map, source and sides, whichever is shown, and if none of that number shines.
+/// A probe answers by each light's own map, source and sides, for any shown light and for light numbers out of range.
 TEST_F(DiagnosisTest, AnswersConcernTheChosenLight) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"},
@@ -95,7 +95,7 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
                                                               {"linear16", "constant"},
                                                               {"d32f", "receiver-plane"}};
     int checked = 0, partial = 0, off = 0;
-    std::size_t next = 0;  // kernels meet them by turns
+    std::size_t next = 0;  // alternates between kernels
     for (const Filter& filter : filters())
         for (int turn = 0; turn < 2; ++turn) {
             if (!filter.linear) continue;
@@ -118,7 +118,7 @@ TEST_F(DiagnosisTest, TapsAddUpToTheVisibilityOnTheGpu) {
         }
     EXPECT_GT(checked, 500);
     EXPECT_GT(partial, 30);
-    // Single precision may decide a comparison or a texel the other way.
+    // Single precision may decide a comparison or a texel differently.
     EXPECT_LE(off, checked / 200);
 }
 
@@ -136,7 +136,7 @@ TEST_F(DiagnosisTest, AgreesWithMeasureOnEveryPixel) {
         for (int y = 0; y < kPicture.height; ++y)
             for (int x = 0; x < kPicture.width; ++x) {
                 const std::size_t i = std::size_t(y * kPicture.width + x);
-                // Some of the right ones, and more of the wrong.
+                // The test samples few of the right pixels and more of the wrong ones.
                 if (m.classified[i].artefact == Artefact::None ? (x % 11 != 3 || y % 9 != 5) : ++wrong % 23 != 0)
                     continue;
                 const Probe p = renderer.probe(scene, s, kPicture, x, y);
@@ -189,7 +189,7 @@ TEST_F(DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks) {
             EXPECT_LT(d.fix->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
             apply(s, *d.fix);
             EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
-            // The floor is one plane under one light: what cures a pixel cures all.
+            // The floor is one plane under one light: a fix for one pixel fixes all.
             const ErrorMetrics after = measure(scene, s).metrics;
             EXPECT_GT(before.metrics.acne, 0.1);
             EXPECT_EQ(after.acne, 0) << kernel << d.fix->text;
@@ -219,7 +219,7 @@ TEST_F(DiagnosisTest, TooMuchBiasIsPeterPanningAndLessFixesIt) {
     EXPECT_EQ(d.verdict.find("peter-panning: bias moves it"), 0u) << d.verdict;
     EXPECT_TRUE(d.window_open());
     EXPECT_GE(d.lifted.texels, d.occluder.texels);
-    // Along a ray at 40 degrees above the horizon.
+    // The distance is along a ray 40 degrees above the horizon.
     EXPECT_NEAR(d.occluder.metres, 0.6 / std::sin(glm::radians(40.0)), 1e-4);
     EXPECT_NEAR(d.reference.gap_m, d.occluder.metres, 1e-6);
     ASSERT_TRUE(d.fix);
@@ -243,7 +243,7 @@ TEST_F(DiagnosisTest, WithoutAValidBiasItNamesTheNeededResolution) {
     EXPECT_NE(d.verdict.find("no depth bias can be right here"), std::string::npos) << d.verdict;
     EXPECT_NE(d.verdict.find(std::to_string(int(d.opening_resolution)) + "² would open the window"), std::string::npos);
     EXPECT_GT(d.opening_resolution, 128);
-    // At that resolution there is such a bias, at half of it there is none.
+    // A valid bias exists at that resolution, and none at half of it.
     for (const auto& [resolution, open] :
          {std::pair{int(d.opening_resolution), true}, {int(d.opening_resolution) / 2, false}}) {
         s.map.resolution = resolution;
@@ -265,7 +265,7 @@ TEST_F(DiagnosisTest, NormalOffsetCountsByItsEquivalentDepthBias) {
     EXPECT_NEAR(a.amount(a.normal).metres, a.receiver.texel_m / cosine, 1e-6);
     EXPECT_NEAR(d.lifted.metres, a.receiver.texel_m * cosine, 1e-6) << "towards the light only its part along it";
     EXPECT_NEAR(a.contact_gap_m(), a.receiver.texel_m * std::tan(std::acos(cosine)), 1e-6) << "h tan(theta)";
-    // The least offset by the theory is where the account comes out even.
+    // The least offset by the theory balances the account.
     s.bias.normal =
         least_normal_offset(probed.lights[0].fitted.views[0], probed.position_ws, probed.normal_ws, a.least.total()) /
         a.receiver.texel_m;

@@ -1,4 +1,4 @@
-// What is measured of the driver at hand: the worth of glPolygonOffset, and which clock tells the truth.
+// Tests measured properties of the driver: the effect of glPolygonOffset and the choice of a reliable clock.
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -12,7 +12,7 @@
 namespace si {
 namespace {
 
-/// Another function behind an OpenGL name (epoxy's pointer) while it lives.
+/// Replaces a function behind an OpenGL name (epoxy's pointer) during its lifetime.
 template <typename Function>
 class Instead {
 public:
@@ -72,7 +72,7 @@ TEST_F(DriverTest, PolygonOffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     for (const PolygonOffset& offset : renderer.driver().offset) EXPECT_TRUE(offset.measured);
 }
 
-// OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least what can be told apart.
+// OpenGL 4.5, 14.6.5: m lies between the larger component and the length; r is at least the smallest resolvable step.
 TEST_F(DriverTest, PolygonOffsetsLieWithinTheBoundsOfOpenGL) {
     for (std::size_t i = 0; i < kMapFormats; ++i) {
         const PolygonOffset& offset = renderer.driver().offset[i];
@@ -83,7 +83,7 @@ TEST_F(DriverTest, PolygonOffsetsLieWithinTheBoundsOfOpenGL) {
             continue;
         }
         EXPECT_NE(offset.unit_depth > 0, offset.unit_steps > 0);
-        const double step = i == 0 ? 1.0 / 65535 : 0x1p-24;  // at depths from 1/2 on
+        const double step = i == 0 ? 1.0 / 65535 : 0x1p-24;  // depth of 1/2 and more
         EXPECT_GE(offset.unit(step), 0.99 * step);
         EXPECT_LE(offset.unit(step), 8 * step);
         EXPECT_NEAR(offset.slope_gain, 1, 0.011);
@@ -128,7 +128,7 @@ TEST_F(DriverTest, MeasuringAnOffsetRestoresTheState) {
     for (std::size_t format = 0; format < kMapFormats; ++format) {
         const PolygonOffset offset = measure_polygon_offset(MapFormat(format));
         EXPECT_EQ(state(), before) << format;
-        // And the state does not get into the measure.
+        // The state does not influence the measurement.
         const PolygonOffset& as_usual = usual.offset[format];
         EXPECT_EQ(offset.unit(0x1p-24), as_usual.unit(0x1p-24));
         EXPECT_EQ(offset.slope({1, 1}), as_usual.slope({1, 1}));
@@ -140,7 +140,7 @@ decltype(epoxy_glLinkProgram) real_link = nullptr;
 decltype(epoxy_glUseProgram) real_use = nullptr;
 
 SI_TEST_IS(Repeated, DriverTest, CompilesOnlyTheProgramsThatAFrameUses);
-// A renderer that was just made compiles what its frames draw with, when they first do, and nothing else.
+// A new renderer compiles exactly the programs that its frames use, at their first use.
 TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     const GLuint program = glCreateProgram();
     glLinkProgram(program);
@@ -166,7 +166,7 @@ TEST_F(DriverTest, CompilesOnlyTheProgramsThatAFrameUses) {
     request.outputs.shadow_map = true;
     for (const char* kernel : {"pcf3", "pcss", "vsm", "savsm"}) {
         const Settings s = settings_for(scene, {{"filter.kernel", kernel}});
-        // With the very first frame the new picture is there, compiled and all.
+        // The very first frame shows the new picture, with its programs compiled.
         const ByteImage at_once = fresh.read_colour(fresh.render(scene, s, request).colour);
         EXPECT_FALSE(linked.empty());
         EXPECT_TRUE(std::ranges::includes(used, linked)) << kernel;

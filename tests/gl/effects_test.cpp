@@ -1,4 +1,4 @@
-// Effects tell what the frame did. Of each reason is asked: if I do what it says, does the effect's state change?
+// Tests that effects report what a frame did: making the change that a reason names must change the effect's state.
 #include "renderer/inspect/effects.h"
 
 #include <algorithm>
@@ -32,7 +32,7 @@ EffectState state_of_effect(const std::vector<Effect>& effects, std::string_view
     return effect ? effect->state : EffectState::NotNeeded;
 }
 
-/// A clause that nobody wrote as a sentence, or none at all.
+/// Returns whether a clause is missing or is no written sentence.
 std::string fault_of(const Effect& effect) {
     const std::string& text = effect.reason;
     if (text.empty()) return "no reason";
@@ -84,7 +84,7 @@ TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
     }
 }
 
-/// An effect that these settings do not call for, what its reason must name, and the change that it asks for.
+/// Effect that the settings do not need, the text that its reason must name, and the change that it requests.
 struct Remedied {
     const char* effect;
     Sets before;
@@ -145,7 +145,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
     EXPECT_EQ(state_of_effect(effects(scene, {{"map.virtual", "true"}}), "pages of shadow maps"), EffectState::Drawn);
 }
 
-/// A reason that names one of two things that an effect lacks would be no remedy.
+/// A reason that names one of two missing things would not be a fix.
 TEST_F(EffectsTest, ViewsThatAreNotShownAreReportedAsUnused) {
     const Scene scene = load_scene("boxes");
     const std::vector<Effect> all = effects(scene, {});

@@ -1,4 +1,5 @@
-// Drivers that run out of memory, cannot build a shader or lose their context: by a seam, at every call of a frame.
+// Tests drivers that run out of memory, reject a shader or lose their context, by failure injection at every call of a
+// frame.
 #include <fmt/format.h>
 
 #include <memory>
@@ -19,10 +20,10 @@ protected:
     void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override { gl::fault_injection() = {}; }
 
-    /// Calls of a kind are counted; the one of this number fails. 0: none does.
+    /// Counts calls of one kind and fails the one with this number. 0: none fails.
     struct Count {
         int calls = 0, failing = 0;
-        std::string failed;  ///< what it was for
+        std::string failed;  ///< purpose of the failed call
     };
     static std::shared_ptr<Count> fail(DriverFailure kind, int number) {
         auto count = std::make_shared<Count>(Count{.failing = number});
@@ -33,7 +34,7 @@ protected:
         };
         return count;
     }
-    /// Of what is called this.
+    /// Returns the number of calls of this kind.
     static void always_fail(const std::string& name) {
         gl::fault_injection().fails = [name](DriverFailure of, std::string_view what) {
             return of == DriverFailure::Memory && what.find(name) != std::string_view::npos;
@@ -54,7 +55,8 @@ protected:
     static ByteImage draw(Renderer& renderer, const Scene& scene, const Settings& s) {
         return renderer.read_colour(renderer.render(scene, s, request()).colour);
     }
-    /// Draws whole frames with a new renderer, and in each another call fails. All that follow are as ever.
+    /// Draws whole frames with a new renderer, with another failing call in each. The frames that follow draw as
+    /// usual.
     void survive_each(DriverFailure kind, std::size_t least_calls) {
         const Scene scene = load_scene("boxes");
         const Settings s = settings(scene);
@@ -86,7 +88,7 @@ protected:
             what.insert(count->failed);
             gl::fault_injection() = {};
             Settings again = s;
-            again.map.resolution = 65;  // which no limit is known of
+            again.map.resolution = 65;  // a resolution without a known limit
             renderer.render(scene, again, request());
             EXPECT_EQ(draw(renderer, scene, s), whole) << "after " << count->failed;
         }

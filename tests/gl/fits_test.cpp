@@ -1,4 +1,5 @@
-// Maps that are fitted to where shadows are: what lies beyond is lit, in truth and in the picture, and finer for it.
+// Tests maps fitted to the caster region: points outside are lit in the reference and the picture, and texels are
+// finer.
 #include "renderer/settings/fits.h"
 
 #include <algorithm>
@@ -24,7 +25,7 @@ protected:
         FittedLight light;
     };
 
-    /// Holds every pixel's visibility against hard truth.
+    /// Compares every pixel's visibility with the hard reference.
     Judged judge(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
         FrameRequest request{.width = width, .height = height};
         request.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
@@ -83,7 +84,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirectio
 }
 
 SI_TEST_IS(DriverIndependent, FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras);
-// Wherever the camera stands, within the scene too: of the pixels that it sees none beyond the map is in shadow.
+// Cameras stand anywhere, also within the scene: none of their pixels outside the map is in shadow.
 TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
     std::mt19937 random(17);
     std::uniform_real_distribution<double> unit(-1, 1);
@@ -101,7 +102,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
             if (i % 4 == 3) {
                 light.type = LightType::Spot;
                 light.cone = 70 + 30 * unit(random);
-                light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above all, or amid it
+                light.distance = i % 8 == 3 ? 0 : 0.3 * r;  // above the scene, or inside it
             }
             CameraSettings& camera = s.camera;
             camera.source = CameraSource::Manual;
@@ -144,7 +145,7 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
             EXPECT_EQ(j.unlit_beyond, 0u);
             EXPECT_EQ(j.metrics.outside_map, 0);
             EXPECT_GT(j.shadowed, 300u);
-            // By hand, the same map has an outside.
+            // The same map with manual settings has an outside.
             s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = j.light.views[0].half_width;
             EXPECT_GT(judge(scene, s).metrics.outside_map, 0.1);
@@ -152,8 +153,8 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
 }
 
 TEST_F(FitsTest, KernelsAreCompleteAtTheMapsRim) {
-    // Seen from straight above, the edges of the box's shadow lie on the region's sides: what a kernel greys beyond
-    // them must not be cut off. The same map by hand reads on everywhere.
+    // Seen from straight above, the edges of the box's shadow lie on the region's sides. The kernel's penumbra outside
+    // must not be cut off. The same map with manual settings has no such border.
     Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.5);
     for (const char* kernel : {"hard", "pcf3", "pcf9"}) {
         SCOPED_TRACE(kernel);

@@ -1,7 +1,9 @@
-// The cure table: what it offers is what one gets, and its first row cures what the scene suffers from.
+// Tests the table of fixes: each row has the measured effect that it reports, and the first row fixes the scene's main
+// fault.
+#include "renderer/advise/fixes.h"
+
 #include <algorithm>
 
-#include "renderer/advise/fixes.h"
 #include "renderer/scenes/shapes.h"
 #include "renderer/settings/biases.h"
 #include "renderer/settings/fits.h"
@@ -25,8 +27,8 @@ protected:
         return s;
     }
 
-    /// Finds cures, demands of every row that it keeps what it says, of one that it cures nine of ten pixels with one
-    /// of the causes, and of the first, which cures most of all causes together, that it cures eight.
+    /// Finds fixes and expects each row to have the effect that it reports. One row fixes nine of ten pixels of one
+    /// cause, and the first row fixes eight of ten of all causes.
     FixTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
@@ -93,7 +95,7 @@ TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
     const Scene stage = load_scene("stage");
     width = 320;
     height = 180;
-    // A light under which few pixels are wrong for two causes at once.
+    // Under this light few pixels are wrong, for two causes at once.
     const auto under = [&](std::vector<std::pair<std::string_view, std::string_view>> sets) {
         Settings s = settings_for(stage, {{"light.fit", "scene"}, {"light.azimuth", "72"}, {"light.elevation", "36"}});
         for (const auto& [key, value] : sets) set_setting(s, key, value);
@@ -150,7 +152,7 @@ TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {
     EXPECT_EQ(&point.rows.back(), fit) << "what was not tried stands last";
 }
 
-// All rows of the tables of fits and biases that suit the light, and cascades.
+// The candidates are all rows of the tables of fits and biases that suit the light, and cascades.
 TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
     width = 160;
     height = 120;
@@ -190,7 +192,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
         for (int n = 2; n <= kMaxCascades; n *= 2)
             EXPECT_EQ(tried([&](const Settings& t) { return t.lights[0].cascades == n; }), kind.cascades ? 1 : 0);
         for (const Choice& bias : bias_choices())
-            if (bias.key != "constant") {  // the slope's row spends the same by its constant
+            if (bias.key != "constant") {  // the slope row gains as much by its constant
                 EXPECT_GT(tried([&](const Settings& t) { return bias_of(t).key == bias.key && !(t.bias == s.bias); }),
                           0)
                     << bias.key;
@@ -209,7 +211,7 @@ TEST_F(FixesTest, EveryOtherFitBiasAndCascadeCountIsTried) {
         << "cascades are fitted by what they are";
 }
 
-// The least bias of each row of the table, families or not, clears flat ground wholly.
+// The least bias of each row of the table clears flat ground entirely.
 TEST_F(FixesTest, TheLeastBiasOfEachRowLeavesNoAcne) {
     width = 240;
     height = 180;

@@ -1,5 +1,5 @@
-// Frames of different scenes and settings, read and probed in turn: each answers for itself, or says that its images
-// are gone.
+// Tests frames of different scenes and settings that are read and probed in turn: each answers for itself, or reports
+// that its images are gone.
 #include "renderer/base/error.h"
 #include "tests/gl/frame_fixture.h"
 #include "tests/support/traits.h"
@@ -15,7 +15,7 @@ struct Shown {
 
 class FrameReadability : public FrameTest {
 protected:
-    /// Two that share nothing: scene, kinds and number of lights, formats, sizes, camera.
+    /// Two frames that share nothing: scene, number and types of lights, formats, sizes and camera differ.
     std::vector<Shown> shown() {
         std::vector<Shown> out;
         Scene boxes = load_scene("boxes"), plane = load_scene("stage");
@@ -50,7 +50,7 @@ SI_TESTS_ARE(DriverIndependent, FrameReadability);
 TEST_F(FrameReadability, FramesAreReadableUntilReplacedAndThenRefused) {
     const std::vector<Shown> both = shown();
     std::vector<FloatImage> maps, views;
-    for (const Shown& s : both) {  // each by a renderer that has drawn nothing else
+    for (const Shown& s : both) {  // each by a new renderer
         Renderer fresh;
         const FrameResult f = fresh.render(s.scene, s.settings, s.request);
         maps.push_back(fresh.read_shadow_map(f, 0, 0));
@@ -90,7 +90,7 @@ TEST_F(FrameReadability, AFrameThatDrawsNothingKeepsTheOtherReadable) {
     EXPECT_TRUE(renderer.holds(f)) << "other images of the same view";
     EXPECT_NE(why_not([&] { renderer.read_shadow_map(ids, 0, 0); }).find("did not draw"), std::string::npos);
     EXPECT_EQ(renderer.read_shadow_map(f, 0, 0).data, renderer.read_shadow_map(again, 0, 0).data);
-    less.request.width += 8;  // the picture's shape, and so its camera's depth
+    less.request.width += 8;  // changes the picture's aspect, and so the camera's depth range
     less.request.outputs.colour = true;
     draw(less);
     EXPECT_FALSE(renderer.holds(f));
@@ -131,7 +131,7 @@ TEST_F(FrameReadability, AlternatingProbesAnswerForTheirOwnFrame) {
 }
 
 SI_TEST_IS(Repeated, FrameReadability, AProbeKeepsTheShownFrame);
-// Where it did not, a window that shows both would draw for ever.
+// Otherwise a window that shows both frames would draw forever.
 TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
     using Sets = std::vector<std::pair<std::string, std::string>>;
     const std::vector<Sets> all = {
@@ -167,7 +167,7 @@ TEST_F(FrameReadability, AProbeKeepsTheShownFrame) {
                 renderer.probe(scene, s, request, 48, 40);
                 held = renderer.holds(shown);
             }
-            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs maps as a whole
+            EXPECT_LE(drawn, 2) << what << "and " << ask.size() << " outputs";  // the probe needs whole maps
         }
     }
 }

@@ -1,4 +1,5 @@
-// One frame as a function: equal inputs give equal bytes, two ways give one picture, and the plan tells the truth.
+// Tests one frame as a function: equal inputs give equal bytes, alternative paths give one picture, and the plan is
+// correct.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -67,14 +68,15 @@ TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePicture) {
         std::size_t differing = 0;
         for (std::size_t i = 0; i < gather.data.size(); ++i)
             differing += std::abs(gather.data[i] - sampler.data[i]) > 1e-3f;
-        // The two round texture coordinates apart, so a fragment on a texel border may choose the other texel.
+        // The two paths round texture coordinates differently, so a fragment on a texel border may choose the other
+        // texel.
         EXPECT_LE(differing, gather.data.size() / 1000) << filter.key;
         EXPECT_GT(shadowed_share(gather), 0.02) << filter.key;
     }
 }
 
 SI_TEST_IS(Repeated, FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange);
-// Beyond the far plane and before the near plane: a fixed-point format's sampler clamps what it compares, a float's
+// Depths past the far and before the near plane: a fixed-point format's sampler clamps the compared depth, a float's
 // does not.
 TEST_F(FrameTest, GatherAndShadowSamplerGiveOnePictureOutsideTheMapsRange) {
     const Scene scene = load_scene("boxes");
@@ -136,7 +138,7 @@ TEST_F(FrameTest, WiderKernelsSoftenMore) {
     }
 }
 
-/// Frames under choices of the settings that make programs.
+/// Fixture that draws frames under choices of the settings that select programs.
 class ProgramsTest : public FrameTest {
 protected:
     std::vector<const Param*> rows;
@@ -185,7 +187,7 @@ TEST_F(FrameTest, EveryOverlayDrawsEveryLightTypeWithEitherPath) {
     for (const Overlay& overlay : overlays())
         for (const char* light : {"directional", "spot", "point"})
             for (const char* separate : {"false", "true"}) {
-                const bool pages = overlay.key.starts_with("page-");  // of what whole maps have none
+                const bool pages = overlay.key.starts_with("page-");  // whole maps have none of these
                 const Settings s = settings_for(scene, {{"view.overlay", std::string(overlay.key)},
                                                         {"light.type", light},
                                                         {"shading.separate_visibility", separate},
@@ -286,7 +288,7 @@ TEST_F(FrameTest, PlanCachesUnchangedPassesAndRunsTheOthers) {
     }
 }
 
-/// Everything a frame shows: the panes, the map viewer's picture, and where the map is read.
+/// Returns everything a frame shows: the panes, the map viewer's picture, and the read texels.
 std::vector<ByteImage> pictures(const Scene& scene, const Settings& s, FrameRequest request, Renderer& renderer) {
     request.outputs.shadow_map = request.outputs.map_coordinates = true;
     const FrameResult f = renderer.render(scene, s, request);
@@ -319,7 +321,7 @@ TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     }
 }
 
-/// After each step a renderer that has seen all steps before draws what a new one draws.
+/// After each step a renderer with all earlier steps draws the same as a new renderer.
 using Walk = std::vector<std::pair<std::string, std::string>>;
 
 void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const Scene& scene, Settings s,
@@ -403,7 +405,7 @@ TEST_F(FrameTest, CullingAndPerObjectExceptionsActOnTheMap) {
     const double none = sum(s);
     set_setting(s, "caster.cull", "front");
     const double front = sum(s);
-    EXPECT_GT(front, none + 1e-3);  // only far sides are left, and the one-sided floor is lost
+    EXPECT_GT(front, none + 1e-3);  // only back sides remain, and the one-sided floor is missing
     set_setting(s, "object.Boxes/Floor.cull", "none");
     EXPECT_LT(sum(s), front - 1e-3);  // the exception brings the floor back
     set_setting(s, "object.Boxes/Floor.cast", "false");

@@ -1,4 +1,4 @@
-// Overlays about the triangles themselves: their edges, and how many lie over each other.
+// Tests overlays of triangle edges and of overdraw.
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
 
@@ -7,7 +7,7 @@ namespace {
 
 class GeometryOverlays : public FrameTest {
 protected:
-    /// A floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from straight above, 5 m high.
+    /// Makes a floor of 4 x 4 m with a plate of 2 x 2 m above and one beneath, seen from 5 m straight above.
     static Scene plates() {
         Scene scene;
         scene.name = "plates";
@@ -33,7 +33,7 @@ protected:
 
 TEST_F(GeometryOverlays, OverdrawCountsEveryLayer) {
     const FloatImage v = values(plates(), "overdraw");
-    // 20 pixels a metre, the middle at 50: three layers in the middle, hidden ones counted, none beside the floor.
+    // 20 pixels a metre, the middle at 50: three layers in the middle, hidden ones counted, none outside the floor.
     EXPECT_EQ(v.at(52, 47), 3);
     EXPECT_EQ(v.at(65, 50), 2);
     EXPECT_EQ(v.at(80, 50), 1);
@@ -63,7 +63,7 @@ TEST_F(GeometryOverlays, ChangeNothingInLaterPasses) {
         FrameRequest again = small_request();
         again.force = true;
         EXPECT_EQ(before, picture(scene, settings_for(scene), again)) << overlay;
-        // The depth that the overlay needs is there even when nothing else of the picture is drawn.
+        // The overlay's depth exists even if no other part of the picture is drawn.
         {
             HeadlessContext fresh_context;
             Renderer fresh;

@@ -1,4 +1,4 @@
-// Golden pictures: each row of each table of techniques is drawn as when a person last looked at it (tests/golden).
+// Compares a picture of each row of each table of techniques with its reviewed golden picture (tests/golden).
 #include "tests/support/golden.h"
 
 #include <fmt/format.h>
@@ -14,7 +14,7 @@
 namespace si::test {
 namespace {
 
-constexpr int kTolerance = 8;  ///< of 255, in any channel
+constexpr int kTolerance = 8;  ///< accepted difference in any channel, of 255
 
 /// Share of the pixels that may differ by more. The pictures are llvmpipe's, which may round otherwise on another
 /// machine. Lavapipe under zink differed in 0.6 % where 16 bits hold four moments, elsewhere in 0.2 % at most.

@@ -1,4 +1,4 @@
-// A model that is opened shows its shadow: on a ground of its own, or on one that it is stood on.
+// Tests that an opened model shows its shadow, on an added ground or on one that it stands on.
 #include "renderer/scene/ground.h"
 
 #include <fmt/format.h>
@@ -26,8 +26,8 @@ namespace si {
 namespace {
 
 Session session_of(Scene scene, std::vector<std::string> sets = {}) {
-    sets.insert(sets.begin(), "map.resolution=512");  // as the pictures here are a fourth of a window's
-    scene.file_scenes = {""};                         // as if from a file
+    sets.insert(sets.begin(), "map.resolution=512");  // pictures here are a fourth of a window's
+    scene.file_scenes = {""};                         // marks the scene as loaded from a file
     return compose_session(plan_session({.scene = "a file", .sets = std::move(sets)}), std::move(scene));
 }
 
@@ -40,7 +40,7 @@ Scene box_alone() {
     return scene;
 }
 
-/// Of a flat top no caster of which is thick, so that shadows fall mostly on the ground.
+/// Makes a model with a flat top and thin casters, so that shadows fall mostly on the ground.
 Scene table_alone() {
     Scene scene;
     scene.name = "table";
@@ -54,7 +54,7 @@ Scene table_alone() {
     return scene;
 }
 
-/// A scene on a ground, and without.
+/// Scene with an added ground, and the same without.
 struct Stood {
     std::string name;
     Session with, without;
@@ -62,7 +62,7 @@ struct Stood {
 Stood stood(const std::string& name, Scene (*make)()) {
     return {name, session_of(make()), session_of(make(), {"scene.ground=off"})};
 }
-/// The box, and those of the models that are there.
+/// Returns the box, and the real models that exist.
 std::vector<Stood> stood_models() {
     std::vector<Stood> out{stood("box", box_alone)};
     for (const test::SharedModel& model : test::shared_models()) {
@@ -79,15 +79,15 @@ std::vector<Stood> stood_models() {
     return out;
 }
 
-/// What a first picture shows of the shadow on the ground, or on the floor that a file brings.
+/// First picture of a model: its shadow on the added ground or on its own floor.
 struct FirstPicture {
     std::size_t ground = 0, dark = 0, dark_at_rim = 0;
-    std::size_t surfaces = 0, dark_surfaces = 0;  ///< all that is seen
+    std::size_t surfaces = 0, dark_surfaces = 0;  ///< all visible pixels
     bool own_floor = false;
     double read = 0;  ///< share of the map's texels
 };
 
-/// For each object whether shadows are to be seen on it: the ground, or a sheet at the bottom that carries the rest.
+/// Returns for each object whether it shows shadows: the ground, or a sheet at the bottom that carries the model.
 std::vector<bool> floors_of(const Scene& scene) {
     std::vector<bool> floors;
     const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
@@ -135,7 +135,7 @@ protected:
         }
         return out;
     }
-    /// Asks what the editor shows first of a file that has cameras, as a person drops it. Returns what is to be seen.
+    /// Opens the editor's first view of a file with cameras, as a dropped file. Returns the visible shadow.
     std::string picture_by_own_camera(Session& session) {
         const Scene& scene = session.scene;
         session.settings.camera = base_settings(scene).camera;
@@ -195,7 +195,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     EXPECT_EQ(ReferenceGeometry(with.scene, with.settings).caster_triangles(),
               ReferenceGeometry(without.scene, with.settings).caster_triangles())
         << "in the truth";
-    // Under a light from below the box is lit as it would be without a ground.
+    // Under a light from below the box is lit as it is without a ground.
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
     s.lights[0].elevation = -60;
@@ -219,7 +219,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     EXPECT_LT(differ, box / 100);
 }
 
-// Where the picture shows all of a model.
+// The picture shows the whole model.
 TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
     for (const Stood& model : stood_models()) {
         ASSERT_FALSE(model.with.scene.ground_bounds.empty()) << model.name;
@@ -239,7 +239,7 @@ TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
     }
 }
 
-// Depths up to where the shadow ends, and a kernel's room: what lies beyond a map's far plane is not looked up.
+// Depths reach to the end of the shadow, with room for a kernel. Points past a map's far plane are not looked up.
 TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
     const Stood box = stood("box", box_alone);
     const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
@@ -263,7 +263,7 @@ TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
     }
 }
 
-// All of the model is seen, and the map has the same texels.
+// The whole model is visible, and the map has the same texels.
 TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
     for (const Stood& model : stood_models())
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
@@ -291,12 +291,12 @@ TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
             }
             EXPECT_GT(own, 300u);
             EXPECT_LE(elsewhere, own / 500) << "hidden by the ground, or as deep as something else";
-            // A warped map's depths are divided, and round otherwise.
+            // Depths of a warped map are divided, and round differently.
             EXPECT_LE(differ, fit.key == "lispsm" ? own / 1000 : 0) << "of " << own;
         }
 }
 
-// Also where the picture shows a part of the model, and maps are for that part, or for slices of it.
+// The picture may show part of the model, with maps for that part or for slices of it.
 TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
     for (const auto& make : {box_alone, table_alone}) {
         const Session session = session_of(make(), {"map.resolution=1024"});
@@ -337,8 +337,7 @@ TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
     }
 }
 
-// What is seen of the ground asks for shadows of what is not seen: for those the map grows, but never beyond its
-// casters.
+// Visible ground needs shadows of invisible casters. The map grows for those, up to the bounds of its casters.
 TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
     const Stood table = stood("table", table_alone);
     Settings s = table.with.settings;
@@ -359,7 +358,7 @@ TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
     }
 }
 
-/// What cannot be as the others are, and why.
+/// Models that differ from the others, with the reason.
 constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"04_lights.gltf", "it is one sheet, and nothing stands on it"},
     {"TwoSidedPlane.gltf", "the same"},
@@ -373,8 +372,8 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
 
 SI_TEST_IS(Repeated, GroundTest, ShowsModelsShadowsWithDefaultSettings);
 SI_TEST_IS(DriverIndependent, GroundTest, ShowsModelsShadowsWithDefaultSettings);
-// What a file's own camera shows of the shadow is the file's affair; the camera that frames the scene is asked for it.
-// But a file opens with its own: there has to be a picture.
+// The test uses the camera that frames the scene, because a file's own camera may show no shadow. A file opens with
+// its own camera, which must draw a picture too.
 TEST_F(GroundTest, ShowsModelsShadowsWithDefaultSettings) {
     const std::vector<test::SharedModel> files = test::shared_models();
     if (files.empty()) GTEST_SKIP() << test::kMissingReason << "../shared/models";
@@ -442,7 +441,7 @@ TEST_F(GroundTest, IsNotAddedToModelsWithALevelSurface) {
         EXPECT_TRUE(has_level_surface(row.make())) << row.key;
     }
     EXPECT_FALSE(has_level_surface(box_alone()));
-    // A floor under a roof is indoors: shadows fall outside of it.
+    // A floor under a roof is indoors: shadows fall outside.
     const auto place_with = [](bool roof) {
         Scene scene;
         const auto add = [&](const char* name, Mesh mesh, const glm::dmat4& at) {

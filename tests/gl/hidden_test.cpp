@@ -1,4 +1,4 @@
-// Objects that are hidden are in no picture, no map and no truth, and come back as they were.
+// Tests that hidden objects are absent from picture, map and reference, and return unchanged.
 #include <algorithm>
 
 #include "app/session/session.h"

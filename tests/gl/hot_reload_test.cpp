@@ -1,4 +1,4 @@
-// Shaders read from a tree: saved files take effect, broken ones leave the last good program in place.
+// Tests shaders read from a tree: saved files take effect, broken files leave the last good program in place.
 #include <gtest/gtest.h>
 #include <unistd.h>
 

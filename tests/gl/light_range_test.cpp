@@ -1,4 +1,4 @@
-// light.range: the window of KHR_lights_punctual in the picture, in the probe's words and in the measured error.
+// Tests light.range, the window of KHR_lights_punctual: picture, probe and measured error.
 #include <cmath>
 
 #include "renderer/measure/measured_error.h"
@@ -9,7 +9,7 @@
 namespace si {
 namespace {
 
-constexpr double kLightHeight = 2;  // m, of the light over the floor
+constexpr double kLightHeight = 2;  // height of the light over the floor, metres
 
 double linear(std::uint8_t srgb) {
     const double c = srgb / 255.0;
@@ -68,7 +68,7 @@ TEST_F(LightRange, LightFadesByTheWindowAndEnds) {
                         dark += endless.data[i] > 0;
                     } else if (before > 0.02) {
                         const double window = std::max(1 - std::pow(share, 4), 0.0);
-                        // Both are rounded to steps of 1/255, of which the steepest is 0.0091 of linear light.
+                        // Both values are rounded to steps of 1/255, the steepest of which is 0.0091 in linear light.
                         EXPECT_NEAR(after, before * window, 0.0091) << type << " at " << x << ',' << y;
                         half += share > 0.7 && share < 0.85;
                     }

@@ -1,4 +1,4 @@
-// What a frame says is wrong with its shadows, against the same computed on the CPU.
+// Compares a frame's live error numbers with the same computed on the CPU.
 #include "renderer/reference/live_error.h"
 
 #include "renderer/bias/account.h"
@@ -21,7 +21,7 @@ protected:
 
     static Settings hard(int resolution, double constant) { return test::texel_settings("hard", resolution, constant); }
 
-    /// Measures on both sides and demands that they agree. @returns the CPU's numbers
+    /// Measures on both sides and expects equal numbers. @returns the CPU's numbers
     ErrorMetrics agree(const Settings& s, const char* what) {
         SCOPED_TRACE(what);
         frame = render_with_reference(renderer, scene, s, request, cache);
@@ -119,7 +119,7 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     const auto reference = request.reference;
     for (const double constant : {1.0, 2.0, 4.0, 8.0}) {
         s.bias.constant = constant;
-        frame = renderer.render(scene, s, request);  // not render_with_reference: nothing may be traced
+        frame = renderer.render(scene, s, request);  // without render_with_reference(): no rays may be traced
         ASSERT_TRUE(frame.reference.met);
         ASSERT_TRUE(frame.error);
         const ErrorMetrics& m = frame.error->metrics;
@@ -189,7 +189,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
     for (const LightType type : {LightType::Directional, LightType::Spot}) {
         Settings s = hard(128, 1);
         s.lights[0].type = type;
-        set_setting(s, "filter.kernel", "pcf9");  // wide: it needs more bias than there is room for beside the box
+        set_setting(s, "filter.kernel", "pcf9");  // wide: needs more bias than the gap at the box allows
         set_setting(s, "view.overlay", "bias-window");
         frame = render_with_reference(renderer, scene, s, request, cache);
         ASSERT_FALSE(frame.panes.front().lacks_reference);

@@ -1,4 +1,4 @@
-// What makes a picture pleasant to look at touches no number: sky, ambient light, tone curve, smoothing at rest.
+// Tests that the look (sky, ambient light, tone curve, smoothing of static views) changes no measured number.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -63,7 +63,7 @@ TEST_F(LookTest, VisibilityHasTheSameBytesWithAndWithoutTheLook) {
     }
 }
 
-// The ground that a loaded model gets is a part of the look, too: the model's own pixels know nothing of it.
+// The ground added to a loaded model belongs to the look: the model's own pixels stay unchanged.
 TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
     std::vector<std::string> files{""};
     for (const test::SharedModel& model : test::shared_models()) {
@@ -75,7 +75,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
         const auto open = [&](const char* ground) {
             std::vector<std::string> sets{"map.resolution=512", "camera.index=-1",
                                           std::string("scene.ground=") + ground};
-            // Of boxes that shadow each other the map of other fits holds only where they do, unless there is a ground.
+            // Other fits cover boxes that shadow each other only in the caster region, unless there is a ground.
             if (file.empty()) sets.emplace_back("light.fit=scene");
             if (!file.empty()) return open_session({.scene = file, .sets = sets});
             Scene scene;
@@ -83,7 +83,7 @@ TEST_F(LookTest, AModelHasTheSameVisibilityWithAndWithoutTheLook) {
             add_object(scene, "box", -1, mesh, turned(20));
             add_object(scene, "lid", -1, mesh, moved(0.4, 1.8, 0.2) * turned(50));
             finalise(scene);
-            scene.file_scenes = {""};  // as if from a file
+            scene.file_scenes = {""};  // marks the scene as loaded from a file
             return compose_session(plan_session({.scene = "a file", .sets = sets}), std::move(scene));
         };
         const Session with = open("auto"), without = open("off");
@@ -137,8 +137,8 @@ TEST_F(LookTest, SeveralLightsAreNotOverexposed) {
     EXPECT_GT(filmic, 200);
 }
 
-// By ambient light alone: what is turned up is brighter than what is turned sideways, where light from everywhere makes
-// them one.
+// Under hemispheric ambient light, surfaces turned up are brighter than surfaces turned sideways. Under constant
+// ambient light both are equal.
 TEST_F(LookTest, ShadowsKeepTheirForm) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.4);
     Settings s = test::texel_settings("hard", 64, 3);
@@ -150,7 +150,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
         request.outputs = {.colour = false, .surface_ids = true};
         const SurfaceIds ids = renderer.read_surface_ids(renderer.render(scene, of, request).surface_ids);
         for (std::size_t i = 0; i < ids.data.size(); ++i)
-            if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // of the box
+            if (ids.data[i].x == 2) greens.push_back(image.data[4 * i + 1]);  // pixels of the box
         std::ranges::sort(greens);
         return greens;
     };
@@ -160,7 +160,7 @@ TEST_F(LookTest, ShadowsKeepTheirForm) {
     EXPECT_LE(flat.back() - flat.front(), 1);
 }
 
-// As an eye sees it: of encoded values.
+// Brightness is that of encoded values, as an eye sees it.
 TEST_F(LookTest, TheStageIsNeitherTooDarkNorOverexposed) {
     const Scene scene = load_scene("stage");
     const Settings s = settings_for(scene);
@@ -242,7 +242,7 @@ TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     request.force = true;
     const ByteImage at_once = renderer.read_colour(renderer.render(scene, s, request).smooth);
     EXPECT_TRUE(by_steps.data == at_once.data);
-    // An edge's pixels lie between what is on its sides: neighbours differ by less than in one picture.
+    // An edge's pixels lie between both sides' values: neighbours differ by less than in a single picture.
     const auto steepest = [](const ByteImage& image) {
         long steep = 0;
         for (int y = 0; y < image.height; ++y)
@@ -252,11 +252,11 @@ TEST_F(LookTest, AStaticViewIsSmoothedOverCachedMaps) {
     };
     EXPECT_LT(steepest(by_steps), 0.85 * double(steepest(one)));
     EXPECT_GT(different_pixels(one, as_drawn, 20), 20u) << "its camera is turned by part of a pixel";
-    // Blue sky and plain ground are the same from all of them.
+    // Blue sky and plain ground are the same in all shadings.
     EXPECT_LT(different_pixels(by_steps, as_drawn, 12), by_steps.data.size() / 4 / 8);
 }
 
-/// Of each shading the camera is turned by a part of a pixel, however large the scene is and wherever it lies.
+/// Each shading turns the camera by a fraction of a pixel, for every size and position of the scene.
 TEST_F(LookTest, SmoothPicturesShowTheSameSceneAtEverySize) {
     const auto unlike = [&](const char* scale) {
         const Session session =

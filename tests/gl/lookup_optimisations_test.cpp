@@ -1,5 +1,5 @@
-// What look-ups in maps save: the same bytes with it forced, and fewer texels fetched, as the overlay `taps` counts
-// them.
+// Tests optimisations of map look-ups: forced look-ups give the same bytes, and the overlay `taps` counts fewer
+// fetches.
 #include <algorithm>
 #include <numeric>
 
@@ -18,7 +18,7 @@ class LookupOptimisationsTest : public FrameTest {
 protected:
     FrameRequest request{.width = 128, .height = 96};
 
-    /// Draws the maps alone: bounds are found of those that a frame keeps.
+    /// Draws the maps once, because bounds exist only for cached maps.
     void draw_maps(const Scene& scene, const Settings& s, OptimisationSet forced) {
         FrameRequest maps = request;
         maps.forced = forced;
@@ -31,7 +31,7 @@ protected:
         request.outputs = {.colour = false, .visibility = true};
         return renderer.read_float(renderer.render(scene, s, request).visibility, 1);
     }
-    /// Texels fetched by pixel; below 0 where no surface or no number is.
+    /// Returns the fetched texels by pixel; negative without surface or number.
     std::vector<float> taps(const Scene& scene, Settings s, OptimisationSet forced = {}) {
         set_setting(s, "view.overlay", "taps");
         request.forced = forced;
@@ -43,7 +43,7 @@ protected:
             out.push_back(values.data[i + 3] > 0 && std::isfinite(values.data[i]) ? values.data[i] : -1);
         return out;
     }
-    /// Every pixel that shows a surface fetches so many texels.
+    /// Expects the same number of fetched texels at every pixel with a surface.
     void expect_taps(const Scene& scene, const Settings& s, OptimisationSet forced, float texels, const char* what) {
         int shown = 0, other = 0;
         for (const float n : taps(scene, s, forced)) {
@@ -67,11 +67,11 @@ protected:
 
 const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::Blockers, Optimisation::Facing};
 
-/// A bare floor, all of it in the map, and taps beyond its sides as the floor goes on.
+/// Makes a bare floor within the map, whose outside mode continues the floor.
 Settings floor_settings(std::string_view kernel) {
     Settings s = test::texel_settings(kernel, 256, 0.2);
     set_setting(s, "bias.kind", "adaptive");
-    s.bias.normal = 1;  // adaptive bias leaves nothing over
+    s.bias.normal = 1;  // adaptive bias leaves no margin
     set_setting(s, "map.wrap", "clamp");
     return s;
 }
@@ -90,11 +90,11 @@ TEST_F(LookupOptimisationsTest, NoTapIsFetchedWhereTheMapHoldsOnePlane) {
         Settings s = floor_settings(kernel);
         s.filter.size = 15;
         s.map.resolution = 1024;
-        s.camera.distance = 2;  // far from the floor's edges
+        s.camera.distance = 2;  // well inside the floor's edges
         s.filter.taps = s.filter.blocker_taps = 64;
         s.lights[0].size = 0.2;
         const FilterCost cost = cost_of(s);
-        const bool searches = std::string_view(kernel) == "pcss";  // and ends where it finds nothing
+        const bool searches = std::string_view(kernel) == "pcss";  // a search ends where it finds no blocker
         expect_taps(scene, s, {Optimisation::EarlyOut}, float(searches ? 64 : cost.texels), kernel);
         expect_taps(scene, s, {}, 0, kernel);
     }
@@ -166,7 +166,7 @@ TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     }
 }
 
-/// Each way by itself in which bounds could be wrong.
+/// Each row tests one way in which bounds could be wrong.
 const std::vector<Sets>& ways() {
     static const std::vector<Sets> all = {
         {},
@@ -231,7 +231,7 @@ TEST_F(LookupOptimisationsTest, ForcedLookUpsGiveTheSameBytesForEveryMap) {
     }
 }
 
-/// Bounds are of maps that are kept: they are measured while the camera moves.
+/// Bounds belong to cached maps: the test measures them while the camera moves.
 TEST_F(LookupOptimisationsTest, TheGainOfBoundsIsMeasuredOverCachedMaps) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}});

@@ -1,4 +1,4 @@
-// The map viewer: what it shows of a shadow map or of the camera's depth, and what reading it back gives.
+// Tests the map viewer: shown shadow maps, shown camera depth, and their read-back.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -27,7 +27,7 @@ SI_TEST_IS(Repeated, MapViewTest, ShowsTheCamerasOwnDepth);
 TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
     const Scene scene = load_scene("boxes");
     for (const char* orthographic : {"false", "true"})
-        for (const char* reversed_map : {"false", "true"}) {  // must not matter to the camera
+        for (const char* reversed_map : {"false", "true"}) {  // must not affect the camera
             Settings s = settings_for(scene, {{"camera.source", "manual"},
                                               {"camera.distance", "9"},
                                               {"camera.orthographic", orthographic},
@@ -63,7 +63,7 @@ TEST_F(MapViewTest, ShowsTheCamerasOwnDepth) {
 }
 
 TEST_F(MapViewTest, NearAndFarPlanesCutSharply) {
-    // A floor from behind the camera to beyond the far plane, seen nearly level.
+    // A floor reaches from behind the camera past the far plane, seen nearly level.
     const Scene scene = load_scene("boxes");
     for (const auto& [near, far] : {std::pair{"1", "8"}, {"1", "7.5"}, {"3", "5"}}) {
         const Settings s = settings_for(scene, {{"camera.source", "manual"},
@@ -115,14 +115,14 @@ TEST_F(MapViewTest, FitsGreysToTheDrawnDepths) {
                             const double value = shown_depth(double(depth.at(x, y)), f.map_view_curve, s.view.map,
                                                              row_of_image(depth, y));
                             const double t = (value - f.map_black) / (f.map_white - f.map_black);
-                            // Near the far plane of a perspective map a step of the float is a visible distance.
+                            // Near the far plane of a perspective map one float step is a visible distance.
                             const double step = raw ? 1e-7 / (f.map_white - f.map_black) : 1e-4;
                             EXPECT_NEAR(grey(shown, x, y), 255 * std::clamp(t, 0.0, 1.0), 1.01 + 255 * step) << where;
                         }
                 }
 }
 
-// Of a plane that the light meets aslant, whose depths are all there are.
+// A plane under slanted light covers the whole range of depths.
 TEST_F(MapViewTest, RampsFollowDepth) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"map.resolution", "128"}, {"view.map_fit", "true"}});
@@ -131,12 +131,12 @@ TEST_F(MapViewTest, RampsFollowDepth) {
     for (const char* ramp : {"turbo", "viridis"}) {
         set_setting(s, "view.map_colours", ramp);
         const ByteImage shown = renderer.read_colour(frame(scene, s).map_view);
-        std::map<int, glm::ivec3> of_grey;  // one colour for one depth
+        std::map<int, glm::ivec3> of_grey;  // one colour per depth
         for (std::size_t i = 0; i < shown.data.size(); i += 4) {
-            if (greys.data[i] != greys.data[i + 2]) continue;  // hatched: bluish
+            if (greys.data[i] != greys.data[i + 2]) continue;  // hatched pixels are bluish
             const glm::ivec3 colour(shown.data[i], shown.data[i + 1], shown.data[i + 2]);
             const glm::ivec3 known = of_grey.emplace(greys.data[i], colour).first->second;
-            for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], colour[c], 16) << ramp;  // within one grey
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(known[c], colour[c], 16) << ramp;  // within one grey level
         }
         ASSERT_GT(of_grey.size(), 50u);
         const glm::ivec3 low = of_grey.begin()->second, high = of_grey.rbegin()->second;

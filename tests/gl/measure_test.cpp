@@ -1,4 +1,4 @@
-// Measured errors of real frames: acne where bias is missing, sampling errors that fall with resolution, lost casters.
+// Tests measured errors of real frames: acne without bias, sampling errors that fall with resolution, lost casters.
 #include "renderer/measure/measured_error.h"
 #include "renderer/scenes/shapes.h"
 #include "tests/gl/frame_fixture.h"
@@ -19,7 +19,7 @@ protected:
         return measured.metrics;
     }
     std::size_t count(Artefact a) const { return measured.metrics.artefacts[std::size_t(a)]; }
-    /// False shadow and false light are the sums of their causes, to the pixel.
+    /// Expects false shadow and false light to be the sums of their causes, to the pixel.
     void sums_are_whole() const {
         const ErrorMetrics& m = measured.metrics;
         const auto px = [&](double share) { return std::llround(share * double(m.counted)); };
@@ -64,7 +64,7 @@ TEST_F(MeasureTest, ClassifiesMissingBiasAsAcne) {
     Settings s = hard(512);
     s.bias.constant = 0;
     const ErrorMetrics& m = measure(scene, s);
-    // On a plane without bias half of all texels lie before it.
+    // On a plane without bias half of all texels lie before the plane.
     EXPECT_GT(m.false_shadow, 0.3);
     EXPECT_GT(m.acne, 0.95 * m.false_shadow);
     EXPECT_GE(m.any_acne, m.acne);
@@ -80,7 +80,7 @@ TEST_F(MeasureTest, ClassifiesTooMuchBiasAsPeterPanning) {
     const Scene scene = test::floor_and_box(10, {1.5, 1, 2}, 0.1);
     Settings s = hard(1024);
     s.bias.unit = BiasUnit::Metres;
-    s.bias.constant = 3;  // more than the box is thick along the light
+    s.bias.constant = 3;  // more than the box's thickness along the light
     const ErrorMetrics& m = measure(scene, s);
     EXPECT_GT(m.bias_false_light, 0.01);
     EXPECT_EQ(m.acne, 0);

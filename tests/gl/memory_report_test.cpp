@@ -1,4 +1,4 @@
-// What the renderer holds: every image and buffer is told of by its bytes and let go, and programs do not pile up.
+// Tests the renderer's memory report: every image and buffer is counted and released, and programs do not pile up.
 #include <chrono>
 #include <map>
 #include <thread>
@@ -18,12 +18,12 @@ namespace {
 
 class MemoryReportTest : public FrameTest {
 protected:
-    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // programs are counted here
+    MemoryReportTest() : FrameTest(std::make_shared<gl::ProgramCache>()) {}  // this suite counts programs
     void TearDown() override {
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    /// Beside what other renderers of this process hold.
+    /// Returns the memory in addition to that of other renderers of this process.
     MemoryUse of(const std::string& holder) const {
         for (MemoryUse h : memory_report().holders) {
             if (h.holder != holder) continue;
@@ -63,8 +63,9 @@ TEST_F(MemoryReportTest, MapsAreCountedAtTheirActualSize) {
     EXPECT_GT(of("scene's vertices").bytes, 100u);
 }
 
-#if !defined(__SANITIZE_ADDRESS__)  // whose allocator is not asked
-/// What is told to be let go is the driver's too, at the latest when nothing is drawn: 160 MB in forty layers.
+#if !defined(__SANITIZE_ADDRESS__)  // the sanitizer's allocator reports nothing
+/// Memory that the report counts as released is released by the driver too, at the latest when nothing is drawn. The
+/// test uses 160 MB in forty layers.
 TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
     const Scene scene = load_scene("boxes");
@@ -83,7 +84,7 @@ TEST_F(MemoryReportTest, TheDriverKeepsNoMapOfManyLayers) {
     EXPECT_TRUE(gl::release_finished_images()) << "not even the largest picture takes long";
 }
 
-/// Nor where it was drawn in the background, by a context of its own.
+/// The same holds for maps drawn in the background, by another context.
 TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
     if (!renderer.driver().renderer.starts_with("llvmpipe")) GTEST_SKIP() << "what others keep for later is theirs";
     const auto scene = std::make_shared<const Scene>(load_scene("boxes"));
@@ -104,7 +105,7 @@ TEST_F(MemoryReportTest, ShaderWarmUpKeepsNoMapOfManyLayers) {
 }
 #endif
 
-/// A thread beside a window's has one picture drawn and one waiting at most.
+/// A background thread keeps at most one picture in drawing and one waiting.
 TEST_F(MemoryReportTest, BackgroundDrawingWaitsForThePictureBeforeTheLast) {
     constexpr int kSide = 8192;
     gl::Target tiny, large;
@@ -127,8 +128,8 @@ TEST_F(MemoryReportTest, BackgroundDrawingWaitsForThePictureBeforeTheLast) {
     gl::set_background_drawing(false);
 }
 
-/// A failed allocation leaves nothing: neither the image of the size before, which would be taken for the one asked
-/// for, nor the memory of the one that failed.
+/// A failed allocation leaves no image: neither the one of the earlier size, which would pass for the requested one,
+/// nor the failed one.
 TEST_F(MemoryReportTest, ATargetWithoutMemoryIsEmpty) {
     gl::Target t;
     t.ensure("a test's image", GL_R32F, 64, 64);
@@ -189,7 +190,7 @@ TEST_F(MemoryReportTest, LeastRecentlyUsedProgramsAreReleased) {
     EXPECT_NE(cache.get(plain_program(1)), 0u) << "what gave way is made again";
     EXPECT_EQ(cache.size(), 7u);
     EXPECT_EQ(of("texts of shader programs").count, cache.size());
-    // All that one frame uses stay, however many.
+    // All programs that one frame uses stay, whatever their number.
     for (int i = 0; i < 9; ++i) cache.get(plain_program(i));
     cache.end_frame(2);
     EXPECT_EQ(cache.size(), 9u);

@@ -1,4 +1,4 @@
-// What is no number, or lies where none can, is found where it was put, and nowhere else.
+// Tests the search for NaN and values out of range: faults are found at their place and nowhere else.
 #include "renderer/frame/numeric_health.h"
 
 #include <fmt/format.h>
@@ -16,11 +16,11 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 
-/// Numbers put into one texel of an image before it is searched.
+/// Faulty values for one texel of an image, written before the search.
 struct Spoilt {
     std::string image;  ///< "shadow map"
     int layer = 0, level = 0;
-    glm::ivec2 at{0};  ///< row 0 at the bottom
+    glm::ivec2 at{0};  ///< texel; row 0 is at the bottom
     std::vector<float> numbers;
     bool depth = false;
 };
@@ -61,7 +61,7 @@ protected:
         small.insert(small.end(), sets.begin(), sets.end());
         return health_of(loaded, settings_for(loaded, small));
     }
-    /// What was put there is all that is found. @param place the finding's
+    /// Expects the written fault as the only finding. @param place expected place of the finding
     void expect_alone(const char* scene, const Sets& sets, const Spoilt& s, NumberFault fault, const std::string& place,
                       glm::ivec2 at) {
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
@@ -113,7 +113,7 @@ TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
                                            {-kInf, NumberFault::Infinite},
                                            {-0.25f, NumberFault::OutsideRange},
                                            {1.5f, NumberFault::OutsideRange}}) {
-            // Of one kind each of them, of the others one for each way of finding it.
+            // The test tries each value of one kind, and for the others one value per way of detection.
             if (&k != kinds && (std::isinf(value) || value > 1)) continue;
             expect_alone(k.scene, k.sets, {.image = k.image, .layer = k.layer, .at = {77, 31}, .numbers = {value}},
                          fault, k.place, {77, 31});
@@ -123,7 +123,7 @@ TEST_F(NumericHealthTest, FindsEachDepthFaultInEachKindOfMap) {
 TEST_F(NumericHealthTest, FindsFaultyValuesOfFloatDepthBuffers) {
     spoil({{.image = "shadow map", .at = {3, 127}, .numbers = {kNaN}, .depth = true}});
     const NumericHealth health = health_of("boxes", {{"map.format", "d32f"}});
-    // Drivers may refuse what is none.
+    // Drivers may refuse NaN.
     for (const NumberFinding& f : health.findings) EXPECT_EQ(f.first, glm::ivec2(3, 127)) << finding_text(f);
     EXPECT_TRUE(health_of("boxes", {{"map.format", "d16"}}).findings.size() <= 1);
 }
@@ -150,7 +150,7 @@ TEST_F(NumericHealthTest, FindsNegativeVariancesAndOverflowsAtEveryLevel) {
         expect_alone("boxes", {{"filter.kernel", "esm"}, {"filter.moment_format", format}},
                      {.image = "moments", .at = {127, 0}, .numbers = {kInf}}, NumberFault::Overflow, moments, {127, 0});
     }
-    // The last of four faces' layers has the number of its face.
+    // The last of four faces' layers reports the number of its face.
     expect_alone("boxes",
                  {{"filter.kernel", "msm_hausdorff"}, {"filter.moment_format", "32-bit"}, {"light.type", "point"}},
                  {.image = "moments", .layer = 4, .at = {5, 6}, .numbers = {0.5f, 0.1f, 0.1f, 0.1f}},
@@ -182,7 +182,7 @@ TEST_F(NumericHealthTest, ReportsFirstWorstAndCount) {
 }
 
 TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
-    // Wherever the page lies in the pool: every texel of it.
+    // The page may lie anywhere in the pool: every texel of the pool is faulty.
     gl::fault_injection().corrupt_image = [](std::string_view image, GLuint texture) {
         if (image != "shadow map") return;
         const float nan = kNaN;
@@ -206,7 +206,7 @@ TEST_F(NumericHealthTest, FindsFaultsInPagesOfAMap) {
     const FrameResult frame = renderer.render(scene, settings_for(scene, sets), request);
     ASSERT_TRUE(frame.pages);
     EXPECT_EQ(texels, frame.pages->read_texels());
-    // One texel of the pool: whose it is says the page table, by which maps are read back.
+    // One texel of the pool: the page table names its owner, and maps are read back by that table.
     spoil({{.image = "shadow map", .at = {5, 7}, .numbers = {kNaN}}});
     request.force = true;
     const FrameResult spoilt = renderer.render(scene, settings_for(scene, sets), request);
@@ -230,7 +230,7 @@ TEST_F(NumericHealthTest, FindsMatricesThatSinglePrecisionCannotHold) {
     EXPECT_TRUE(found) << health_text(health);
 }
 
-// From exactly above, walls and pickets are seen edge-on: a pixel that one covers by rounding alone has no place.
+// From exactly above, walls and pickets are seen edge-on: a pixel covered by rounding alone has no position.
 TEST_F(NumericHealthTest, SurfacesSeenEdgeOnHaveNoFault) {
     const Scene scene = load_scene("stage");
     Settings s = stage_from_above(scene, "1024");

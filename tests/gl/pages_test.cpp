@@ -1,5 +1,5 @@
-// Virtual shadow maps: the pictures are those of whole maps, whatever is kept, moved or given up, and what they cost is
-// told.
+// Tests virtual shadow maps: pictures equal those of whole maps for any cached, moved or evicted pages, and costs are
+// reported.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -38,8 +38,8 @@ protected:
 };
 
 SI_TEST_IS(Repeated, PagesTest, PagesHoldTheTexelsOfTheWholeMap);
-// Pages are drawn with the map's own matrix, moved by whole texels. All that may differ is where a rasteriser rounds a
-// corner to 1/256 of a texel.
+// Pages are drawn with the map's own matrix, moved by whole texels. Differences come only from rounding a corner to
+// 1/256 of a texel.
 TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
     std::size_t pixels = 0, wrong = 0, dark = 0;
     const Sets kinds[] = {{{"filter.kernel", "hard"}, {"light.elevation", "90"}},
@@ -56,7 +56,7 @@ TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
         for (std::size_t i = 0; i < std::size(kinds); ++i) {
             if (place.x > 0 && i % 3 != 1) continue;
             Settings s = settings_for(scene, kinds[i]);
-            set_setting(s, "camera.index", "-1");  // the file's does not move along
+            set_setting(s, "camera.index", "-1");  // the file's camera does not move with the scene
             set_setting(s, "map.resolution", "450");
             set_setting(s, "map.page_size", "32");
             const FloatImage whole = visibility(renderer, scene, s);
@@ -78,7 +78,7 @@ TEST_F(PagesTest, PagesHoldTheTexelsOfTheWholeMap) {
     EXPECT_GT(dark, 500u);
 }
 
-// A hundred steps of everything that moves: what is kept is what would be drawn.
+// Over a hundred steps of everything that moves, cached pages equal freshly drawn ones.
 TEST_F(PagesTest, CachedPagesEqualDrawnPages) {
     Scene scene = displaced(load_scene("boxes"), {115, 3, -40});
     std::mt19937 engine(2);
@@ -158,7 +158,7 @@ TEST_F(PagesTest, OnlyPagesOfMovedCastersAreDrawnAgain) {
     EXPECT_EQ(pages().kept, 0) << "the light moved";
 }
 
-// Where the pool is too small coarser pages stand in: never a hole, and a sentence that says so.
+// With too small a pool coarser pages replace the missing ones: without holes, and with a note.
 TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"map.virtual", "true"}, {"map.resolution", "1024"}, {"map.page_size", "32"}});
@@ -172,7 +172,7 @@ TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     EXPECT_LE(frame.pages->drawn + frame.pages->kept, wanted / 3);
     EXPECT_TRUE(std::any_of(frame.notes.begin(), frame.notes.end(),
                             [](const std::string& note) { return note.find("map.page_pool") != std::string::npos; }));
-    // Away from edges both say the same.
+    // Away from edges both are equal.
     std::size_t inner = 0, wrong = 0;
     for (int y = 3; y < all.height - 3; ++y)
         for (int x = 3; x < all.width - 3; ++x) {
@@ -187,7 +187,7 @@ TEST_F(PagesTest, AFullPoolReducesSharpnessOnly) {
     EXPECT_LT(double(wrong), 0.01 * double(inner));
 }
 
-// Glass is no part of what the surfaces are seen from, and reads the map all the same; so do masks and several lights.
+// Glass is absent from the depth that selects pages and still reads the map; so do masks and several lights.
 TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
     Scene scene;
     scene.materials.push_back({.name = "glass", .base_colour = {1, 1, 1, 0.9f}, .alpha = AlphaMode::Blend});
@@ -215,7 +215,7 @@ TEST_F(PagesTest, BlendedSurfacesReadTheirPages) {
 }
 
 SI_TEST_IS(Repeated, PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels);
-// Two kilometres of land: less is wrong than with one map of 4096 texels, for far fewer texels drawn.
+// On two kilometres of terrain fewer pixels are wrong than with one map of 4096 texels, for far fewer drawn texels.
 TEST_F(PagesTest, PagesAreSharperThanAFixedMapOfMoreTexels) {
     const Scene scene = load_scene("landscape");
     Measurer measurer(renderer, 160, 90);

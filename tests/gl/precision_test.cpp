@@ -1,4 +1,4 @@
-// What single precision costs: errors against a second computation in double, and against what rounding must cost.
+// Compares precision errors of the shaders with a second computation in double and with the expected rounding.
 #include "renderer/reference/precision.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kWidth = 96, kHeight = 64;
 
-/// hard_settings() with the scene and all else moved away.
+/// Returns hard_settings() for the scene, with scene and camera moved away.
 Settings settings_at(Scene& scene, double distance, LightType type = LightType::Directional) {
     Settings s = hard_settings();
     s.lights[0].type = type;
@@ -30,7 +30,7 @@ Settings settings_at(Scene& scene, double distance, LightType type = LightType::
     return s;
 }
 
-// Each pixel once more, from the ray that meets the scene to the map by other code than the product's.
+// The test recomputes each pixel from its ray's hit to the map, without the product's code.
 TEST(PrecisionTest, EqualsASecondComputation) {
     for (const LightType type : kLightTypes)
         for (const double distance : {0.0, 1e5}) {
@@ -56,7 +56,7 @@ TEST(PrecisionTest, EqualsASecondComputation) {
                     const glm::dvec2 looked_up(coordinates.at(x, y, 0), coordinates.at(x, y, 1));
                     const double texels =
                         glm::distance(glm::dvec2(uvdw(view, hit->position)), looked_up) * frame.map_resolution;
-                    // At its edges a pixel's ray may miss the triangle whose rounded corners cover it.
+                    // At a triangle's edge a pixel's ray may miss the triangle whose rounded corners cover the pixel.
                     if (texels > 50 && told < 50) continue;
                     EXPECT_NEAR(told, texels, 2e-3 * texels + 2e-4) << int(type) << " " << x << "," << y;
                     ++compared;
@@ -65,8 +65,8 @@ TEST(PrecisionTest, EqualsASecondComputation) {
         }
 }
 
-// From a place nearby errors are the same small ones everywhere; from the world's origin they are what rounding a
-// position of that size to 24 bits is worth in texels.
+// Relative to a near point, errors are small everywhere. Relative to the world origin, they equal the rounding of a
+// position to 24 bits, in texels.
 TEST(PrecisionTest, RelativeToTheWorldOriginEqualsTheRoundingError) {
     for (const double distance : {0.0, 1e3, 1e5, 1e7}) {
         Scene scene = floor_and_box();
@@ -94,7 +94,7 @@ TEST(PrecisionTest, RelativeToTheWorldOriginEqualsTheRoundingError) {
     }
 }
 
-// Scales of powers of ten round differently, and no more.
+// Scales by powers of ten add rounding only.
 TEST(PrecisionTest, IsTheSameAtEveryScale) {
     for (const double scale : {1e-3, 1.0, 1e6}) {
         Scene scene = floor_and_box();
@@ -135,7 +135,7 @@ TEST(PrecisionTest, OverlaysShowTheNumbers) {
     }
 }
 
-// Nothing of it is made unless it is asked for, and it is not made twice.
+// The numbers are computed only on request, and once.
 TEST(PrecisionTest, IsComputedOnlyWhenEnabled) {
     Scene scene = floor_and_box();
     const Settings s = hard_settings();
@@ -148,7 +148,7 @@ TEST(PrecisionTest, IsComputedOnlyWhenEnabled) {
     EXPECT_EQ(renderer.render(scene, s, request).pass(name)->state, PassState::Cached);
 }
 
-/// Cascades over what the camera sees of a wide floor with a box.
+/// Returns cascades over the visible part of a wide floor with a box.
 Settings crawling(bool snap) {
     Settings s = hard_settings();
     s.lights[0].fit = LightFit::Stabilised;

@@ -1,4 +1,4 @@
-// A small scene in place of a large one: it calls for the same programs.
+// Tests the proxy scene, a small scene that needs the same shader programs as a large one.
 #include "renderer/scene/proxy_scene.h"
 
 #include <filesystem>
@@ -11,7 +11,7 @@ namespace {
 
 class ProxySceneTest : public FrameTest {};
 
-/// Which programs a frame is made of, said by who makes them.
+/// Returns the programs of a frame, reported by the passes that use them.
 TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     std::vector<std::string> names = {"stage", "boxes", "landscape"};
     for (const char* file : {"gen_forest_10k/forest_10k.glb", "gen_leaf_mask_uv1/leaf_mask_uv1.glb"}) {

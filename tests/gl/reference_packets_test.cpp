@@ -1,4 +1,4 @@
-// Rays of neighbours are traced in packets: each must answer as it does alone.
+// Tests that a reference ray in a packet answers as a single ray.
 #include "renderer/reference/reference_rays.h"
 #include "renderer/reference/reference_task.h"
 #include "renderer/render/reference_frames.h"

@@ -1,4 +1,5 @@
-// What the picture's passes spare was really not done, and what they do more cheaply is what it was.
+// Tests optimisations of the picture's passes: skipped work is really skipped, and cheaper computations give the same
+// result.
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 class ShadingOptimisationsTest : public FrameTest {
 protected:
-    /// How many fragments of a frame drawn anew passed the depth test, and so were shaded and written.
+    /// Returns the fragments of a freshly drawn frame that passed the depth test and were shaded.
     std::uint64_t written_fragments(const Scene& scene, const Settings& s, const OptimisationSet& forced) {
         FrameRequest request = small_request();
         request.force = true;
@@ -33,7 +34,7 @@ protected:
         glDeleteQueries(1, &query);
         return count;
     }
-    /// A lit picture of a plane straight below a parallel camera, whose every pixel has one colour.
+    /// Draws a lit picture of a plane straight below a parallel camera: every pixel has one colour.
     ByteImage plain_colour(double grey, const Sets& extra) {
         Scene scene;
         const int material = add_material(scene, "plain", glm::vec3(float(grey)));
@@ -45,8 +46,7 @@ protected:
     }
 };
 
-/// Plates before one another in a row along the view, each wider than the one before it, in the order `near_first`
-/// says.
+/// Makes a row of plates along the view, each wider than the one before it, in the order of `near_first`.
 Scene row_of_plates(int count, bool near_first) {
     Scene scene;
     const int mesh = add_mesh(scene, "plate", make_plane(1, 1), add_material(scene, "grey", glm::vec3(0.5f)));
@@ -96,7 +96,7 @@ TEST_F(ShadingOptimisationsTest, OrderChangesNoPixel) {
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }
 
-/// A plate, and a small one to its side.
+/// Makes a plate, and a small one to its side.
 Mesh plates(double aside) {
     Mesh mesh = make_plane(2, 2);
     append(mesh, transformed(make_plane(0.2, 0.2), moved(aside, 0, 0)));
@@ -107,7 +107,7 @@ TEST_F(ShadingOptimisationsTest, CoincidentPlatesShowTheSameOneFromEverySide) {
     Scene scene;
     const int red = add_material(scene, "red", {0.8f, 0.1f, 0.1f}),
               green = add_material(scene, "green", {0.1f, 0.8f, 0.1f});
-    // From one side the one is the farther, from the other side the other.
+    // Each plate is the farther one from one of the two sides.
     add_object(scene, "a", -1, add_mesh(scene, "a", plates(-3), red));
     add_object(scene, "b", -1, add_mesh(scene, "b", plates(3), green));
     finalise(scene);
@@ -174,7 +174,7 @@ TEST_F(ShadingOptimisationsTest, FusedVisibilityDrawsTheSceneOnce) {
     EXPECT_GT(forced.pass("visibility")->draws, 0);
 }
 
-/// Samplers that the program in use may fetch from.
+/// Returns the samplers that the current program may fetch from.
 int active_samplers() {
     GLint program = 0, count = 0;
     glGetIntegerv(GL_CURRENT_PROGRAM, &program);
@@ -198,7 +198,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
                          {{"light.type", "point"}, {"light.range", "2"}, {"light.distance", "200"}},
                          {{"light.type", "spot"}, {"light.range", "2"}, {"light.distance", "200"}}};
     for (const Sets& sets : lone) {
-        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // the last program is shading's
+        Sets all = {{"filter.kernel", "pcf5"}, {"shading.sky", "plain"}};  // shading is then the last program
         all.insert(all.end(), sets.begin(), sets.end());
         const Settings s = settings_for(scene, all);
         FrameRequest request = small_request();
@@ -219,7 +219,7 @@ TEST_F(ShadingOptimisationsTest, LightsThatReachNothingAreLeftOutOfTheProgram) {
         EXPECT_EQ(fetched, 0) << sets[0].first;
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u) << sets[0].first;
     }
-    // Beside lights that do reach it, and where visibility alone shows.
+    // The frame also has lights that reach the scene, or shows visibility only.
     for (const Sets& sets : {Sets{{"light.count", "3"}, {"light.1.intensity", "0"}, {"light.2.type", "point"}},
                              Sets{{"light.intensity", "0"}, {"shading.composition", "dim-lit"}},
                              Sets{{"light.intensity", "0"}, {"shading.separate_visibility", "true"}}}) {
@@ -237,9 +237,9 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
     add_object(scene, "Ball", -1, add_mesh(scene, "Ball", make_sphere(0.5), grey), moved(8, 0.5, 8));
     finalise(scene);
     const Sets over_floor = {
-        {"filter.kernel", "pcf5"}, {"light.type", "spot"},   {"light.distance", "4"}, {"light.elevation", "70"},
-        {"light.target_x", "-6"},  {"light.target_z", "-6"}, {"bias.normal", "2"},    {"bias.kind", "constant"},
-        {"shading.sky", "plain"}};  // shading is the last that is drawn
+        {"filter.kernel", "pcf5"}, {"light.type", "spot"},    {"light.distance", "4"},
+        {"light.elevation", "70"}, {"light.target_x", "-6"},  {"light.target_z", "-6"},
+        {"bias.normal", "2"},      {"bias.kind", "constant"}, {"shading.sky", "plain"}};  // shading is then drawn last
     const auto settings = [&](const Sets& more, bool floor_casts) {
         Sets sets = over_floor;
         sets.insert(sets.end(), more.begin(), more.end());
@@ -270,7 +270,7 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
         EXPECT_GT(active_samplers(), 0);
         EXPECT_EQ(different_pixels(seen, renderer.read_colour(forced.colour)), 0u);
     }
-    // A caster in its cone, what lies beyond a map is dark, averages of depths.
+    // Exceptions: a caster in the cone, a dark outside of the map, averages of depths.
     for (const Settings& s : {settings({{"light.target_x", "8"}, {"light.target_z", "8"}}, false),
                               settings({{"map.outside", "unlit"}}, false), settings({{"filter.kernel", "vsm"}}, false),
                               settings({}, true)}) {
@@ -281,8 +281,7 @@ TEST_F(ShadingOptimisationsTest, MapsWithoutCastersAreNotLookedUp) {
     }
 }
 
-// The encoding is a polynomial: every level that eight bits have, of grey that the light leaves as it is, within one
-// step, and mostly the very one.
+// The encoding is a polynomial. Every 8-bit grey level under white light stays within one step, and mostly equal.
 TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
     int other = 0, levels = 0;
     for (int wanted = 0; wanted <= 255; wanted += 3) {
@@ -304,7 +303,7 @@ TEST_F(ShadingOptimisationsTest, ColoursAreEncodedAsSrgb) {
     EXPECT_EQ(bright.data[4 * (8 * 16 + 8)], 255) << "what is brighter than white is white";
 }
 
-// Powers of two are squared, others raised: the highlight grows evenly from one to the next.
+// Powers of two are squared, others use pow(): the highlight grows evenly from one exponent to the next.
 TEST_F(ShadingOptimisationsTest, HighlightsEqualPowersInEitherForm) {
     const Scene scene = load_scene("boxes");
     const auto mean = [&](const char* shininess) {
@@ -323,7 +322,7 @@ TEST_F(ShadingOptimisationsTest, HighlightsEqualPowersInEitherForm) {
     }
 }
 
-// Grey light reads one channel for three: a hue that is barely there must show as it does beside it.
+// Grey light computes one channel for three: a faint hue must look the same under coloured light.
 TEST_F(ShadingOptimisationsTest, GreyLightIsAsBrightAsColouredLight) {
     const Scene scene = load_scene("boxes");
     const ByteImage grey = picture(scene, settings_for(scene, {}));

@@ -1,4 +1,4 @@
-// Shadow volumes are exact: held against rays, pixel by pixel, wherever light, camera and scene stand.
+// Compares shadow volumes with rays, pixel by pixel, for many positions of light, camera and scene.
 #include "renderer/passes/shadow_volumes.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Masks as the volumes take them: solid.
+/// Makes masked materials opaque, as volumes treat them.
 Scene solid(Scene scene) {
     for (Material& m : scene.materials)
         if (m.alpha == AlphaMode::Mask) m.alpha = AlphaMode::Opaque;
@@ -31,11 +31,11 @@ Scene moved_by(Scene scene, const glm::dvec3& by) {
 }
 
 struct Compared {
-    std::size_t dark = 0;        ///< by the truth, of what faces the light
-    std::size_t off = 0;         ///< pixels that differ
-    std::size_t off_inside = 0;  ///< of them, those with no edge within a pixel
+    std::size_t dark = 0;        ///< pixels in shadow in the reference, among those that face the light
+    std::size_t off = 0;         ///< differing pixels
+    std::size_t off_inside = 0;  ///< differing pixels without an edge within a pixel
     std::size_t pixels = 0;
-    int x = -1, y = -1;  ///< the last such
+    int x = -1, y = -1;  ///< position of the last differing pixel away from edges
 };
 
 class ShadowVolumesTest : public FrameTest {
@@ -43,8 +43,7 @@ protected:
     ReferenceCache cache;
     FrameRequest request{.width = 480, .height = 270, .outputs = {.colour = false, .visibility = true}};
 
-    /// Edges are those of the truth and of the triangles that are seen: where one begins, a pixel's centre is on
-    /// either.
+    /// Edges are those of the reference and of visible triangles: at an edge a pixel's centre may lie on either side.
     Compared compare(const Scene& scene, Settings s) {
         set_setting(s, "light.source", "volumes-zfail");
         const FrameResult frame = renderer.render(scene, s, request);
@@ -75,7 +74,7 @@ protected:
             }
         return c;
     }
-    /// @param inside pixels that may be off beside any edge
+    /// @param inside accepted differing pixels away from edges
     void exact(const Scene& scene, const Settings& s, std::size_t least_dark, std::size_t inside = 0) {
         const Compared c = compare(scene, s);
         EXPECT_LE(double(c.off), 1e-4 * double(c.pixels));
@@ -102,8 +101,7 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
     }
 }
 
-// Counting before the surface is the same count wherever the camera stands outside, and another one within a volume:
-// there light and shadow change places.
+// Z-pass counts are equal for all cameras outside of volumes. Within a volume they swap light and shadow.
 TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
     const auto differing = [&](const Scene& scene, Settings s) {
         FloatImage v[2];
@@ -122,7 +120,7 @@ TEST_F(ShadowVolumesTest, ZPassFailsWithTheCameraInside) {
         for (const char* type : {"directional", "spot", "point"})
             EXPECT_LT(differing(boxes, settings_for(boxes, {{"light.type", type}})), 1e-4) << type;
     }
-    // Under a sheet, the sun straight above it; and the same camera beside its shadow.
+    // The camera is under a sheet with the sun straight above, then outside the sheet's shadow.
     const Scene sheet = test::floor_under_sheet({});
     Settings s = test::hard_settings();
     s.lights[0].elevation = 90;
@@ -143,7 +141,7 @@ TEST_F(ShadowVolumesTest, AreExactTenKilometresFromTheOrigin) {
     }
 }
 
-/// A room with a hole in its roof, a table and a lamp's post, on a floor outside of it.
+/// Makes a room with a hole in its roof, a table and a lamp post, on a floor outside the room.
 Scene room(bool inside_out) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -160,7 +158,8 @@ Scene room(bool inside_out) {
     return scene;
 }
 
-// Within the volumes, and within closed surfaces: under a roof all is dark, and a lamp inside of it lights.
+// The camera is within volumes and closed surfaces: under a roof everything is dark, and a lamp inside lights the
+// room.
 TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
     for (const bool inside_out : {false, true}) {
         const Scene scene = room(inside_out);
@@ -180,7 +179,7 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
             exact(scene, settings_for(scene, all), 1000);
         }
     }
-    // In the shadow of a box, near enough for the near plane to cut its volume.
+    // The camera is in the shadow of a box, close enough for the near plane to cut its volume.
     const Scene boxes = load_scene("boxes");
     for (const char* elevation : {"5", "20", "60"}) {
         SCOPED_TRACE(elevation);
@@ -196,7 +195,7 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
     }
 }
 
-// What the far plane cuts off still casts, and so does what is behind the camera; without perspective, too.
+// Casters past the far plane and behind the camera still cast, also in orthographic views.
 TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
     const Scene scene = load_scene("boxes");
     for (const char* type : {"directional", "point"})
@@ -219,7 +218,7 @@ TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
                 }
 }
 
-// Light straight along the view: its shadows end in one point of the picture.
+// Light along the view direction: its shadows end in one point of the picture.
 TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
     const Scene scene = load_scene("boxes");
     for (const char* parallel : {"false", "true"})
@@ -237,7 +236,7 @@ TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
                                        {"camera.orthographic", parallel},
                                        {"camera.azimuth", camera_azimuth},
                                        {"camera.elevation", camera_elevation}}),
-                  0, 1);  // a side of a volume is a line in the picture there, on which a pixel may lie
+                  0, 1);  // a volume's side is a line in the picture there, and a pixel may lie on it
         }
 }
 
@@ -281,7 +280,7 @@ TEST_F(ShadowVolumesTest, LightsMayMixVolumesAndMaps) {
     EXPECT_NE(layer(s, 0), layer(s, 2));
 }
 
-// The plan tells what runs, why, and whose cost it is; what did not change is reused.
+// The plan reports each pass, its reason and its costs; unchanged results are cached.
 TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     const Scene scene = load_scene("boxes");
     Settings s = settings_for(scene, {{"light.source", "volumes-zfail"}});
@@ -310,7 +309,8 @@ TEST_F(ShadowVolumesTest, ThePlanRunsAndCachesThem) {
     EXPECT_EQ(renderer.render(scene, s, small_request()).pass("shadow volumes 0"), nullptr);
 }
 
-// More open triangles than are drawn unasked: the light has no shadow, the plan and a note say what it would take.
+// Scenes with too many open triangles draw no volumes without consent: the light has no shadow, and the plan and a
+// note report the cost.
 TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});

@@ -1,4 +1,4 @@
-// Sources of visibility: what each gives, what it does without, and that the truth judges all of them.
+// Tests sources of visibility: their outputs, the passes that they skip, and their comparison with the reference.
 #include "renderer/settings/sources.h"
 
 #include <algorithm>
@@ -48,8 +48,8 @@ TEST_F(SourcesTest, EveryRowHasTextsAndConsistentNeeds) {
 }
 
 SI_TEST_IS(Repeated, SourcesTest, OnlyShadowMapsDrawMaps);
-// Whatever the source, visibility lies in [0,1] at every pixel, no map is drawn unless the source is one, and the plan
-// says why.
+// For each source visibility lies in [0,1] at every pixel. Maps are drawn only for the source "map", and the plan
+// gives the reason.
 TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
     const Scene scene = load_scene("boxes");
     for (const Source& source : sources())
@@ -73,8 +73,8 @@ TEST_F(SourcesTest, OnlyShadowMapsDrawMaps) {
         }
 }
 
-// One box above a floor: the disc's middle lies where the light's ray through the box's middle meets the floor, its rim
-// a radius from there across the light, and between them it fades as asked.
+// One box above a floor: the disc's middle lies where the light's ray through the box's middle meets the floor. The
+// disc's rim is one radius away across the light, and between them visibility fades by the setting.
 TEST_F(SourcesTest, ABlobIsADiscBelowItsCaster) {
     for (const test::Place& place : test::kPlaces)
         for (const LightType type : test::kLightTypes) {
@@ -146,7 +146,8 @@ TEST_F(SourcesTest, FusedAndSeparateSourcesGiveTheSamePicture) {
     }
 }
 
-// The rays' own answer at every pixel, wherever scene and light stand, hard and with size, in part.
+// Visibility equals the rays' answer at every pixel, for all positions of scene and light, with and without light
+// size.
 TEST_F(SourcesTest, TracedEqualsTheReference) {
     Scene scene = load_scene("boxes");
     test::move_scene(scene, {4e3, -2e3, 9e3});
@@ -217,7 +218,7 @@ TEST_F(SourcesTest, WithoutRaysALightHasNoShadowAndANoteReportsIt) {
 }
 
 SI_TEST_IS(Repeated, SourcesTest, TheReferencePictureEqualsTheTracedSource);
-// What the true picture shows is what the row gives.
+// The reference picture equals the row's result.
 TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
     const Scene scene = load_scene("stage");
     Settings s = settings_for(scene, {{"light.count", "2"}, {"light.1.type", "spot"}, {"map.resolution", "256"}});
@@ -238,8 +239,8 @@ TEST_F(SourcesTest, TheReferencePictureEqualsTheTracedSource) {
 }
 
 SI_TEST_IS(Repeated, SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap);
-// Judged by the truth: the traced source has no error; without a shadow all that is dark is wrong, and no cause of maps
-// is made up for it.
+// Compared with the reference, the traced source has no error. Without a shadow all dark pixels are errors, and none
+// has a cause of maps.
 TEST_F(SourcesTest, ErrorsWithoutAMapAreAttributedToNoMap) {
     const Scene scene = load_scene("boxes");
     FrameRequest request{.width = 161, .height = 93, .outputs = {.colour = false, .error = true}};

@@ -1,5 +1,5 @@
-// Where some casters move, those at rest are kept: every texel and picture is that of maps drawn whole, and counts tell
-// what was not drawn.
+// Tests cached depths of static casters: texels and pictures equal those of maps drawn whole, and counts report the
+// skipped casters.
 #include <algorithm>
 #include <bit>
 #include <filesystem>
@@ -15,7 +15,8 @@
 namespace si {
 namespace {
 
-/// Small boxes around, so that what moves within leaves the scene's bounds, and so the views of its maps.
+/// Makes small boxes around the scene, so that moving casters change neither the scene's bounds nor the views of its
+/// maps.
 void fence(Scene& scene) {
     const Bounds b = scene.bounds;
     const glm::dvec3 half = 0.55 * (b.hi - b.lo) + 0.02 * b.radius();
@@ -28,7 +29,7 @@ void fence(Scene& scene) {
     finalise(scene);
 }
 
-/// A floor, many balls that rest on it, and one that moves. Triangles: 2, 40 times a ball's, 8 times a post's.
+/// Makes a floor, many static balls, and a moving one. Triangles: 2, 40 times a ball's, 8 times a post's.
 Scene many_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -52,13 +53,13 @@ void move_by(Scene& scene, Node& node, double x, double y, double z) {
 
 Settings small_maps(const Scene& scene, const Sets& sets) {
     Settings s = settings_for(scene, sets);
-    s.map.resolution = 200;  // which cells do not divide
+    s.map.resolution = 200;  // not divisible by cells
     return s;
 }
 
 class StaticOptimisationsTest : public FrameTest {
 protected:
-    Renderer whole;  ///< that keeps nothing apart
+    Renderer whole;  ///< renderer without the static cache
 
     static FrameRequest asked(OptimisationSet forced = {}) {
         FrameRequest request{.width = 64, .height = 36, .forced = forced};
@@ -86,7 +87,7 @@ protected:
     static ByteImage picture_by(Renderer& by, const Scene& scene, const Settings& s, const FrameRequest& request) {
         return by.read_colour(by.render(scene, s, request).colour);
     }
-    /// Draws both ways. @returns the frame that keeps what rests
+    /// Draws with and without the static cache. @returns the frame with the cache
     FrameResult expect_the_same(const Scene& scene, const Settings& s, const std::string& what) {
         const FrameResult kept = renderer.render(scene, s, asked());
         const std::vector<float> texels_kept = texels(renderer, kept);
@@ -164,7 +165,8 @@ TEST_F(StaticOptimisationsTest, OnlyMovingCastersAreDrawnAfterTwoFrames) {
         for (const char* name : {"Ball", "Mover"}) {
             move_by(scene, node_named(scene, name), 0, 0.1, 0);
             const FrameResult f = expect_the_same(scene, s, name);
-            // One that rested is in the map of what rests, which has to be drawn anew. The other goes on moving.
+            // A former static caster is in the static map, which has to be drawn again. The other caster continues to
+            // move.
             EXPECT_EQ(map_pass(f).triangles, name == std::string("Ball") ? all : 2 * ball) << name;
         }
     }
@@ -219,7 +221,7 @@ TEST_F(StaticOptimisationsTest, KeepEveryTexelOfAnimatedModels) {
     }
 }
 
-// What comes to rest goes on being drawn, until that has cost as much as to draw anew what rests.
+// A caster that stops is drawn on, until that has cost as much as drawing the static map again.
 TEST_F(StaticOptimisationsTest, CastersThatStopMovingAreCached) {
     Scene scene = many_balls();
     const std::uint64_t ball = scene.meshes[0].indices.size() / 3;
@@ -286,7 +288,7 @@ TEST_F(StaticOptimisationsTest, AMovingCameraSeesCompleteMaps) {
     }
 }
 
-/// Where nothing can be kept apart, what the plan must name.
+/// Lights without a static cache, and the reason that the plan must name.
 struct Declined {
     Sets sets;
     const char* mover;
@@ -330,7 +332,7 @@ TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
-/// The ball that moves goes by an animation of a second.
+/// The ball moves by an animation of a second.
 Scene animated_ball() {
     Scene scene = many_balls();
     auto rig = std::make_shared<Rig>();
@@ -349,7 +351,7 @@ Scene animated_ball() {
 TEST_F(StaticOptimisationsTest, MeasuredFramesMoveAndCacheStaticCasters) {
     const Scene scene = animated_ball();
     Settings s = small_maps(scene, kinds()[0]);
-    s.scene.time = 0.9;  // over the end
+    s.scene.time = 0.9;  // crosses the end of the animation
     KeptFrames frames(scene, s, asked(), Optimisation::Static);
     for (int i = 0; i < 4; ++i) {
         frames.draw({});
@@ -374,7 +376,7 @@ TEST_F(StaticOptimisationsTest, MeasuredFramesMoveAndCacheStaticCasters) {
 TEST_F(StaticOptimisationsTest, AreMeasuredOnlyInScenesThatMove) {
     const Scene moving = animated_ball(), still = many_balls();
     const auto measured = [&](const Scene& scene, const Settings& s) {
-        Renderer again;  // that has seen nothing move
+        Renderer again;  // a renderer that has seen no movement
         const FrameResult frame = again.render(scene, s, asked());
         const std::vector<Effect> effects = frame_effects(scene, s, frame);
         const auto told =

@@ -1,4 +1,4 @@
-// Which triangle each pixel shows, as the GPU draws it, against rays tested with every triangle.
+// Compares the triangle id of each drawn pixel with rays tested against every triangle.
 #include "app/session/session.h"
 #include "renderer/reference/receivers.h"
 #include "renderer/scenes/shapes.h"
@@ -51,7 +51,7 @@ TEST_F(SurfaceIdsTest, EqualTheFirstHitsOfRays) {
     }
     EXPECT_GT(shown, drawn.data.size() / 8);
     EXPECT_EQ(far, 0u);
-    // A rasteriser moves corners to a grid of 1/256 pixel: some pixels at edges show the neighbour.
+    // A rasteriser snaps corners to a grid of 1/256 pixel: some pixels at edges show the neighbour.
     EXPECT_LT(differing, drawn.data.size() / 300);
     for (std::size_t o = 0; o < pixels.size(); ++o) EXPECT_GT(pixels[o], 20u) << "object " << o;
 }
@@ -71,7 +71,7 @@ TEST_F(SurfaceIdsTest, AreCachedAndFollowTheCamera) {
     EXPECT_EQ(other.pass("surface ids")->state, PassState::Skipped);
 }
 
-/// A masked quad alone before the camera.
+/// Makes a masked quad in front of the camera.
 Scene masked_quad(bool nearest, TextureWrap wrap) {
     Scene scene;
     Material leaf;
@@ -84,7 +84,7 @@ Scene masked_quad(bool nearest, TextureWrap wrap) {
     Texture t;
     t.width = 13;
     t.height = 8;
-    t.mipmaps = false;  // level 0 whatever the distance
+    t.mipmaps = false;  // level 0 at every distance
     t.nearest_mag = t.nearest_min = nearest;
     t.wrap_s = wrap;
     t.wrap_t = TextureWrap::Mirror;
@@ -110,7 +110,7 @@ TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
                                                            {"camera.distance", "3"},
                                                            {"camera.target_y", "1"}});
             const SurfaceIds drawn = draw(scene, settings, 400, 300);
-            const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // knows no masks
+            const SurfaceIds behind = test::ids_by_rays(scene, frame.camera, 400, 300);  // ignores masks
             const ReferenceGeometry geometry(scene, settings);
             const AlphaMask& mask = *geometry.objects[0].mesh->mask;
             std::size_t holes = 0, solid = 0, wrong = 0;
@@ -130,7 +130,7 @@ TEST_F(SurfaceIdsTest, MasksAgreeWithTheReferenceAtMipLevelZero) {
                 }
             EXPECT_GT(holes, 5000u);
             EXPECT_GT(solid, 5000u);
-            // The quad's outline is snapped, and single precision decides at the cutoff itself.
+            // The quad's outline is snapped, and single precision decides at the alpha cutoff.
             EXPECT_LT(wrong, 60u) << (nearest ? "nearest" : "bilinear") << " wrap " << int(wrap);
         }
 }
@@ -154,7 +154,7 @@ TEST_F(SurfaceIdsTest, ReferenceAndShadowMapHoldTheSameTriangles) {
         }
 }
 
-/// Pixels that show a triangle whose plane the camera lies in, as near as single precision has it.
+/// Returns the pixels that show a triangle whose plane contains the camera, within single precision.
 std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, const SurfaceIds& ids, const Camera& c) {
     const ReferenceGeometry geometry(scene, s);
     std::vector<glm::ivec2> out;
@@ -170,8 +170,8 @@ std::vector<glm::ivec2> seen_edge_on(const Scene& scene, const Settings& s, cons
 }
 
 SI_TEST_IS(Repeated, SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed);
-// Where rounding alone has a triangle cover a pixel, a rasteriser may find no place for it. What follows is a number
-// all the same, and that of the fused pass the one of visibility drawn apart.
+// Where a triangle covers a pixel by rounding alone, its plane may give the pixel no position. The results are finite
+// all the same, and equal with fused and separate visibility.
 TEST_F(SurfaceIdsTest, SurfacesSeenEdgeOnAreShadedAndProbed) {
     const Scene scene = load_scene("stage");
     std::size_t met = 0;

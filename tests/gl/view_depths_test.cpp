@@ -1,5 +1,4 @@
-// Between which depths maps are made and store: of the picture's own depths, and of near planes that casters are drawn
-// on.
+// Tests the depth ranges of maps: ranges measured from the picture's depths, and pancaking on the near plane.
 #include <algorithm>
 #include <cmath>
 
@@ -58,7 +57,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
             const FloatImage depths = renderer.read_map_view_depth(frame);
             double from = 1e300, to = -1e300;
             for (const float d : depths.data) {
-                if (d == 0) continue;  // nothing is there
+                if (d == 0) continue;  // background
                 const double z = frame.camera.curve.distance(d);
                 from = std::min(from, z);
                 to = std::max(to, z);
@@ -70,7 +69,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsEqualThoseOfReadBackDepths) {
             EXPECT_GE(frame.seen_m->to_m, to);
             EXPECT_EQ(frame.lights[0].chooser.spans.back().ends, frame.seen_m->to_m);
             EXPECT_EQ(frame.passes.front().name, "depths seen");
-            // They are kept while nothing changes, and follow the camera when it moves.
+            // The bounds are cached while nothing changes, and follow the camera.
             const FrameResult again = renderer.render(scene, s, request);
             EXPECT_EQ(again.passes.front().state, PassState::Cached);
             EXPECT_EQ(again.seen_m, frame.seen_m);
@@ -93,7 +92,7 @@ TEST_F(ViewDepthsTest, MeasuredBoundsMissLessThanBoxesOnTerrain) {
 
 // ---- light.near_far
 
-/// A floor that the camera sees, and a sheet 30 m towards the light, which it does not.
+/// Makes a visible floor, and a sheet outside the picture, 30 m towards the light.
 Scene floor_under_far_sheet(const test::Place& place) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -104,7 +103,7 @@ Scene floor_under_far_sheet(const test::Place& place) {
     return scene;
 }
 
-/// Of a sun under whose maps for what is seen only the floor is.
+/// Sets a sun whose maps for the view frustum hold only the floor.
 Settings far_sheet_settings(const Scene& scene, const test::Place& place, const char* fit, int cascades) {
     Settings s = test::texel_settings("pcf3", 256, 3);
     set_setting(s, "light.fit", fit);
@@ -125,7 +124,7 @@ double range_of(const LightView& view) {
     return view.curve.far - view.curve.near;
 }
 
-/// Along the light from the view's place.
+/// Returns the distance along the light from the view's position.
 double depth_of(const LightView& view, const glm::dvec3& at) {
     return glm::dot(view.eye - at, view.axes[2]);
 }
@@ -167,7 +166,7 @@ TEST_F(ViewDepthsTest, PancakingGivesTheSameShadowFromAShorterRange) {
         }
 }
 
-// How far above the floor the sheet is, the map no longer says.
+// The map no longer stores the sheet's height above the floor.
 TEST_F(ViewDepthsTest, PancakingNarrowsPenumbrae) {
     const test::Place place = test::kPlaces[0];
     const Scene scene = floor_under_far_sheet(place);
@@ -198,12 +197,13 @@ TEST_F(ViewDepthsTest, EachChoiceHasItsRange) {
             set_setting(s, "light.near_far", choice);
             EXPECT_EQ(differing(fitted, visibility(scene, s, &frame)), 0u) << choice;
         }
-        // From the sheet's own near rim to the floor's far one: half the diagonals of what stands askew to the light.
+        // The range goes from the sheet's near rim to the floor's far rim: half the diagonals of surfaces askew to the
+        // light.
         const double along = std::abs(way.x) + std::abs(way.z);
         const LightView& all = frame.lights[0].views[0];
         EXPECT_NEAR(all.curve.near, depth_of(all, place.at + 30.0 * way) - 1.5 * along, 0.01);
         EXPECT_NEAR(all.curve.far, depth_of(all, place.at) + 5 * along, 0.01);
-        // By hand whatever the fit, for cascades too; a near plane behind the sheet loses it.
+        // Manual ranges hold for every fit and for cascades; a near plane behind the sheet loses the sheet.
         for (const int cascades : {1, 3}) {
             set_setting(s, "light.near_far", "manual");
             s.lights[0].cascades = cascades;
@@ -274,8 +274,8 @@ TEST_F(ViewDepthsTest, MapsAreMadeForTheFrozenCamera) {
         }
 }
 
-// Through a fixed camera, maps that are made for another one, which moves by parts of a texel and turns: what is drawn
-// stays, but at borders of the texels and of the cascades.
+// Maps are made for a camera that turns and moves by fractions of a texel, and a fixed camera draws with them. The
+// picture stays equal except at borders of texels and cascades.
 TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
     const Scene scene = load_scene("boxes");
     const auto flips = [&](const char* fit) {
@@ -310,7 +310,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
                         frame.camera.pixel_ray(x, y, 160, 90, origin, direction);
                         hits.push_back(rays.first_hit(origin, direction));
                     }
-            // Nothing is said of what lies on a texel's border, or of the background.
+            // Points on a texel's border and the background are left out.
             std::vector<std::size_t> chosen;
             for (const auto& hit : hits) {
                 chosen.push_back(99 + chosen.size());
@@ -330,7 +330,7 @@ TEST_F(ViewDepthsTest, StabilisedShadowsDoNotShimmer) {
     const std::size_t steady = flips("stabilised"), tight = flips("view");
     RecordProperty("flips", std::to_string(steady) + " " + std::to_string(tight));
     EXPECT_GT(tight, 1500u);
-    // Rasterisers place vertices in steps of parts of a texel: an edge through a texel's very middle may yet flip it.
+    // Rasterisers snap vertices to fractions of a texel: an edge through a texel's centre may still flip it.
     EXPECT_LE(steady, tight / 50) << "of " << 119 * 160 * 90;
 }
 

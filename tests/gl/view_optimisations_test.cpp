@@ -1,5 +1,5 @@
-// What the camera does not see costs nothing: maps and casters that no look-up reads are not drawn, the picture is the
-// same, and whoever reads a whole map has it whole.
+// Tests that maps and casters read by no look-up are skipped, that the picture stays equal, and that readers of whole
+// maps get them.
 #include <algorithm>
 
 #include "renderer/base/error.h"
@@ -13,7 +13,7 @@
 namespace si {
 namespace {
 
-/// A floor, and balls in a row along x.
+/// Makes a floor, and a row of balls along x.
 Scene row_of_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -24,7 +24,7 @@ Scene row_of_balls() {
     return scene;
 }
 
-/// Looks down at a place on the floor.
+/// Sets a camera that looks down at a place on the floor.
 Sets camera_over(const char* x) {
     return {{"camera.source", "manual"}, {"camera.target_x", x},   {"camera.target_y", "0.5"},
             {"camera.target_z", "0"},    {"camera.distance", "5"}, {"camera.elevation", "40"},
@@ -55,7 +55,7 @@ protected:
     static FrameRequest cold(OptimisationSet forced = {}) {
         return {.width = 96, .height = 54, .force = true, .forced = forced};
     }
-    /// Draws both ways. @returns the triangles drawn into maps, saved and forced
+    /// Draws with and without the optimisation. @returns the triangles drawn into maps by each
     std::pair<std::uint64_t, std::uint64_t> expect_one_picture(const Scene& scene, const Settings& s,
                                                                const std::string& what,
                                                                const std::optional<MapCamera>& map_camera = {}) {
@@ -124,7 +124,7 @@ TEST_F(ViewOptimisationsTest, FacesReadByNoVisiblePointAreNotDrawn) {
 }
 
 TEST_F(ViewOptimisationsTest, CascadesReadByNoVisiblePointAreNotDrawn) {
-    // A ball near the camera and a wall far behind it; between them, beside the picture, balls that only cast.
+    // A ball is near the camera and a wall far behind it; between them, outside the picture, balls only cast.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     const int ball = add_mesh(scene, "Ball", make_sphere(0.5), grey);
@@ -159,7 +159,7 @@ TEST_F(ViewOptimisationsTest, CascadesReadByNoVisiblePointAreNotDrawn) {
 }
 
 TEST_F(ViewOptimisationsTest, ReceiversThatFaceAwayNeedNoCasters) {
-    // A large ball that fills the picture, and beside the picture many small ones between it and the light.
+    // A large ball fills the picture; outside the picture many small ones lie between it and the light.
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
     add_object(scene, "Large", -1, add_mesh(scene, "Large", make_sphere(2, 160, 80), grey));
@@ -181,7 +181,7 @@ TEST_F(ViewOptimisationsTest, ReceiversThatFaceAwayNeedNoCasters) {
                                                     {"light.azimuth", "180"},
                                                     {"light.distance", "40"}});
             const auto [few, all] = expect_one_picture(scene, s, type);
-            if (type != std::string("directional")) continue;  // cells of the others hold more
+            if (type != std::string("directional")) continue;  // cells of other light types hold more
             if (against)
                 EXPECT_LT(few, all / 2) << "the small ones cover only what faces away from the camera";
             else
@@ -215,8 +215,8 @@ TEST_F(ViewOptimisationsTest, FloorsAndWallsThatFaceAwayNeedNoMap) {
         }
 }
 
-// A face is chosen by the surface's place, whatever the kernel: also where those of moments, or maps that repeat, read
-// all of it.
+// A face is chosen by the surface's position for every kernel: also where kernels of moments, or repeating maps, read
+// the whole face.
 TEST_F(ViewOptimisationsTest, PicturesAreTheSameFromEveryCamera) {
     const Scene scene = row_of_balls();
     const Sets lights[] = {{},
@@ -286,7 +286,7 @@ TEST_F(ViewOptimisationsTest, UnreadTexelsAreNotBlurred) {
 TEST_F(ViewOptimisationsTest, AMovingCameraDrawsEachMapOnce) {
     const Scene scene = row_of_balls();
     const Sets point = {{"light.type", "point"}, {"light.distance", "2"}, {"map.resolution", "128"}};
-    // The last two prepare the whole of maps for their look-ups.
+    // The last two kernels preprocess whole maps.
     for (const Sets& light : {Sets{}, point, joined(point, {{"filter.kernel", "vsm"}}),
                               Sets{{"filter.kernel", "vogel"}, {"filter.taps", "64"}, {"map.resolution", "256"}}}) {
         Settings s = settings_for(scene, joined(camera_over("-16"), light));
@@ -377,7 +377,7 @@ TEST_F(ViewOptimisationsTest, ReadersOfWholeMapsGetThemWhole) {
     }
 }
 
-/// Why nothing of a light's maps is called for.
+/// Settings under which a light's maps are not needed, and the reason.
 struct Uncalled {
     Sets sets;
     const char* reason;
@@ -408,7 +408,7 @@ TEST_F(ViewOptimisationsTest, AnUnusedLightHasNoMapAndReportsTheReason) {
             EXPECT_EQ(map_pass(f).draws, 0u);
             EXPECT_NE(map_pass(f).reason.find(u.reason), std::string::npos) << map_pass(f).reason;
         }
-        // Its visibility is another matter: asked for, it has a map, unless nothing is seen.
+        // Visibility differs: on request it has a map, unless nothing is visible.
         FrameRequest asked{.width = 96, .height = 54};
         asked.outputs.visibility = true;
         const FrameResult f = frame(scene, s, asked);

@@ -1,4 +1,4 @@
-// What is simulated changes the picture somewhere, else it is waste: each map, face and cascade is left out in turn.
+// Tests the search for waste: each map, face and cascade is left out in turn, and is waste if no pixel changes.
 #include "renderer/advise/waste.h"
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@
 namespace si {
 namespace {
 
-/// Of all triangles that are drawn into maps, and of the time that they take.
+/// Triangles drawn into maps, and the time that they take.
 constexpr double kMostWaste = 0.05;
 
 class WasteTest : public FrameTest {
@@ -44,7 +44,7 @@ TEST_F(WasteTest, VisibleLightsAreNeededAndInvisibleOnesAreNot) {
     EXPECT_GT(tried_named(needed, "map of light 0").read, 0);
     EXPECT_GT(needed.triangles(), 0u);
     EXPECT_EQ(needed.share(), 0);
-    // The camera looks away from all that there is: nothing is read of the map.
+    // The camera looks away from the scene: nothing reads the map.
     const Waste unseen = waste_of(scene, {{"camera.source", "manual"}, {"camera.target_x", "500"}});
     EXPECT_EQ(tried_named(unseen, "map of light 0").read, 0);
     EXPECT_FALSE(tried_named(unseen, "map of light 0").changes);
@@ -117,7 +117,7 @@ TEST_F(WasteTest, PagesAreTriedLightByLight) {
     EXPECT_GT(tried_named(waste, "pages of light 0").triangles, 0u);
     EXPECT_TRUE(was_tried(waste, "contact shadows of light 0")) << "by itself";
     EXPECT_EQ(waste.share(), 0);
-    // Seen from where nothing is looked up.
+    // The camera sees only points without look-ups.
     Sets away = paged;
     away.emplace_back("camera.source", "manual");
     away.emplace_back("camera.target_x", "500");
@@ -129,11 +129,11 @@ TEST_F(WasteTest, TheLightsSizeIsTriedUnderKernelsThatReadIt) {
     const Sets soft = {{"filter.kernel", "pcss"}, {"light.size", "3"}};
     EXPECT_TRUE(tried_named(waste_of(scene, soft), "size of light 0").changes);
     EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}}), "size of light 0"));
-    // Its truth reads it, the picture does not.
+    // The reference reads it, the picture does not.
     EXPECT_FALSE(was_tried(waste_of(scene, {{"light.size", "3"}, {"truth.area", "true"}}), "size of light 0"));
 }
 
-/// A fence that stands on a floor, or on nothing.
+/// Makes a fence that stands on a floor, or on nothing.
 Scene fence(bool cut_out, bool floor = true) {
     Scene scene;
     Texture holes;
@@ -157,7 +157,7 @@ TEST_F(WasteTest, TheAlphaTestInMapsIsTriedByShadowsOfMaskedCasters) {
     EXPECT_TRUE(tried_named(waste_of(fence(true), {}), "alpha test in maps").changes);
     EXPECT_FALSE(tried_named(waste_of(fence(false), {}), "alpha test in maps").changes) << "it cuts nothing";
     EXPECT_FALSE(was_tried(waste_of(fence(true), {{"light.cast", "false"}}), "alpha test in maps"));
-    // Holes that the camera sees through are not the map's.
+    // Holes visible to the camera do not belong to the map.
     EXPECT_FALSE(tried_named(waste_of(fence(true, false), {}), "alpha test in maps").changes);
 }
 
@@ -193,12 +193,12 @@ TEST_F(WasteTest, WasteIsTimedOnRequest) {
     EXPECT_GT(*needed.maps_ms, 0);
     EXPECT_EQ(needed.wasted_ms(), 0);
     EXPECT_EQ(needed.share_of_time(), 0);
-    // What cuts nothing into a map that is itself waste takes no time of its own.
+    // The alpha test has no time of its own in a map that is itself waste.
     const Waste twice = waste_of(fence(false), {{"light.intensity", "1e-10"}}, true);
     EXPECT_GT(tried_named(twice, "map of light 0").maps_ms, 0);
     EXPECT_FALSE(tried_named(twice, "alpha test in maps").changes);
     EXPECT_EQ(tried_named(twice, "alpha test in maps").maps_ms, 0);
-    // A light so dim that no byte shows whether it is shadowed: its map is drawn all the same.
+    // The light is so dim that no byte shows its shadow: its map is drawn all the same.
     const Waste dim = waste_of(scene, {{"light.intensity", "1e-10"}}, true);
     const Tried& unseen = tried_named(dim, "map of light 0");
     EXPECT_FALSE(unseen.changes);
@@ -256,7 +256,7 @@ struct Named {
     bool is_always_drawn = true;
 };
 
-/// Built-in scenes, and models: a few, under SI_LONG all, the few first.
+/// Returns the built-in scenes and some models; all models under SI_LONG.
 std::vector<Named> scene_names() {
     std::vector<Named> names;
     for (const BuiltinScene& row : builtin_scenes()) names.push_back({std::string(row.key)});
@@ -275,11 +275,11 @@ std::vector<Named> scene_names() {
     return names;
 }
 
-/// Nothing: a model that may be refused was.
+/// Nothing: the model was refused, which its list allows.
 std::optional<Scene> loaded(const Named& named) {
     try {
         Scene scene = load_scene(named.name);
-        if (named.is_model) add_ground(scene);  // as it opens: where it has no floor
+        if (named.is_model) add_ground(scene);  // as the editor opens it: only without a floor
         return scene;
     } catch (const std::exception& e) {
         EXPECT_TRUE(named.may_be_refused) << named.name << ": " << e.what();
@@ -287,7 +287,7 @@ std::optional<Scene> loaded(const Named& named) {
     }
 }
 
-// Over all models, and by time too: SI_LONG=1, or ctest -L long.
+// SI_LONG=1, or ctest -L long, measures all models, and their times.
 TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
     Sum sum;
     for (const Named& named : scene_names())
@@ -301,8 +301,7 @@ TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
     }
 }
 
-// Lights of several maps: of these there are some that nobody reads.
-// Label `long`: SI_LONG=1, or ctest -L long.
+// Lights have several maps, and some of these are read by nobody. SI_LONG=1, or ctest -L long, measures all models.
 TEST_F(WasteTest, OfFacesAndCascadesIsSmallOverScenesAndModels) {
     if (!takes_long()) GTEST_SKIP() << "every scene and model under six faces and four cascades: SI_LONG=1";
     Sum sum, others;
@@ -315,7 +314,7 @@ TEST_F(WasteTest, OfFacesAndCascadesIsSmallOverScenesAndModels) {
                          waste_of(*scene, sets, true));
     }
     sum.print();
-    others.print();  // more of these is waste: flat ones, which nothing tells to be safe from themselves
+    others.print();  // further maps are waste: flat casters, which nothing proves free of self-shadowing
     EXPECT_GT(sum.drawn, 0u);
     EXPECT_LE(sum.share(sum.changes_nothing), kMostWaste);
     EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);

@@ -1,4 +1,4 @@
-// Hard cases 28 and 31: splits at their ends, and casters between the light and its near plane.
+// Tests hard cases 28 and 31: extreme splits, and casters between the light and its near plane.
 #include <cmath>
 
 #include "renderer/settings/splits.h"
@@ -10,7 +10,7 @@
 namespace si::test {
 namespace {
 
-/// Splits that are not beyond the one before or no numbers, and surfaces that are seen and lie in no map.
+/// Counts splits that do not grow or are NaN, and visible surfaces in no map.
 int faults_of(const DrawnCase& c) {
     const Camera camera = make_camera(c.scene, c.settings, 4.0 / 3);
     const FittedLight light = fit_lights(c.scene, c.settings, &camera)[0];
@@ -48,7 +48,7 @@ TEST(HardCase28, SplitsStayDistinctAndCoverVisiblePoints) {
                 SCOPED_TRACE(std::string(split) + " " + lambda + " near " + near + " far " + far);
                 for (const char* cascades : {"2", "8"})
                     for (const char* fit : {"view", "stabilised"})
-                        if (std::string(far) != "8")  // else nothing is seen
+                        if (std::string(far) != "8")  // otherwise nothing is visible
                             expect_within_limit(28, faults_of(hard_view("split-ends", true,
                                                                         {{"light.split", split},
                                                                          {"light.split_lambda", lambda},
@@ -62,7 +62,7 @@ TEST(HardCase28, SplitsStayDistinctAndCoverVisiblePoints) {
     for (const double end : {0.0 * std::pow(30.0 / 0.0, 0.25), 0.0 * std::pow(30.0 / 0.0, 0.5)})
         none += std::isnan(end);
     expect_fault(28, none);
-    // Drawn, with all of it finite.
+    // The drawn results are finite.
     draw_shot(hard_view("split-ends", true));
     draw_shot(hard_view("split-ends", true, {{"camera.near", "8"}, {"camera.far", "8"}}));
 }

@@ -15,7 +15,7 @@
 namespace si::test {
 namespace {
 
-/// Beyond the map's side by a little, out of reach of rounding and of the normal offset.
+/// Returns whether a point lies outside the map's side, out of reach of rounding and of the normal offset.
 bool is_outside(const glm::dvec4& p) {
     constexpr double kPad = 0.01;
     return p.x < -kPad || p.x > 1 + kPad || p.y < -kPad || p.y > 1 + kPad;
@@ -25,7 +25,7 @@ bool is_inside(const glm::dvec4& p) {
     return p.x > kPad && p.x < 1 - kPad && p.y > kPad && p.y < 1 - kPad;
 }
 
-/// Share of the pixels of a picture that `chosen(r, g, b)` holds for.
+/// Returns the share of a picture's pixels that `chosen(r, g, b)` accepts.
 double share_of(const ByteImage& image, const std::function<bool(int r, int g, int b)>& chosen) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < image.data.size(); i += 4)
@@ -33,7 +33,7 @@ double share_of(const ByteImage& image, const std::function<bool(int r, int g, i
     return image.data.empty() ? -1 : double(count) / (double(image.data.size()) / 4);
 }
 
-/// Mean grey of the scene in the map viewer, 0 to 1.
+/// Returns the mean grey of the scene in the map viewer, 0 to 1.
 double mean_map_grey(const GuidedDrawing& g) {
     EXPECT_EQ(g.map_view.width, g.shot.maps.at(0).width);
     return g.mean_of_drawn([&](int x, int y) {
@@ -41,7 +41,7 @@ double mean_map_grey(const GuidedDrawing& g) {
     });
 }
 
-/// Sum of the changes of visibility from pixel to pixel of a row.
+/// Returns the sum of the changes of visibility along rows of pixels.
 double roughness(const GuidedDrawing& g) {
     double sum = 0;
     const FloatImage& v = g.shot.visibility;
@@ -50,8 +50,8 @@ double roughness(const GuidedDrawing& g) {
     return sum;
 }
 
-/// Largest movement of the maps' texels over the ground as the camera turns, in texels from the nearest whole number.
-/// It is at most 0.5, and 0.5 where a map changes its width.
+/// Returns the largest movement of the maps' texels over the ground as the camera turns, in texels from the nearest
+/// whole number. The result is at most 0.5, and 0.5 where a map changes its width.
 double texel_slide(const GuidedDrawing& g) {
     Settings s = g.settings;
     s.camera = manual_camera(g.scene, s);
@@ -73,7 +73,7 @@ double texel_slide(const GuidedDrawing& g) {
     return most;
 }
 
-/// Least of `value(i)` for the views 0 to `count` - 1.
+/// Returns the least of `value(i)` for the views 0 to `count` - 1.
 double least_of(std::size_t count, const std::function<double(std::size_t i)>& value) {
     EXPECT_GT(count, 0u);
     double least = 1e300;
@@ -94,7 +94,7 @@ const auto& spans_of(const GuidedDrawing& g) {
     return g.shot.light().chooser.spans;
 }
 
-/// Length of the i-th split over that of the one before it.
+/// Returns the length of the i-th split divided by that of the one before it.
 double split_ratio(const GuidedDrawing& g, std::size_t i) {
     return spans_of(g).at(i + 1).ends / spans_of(g).at(i).ends;
 }
@@ -102,8 +102,8 @@ double width_per_distance(const GuidedDrawing& g, std::size_t i) {
     return g.shot.view(i).half_width / spans_of(g).at(i).ends;
 }
 
-/// Second of two frames of a renderer of their own, so that nothing is cached but by the first.
-/// @param changes of the second, made to the first's settings with its camera as a manual one
+/// Draws two frames with a new renderer, so that only the first fills the caches. Returns the second. @param changes
+/// changes of the second frame to the first's settings, with its camera as a manual one
 FrameResult frame_after(Renderer& renderer, const GuidedDrawing& first, const std::vector<std::string>& changes) {
     const FrameRequest request{.width = first.shot.width, .height = first.shot.height};
     renderer.render(first.scene, first.settings, request);
@@ -236,7 +236,7 @@ const std::map<std::string, double (*)(S, G)> kOfOne = {
     {"changes_but_light_direction", [](S, G g) { return changes_but_light_direction(g); }},
 };
 
-/// Metrics of two drawings: the claim's and the one that it names as "than".
+/// Metrics of two drawings: the claim's and the one named as "than".
 const std::map<std::string, double (*)(S, G, G)> kOfTwo = {
     {"differing_share", [](S, G g, G than) { return differing_share(g.shot, than.shot); }},
     {"differing_pixels",
@@ -258,7 +258,7 @@ const std::map<std::string, double (*)(S, G, G)> kOfTwo = {
      }},
 };
 
-/// Value of a metric of the program, or share of the counted pixels that a cause has ("cause.acne").
+/// Returns a metric of the program, or the share of the counted pixels with a cause ("cause.acne").
 std::optional<double> error_metric(const std::string& name, const GuidedDrawing& g) {
     if (const Metric* metric = find_metric(name)) return metric->value(g.error());
     for (const ArtefactStyle& style : artefact_styles())

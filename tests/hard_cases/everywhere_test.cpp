@@ -1,5 +1,5 @@
-// Every hard case everywhere: far from the origin, at all scales, mirrored, under lights along every axis. What is
-// seen, what is true and why it is wrong are those of home.
+// Compares every hard case far from the origin, at all scales, mirrored, and under lights along every axis with the
+// unmoved case: picture, reference and causes must be equal.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -15,16 +15,16 @@ namespace si::test {
 namespace {
 
 constexpr int kAcross = 96, kDown = 72, kMostTexels = 256;
-/// Of all pixels of a case: what rounding may move across an edge.
+/// Share of all pixels of a case that rounding may move across an edge.
 constexpr double kMostDiffering = 5e-4;
-constexpr double kMostOfOne = 1.5e-3;  ///< of one picture's pixels, ten
-constexpr double kSameCause = 0.99;    ///< share of the wrong pixels, at least
-// What a double resolves at the offset, in radii of the scene: beyond the first no picture can be the same, beyond the
-// second the light's own place, which is a sum of no few powers of two, is rounded otherwise than at home, and so are
-// some last bits of floats.
+constexpr double kMostOfOne = 1.5e-3;  ///< share of one picture's pixels: ten
+constexpr double kSameCause = 0.99;    ///< least share of wrong pixels with equal cause
+// Resolution of a double at the offset, in radii of the scene. Above the first limit no picture can be equal. Above
+// the second the light's position, no sum of few powers of two, and some last bits of floats round differently from
+// the unmoved case.
 constexpr double kFinestPlace = 1e-6, kFinestSameBytes = 1e-9;
-// Of visibility, what those come to between the two: up to 6e-5, and 1.1e-4 where moments are stored in steps of 16
-// bits. One tap of a kernel, or one pixel of an edge, would be a hundredth or more.
+// Difference of visibility between the two limits: up to 6e-5, and 1.1e-4 for moments in steps of 16 bits. One tap of
+// a kernel, or one pixel of an edge, would be a hundredth or more.
 constexpr double kLastBits = 1e-3;
 
 std::string key_name(const testing::TestParamInfo<const HardCase*>& info) {
@@ -33,12 +33,12 @@ std::string key_name(const testing::TestParamInfo<const HardCase*>& info) {
     return name;
 }
 
-/// Why a case's picture may differ more than by rounding.
+/// Case whose picture may differ by more than rounding, with the reason.
 struct Allowance {
     std::string_view key, why;
-    double look = 0.02;  ///< of visibility: less is no difference
+    double look = 0.02;  ///< smallest difference of visibility that counts
     bool mirrors = true;
-    std::size_t inside = 0;  ///< pixels of one picture away from what is an edge at home
+    std::size_t inside = 0;  ///< accepted pixels of one picture away from edges of the unmoved case
     double same_cause = kSameCause;
     double finest_place = kFinestPlace;
 };
@@ -57,7 +57,8 @@ constexpr Allowance kAllowances[] = {
      true, 0, kSameCause, 3e-7},
 };
 
-/// Whose faults are bits that single precision has not: which pixels they meet hangs on how places are rounded.
+/// Cases whose faults are rounding errors of single precision: the affected pixels depend on the rounding of
+/// positions.
 constexpr std::string_view kRoundingIsTheFault[] = {"reversed-depth", "variance-cancels", "moment-steps",
                                                     "summed-areas", "edge-on-planes"};
 
@@ -67,13 +68,13 @@ Allowance allowance_of(std::string_view key) {
     return {key, ""};
 }
 
-/// What a double resolves there, in radii of the scene.
+/// Returns the resolution of a double at the placement, in radii of the scene.
 double resolved(const HardCase& row, const Placement& placement) {
     const glm::dvec3& at = distances()[placement.distance].offset;
     return glm::length(at) * 0x1p-53 / (row.make().bounds.radius() * scales()[placement.scale].factor);
 }
 
-/// A picture with its truth.
+/// Picture with its reference.
 struct Judged {
     std::vector<float> visibility, reference;
     std::vector<PixelState> state;
@@ -81,7 +82,7 @@ struct Judged {
     bool operator==(const Judged&) const = default;
 };
 
-/// @param turn of the light's elevation, degrees
+/// @param turn change of the light's elevation, degrees
 std::optional<Judged> classified(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
     DrawnCase c = hard_view(row.key, fixed);
     c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
@@ -105,7 +106,7 @@ std::optional<Judged> classified(const HardCase& row, bool fixed, const Placemen
     return out;
 }
 
-/// Whether anything changes at home within two pixels: where rounding may show.
+/// Returns whether the unmoved picture changes within two pixels, where rounding may show.
 bool near_edge(const Judged& home, std::size_t i) {
     const int x = int(i) % kAcross, y = int(i) / kAcross;
     for (int v = std::max(y - 2, 0); v <= std::min(y + 2, kDown - 1); ++v)
@@ -124,7 +125,7 @@ struct Differences {
         pixels += home.state.size();
         for (std::size_t i = 0; i < home.state.size(); ++i) {
             const bool seen = std::abs(home.visibility[i] - there.visibility[i]) > look;
-            // Beside a cone, where no truth counts, a ray may run within a plane and meet it or not.
+            // Outside a cone, where no reference counts, a ray may run within a plane and meet it or not.
             const bool counts = home.state[i] != PixelState::OutsideCone;
             const bool known =
                 (counts && std::abs(home.reference[i] - there.reference[i]) > 0.02f) || home.state[i] != there.state[i];
@@ -138,7 +139,7 @@ struct Differences {
     }
 };
 
-/// What of two pictures is not the same, in words.
+/// Returns the differences of two pictures in words.
 std::string bytes_off(const Judged& a, const Judged& b) {
     std::size_t visibility = 0, reference = 0, state = 0, cause = 0;
     float most = 0;
@@ -154,7 +155,7 @@ std::string bytes_off(const Judged& a, const Judged& b) {
            " causes differ";
 }
 
-/// Homes by case, remedy and light.
+/// Pictures of unmoved cases, by case, fix and light.
 class Homes {
 public:
     const Judged& of(const HardCase& row, bool fixed, std::size_t light) {
@@ -167,7 +168,7 @@ private:
     std::map<std::tuple<int, bool, std::size_t>, Judged> homes_;
 };
 
-/// Compares placements of a case with its home. Returns how many were compared.
+/// Compares placements of a case with the unmoved case. Returns the number of comparisons.
 int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>& placements, Homes& homes,
                    Differences& all) {
     const Allowance allowed = allowance_of(row.key);
@@ -214,7 +215,7 @@ void expect_alike(const HardCase& row, const Differences& d) {
 
 constexpr std::uint32_t kSeed = 20260101;
 
-/// What the covering array over cases and placements has for a case.
+/// Returns the placements of a case in the pairwise table of cases and placements.
 std::vector<Placement> in_pairs(const HardCase& row) {
     static const std::vector<PlacedCase> array = pairwise_placements(hard_cases().size(), kSeed);
     std::vector<Placement> out;
@@ -223,10 +224,10 @@ std::vector<Placement> in_pairs(const HardCase& row) {
     return out;
 }
 
-// Exactly along an axis, where sines are 0 and faces stand parallel to the light, nothing changes that does not change
-// a millionth of a radian beside it.
+// Exactly along an axis, where sines are 0 and faces stand parallel to the light, results equal those a millionth of a
+// radian off the axis.
 void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
-    // More would move the shadows of light that grazes; upwards, it would light a strip below tops of one height.
+    // A larger turn would move the shadows of grazing light; upwards, it would light a strip below tops of one height.
     const double turn = -1e-6 * 180 / M_PI;
     std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
     for (std::size_t light = 1; light < light_directions().size(); ++light) {
@@ -234,7 +235,7 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
         const auto beside = classified(row, true, {.light = light}, turn);
         ASSERT_TRUE(beside);
         for (std::size_t i = 0; i < exact.state.size(); ++i) {
-            // Faces parallel to the light face away from it, and a little towards it beside.
+            // Faces parallel to the light face away from it, and a little towards it off the axis.
             if (exact.state[i] != PixelState::Counted || beside->state[i] != PixelState::Counted) continue;
             ++pixels;
             look += std::abs(exact.visibility[i] - beside->visibility[i]) > 0.5f;
@@ -249,7 +250,7 @@ void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
 
 class HardCasesEverywhere : public testing::TestWithParam<const HardCase*> {};
 
-// All of a case in one test: what is drawn by one program is drawn by one process.
+// One test draws all placements of a case, so that one process compiles its programs.
 TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     const HardCase& row = *GetParam();
     Homes homes;
@@ -260,7 +261,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
     expect_alike(row, d);
     expect_axes_nothing_special(row, homes);
-    // With the fault, too: what is wrong is wrong everywhere, and for the same reason.
+    // The case with its fault is compared too: errors and their causes are equal everywhere.
     if (row.broken.empty()) return;
     Differences faults;
     compare_places(row, false, single_factor_placements(), homes, faults);
@@ -276,7 +277,7 @@ std::vector<const HardCase*> all_rows() {
 
 INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()), key_name);
 
-// Label `long`: SI_LONG=1, or ctest -L long.
+// SI_LONG=1, or ctest -L long, runs this test.
 TEST_P(HardCasesEverywhere, LookAndErrAsInPlaceInEveryPlacement) {
     if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 800 pictures a case: SI_LONG=1";
     Homes homes;
@@ -285,7 +286,7 @@ TEST_P(HardCasesEverywhere, LookAndErrAsInPlaceInEveryPlacement) {
     expect_alike(*GetParam(), d);
 }
 
-// The covering array covers.
+// The table covers all pairs.
 TEST(HardCasesPlacements, PairsAreComplete) {
     const auto rows = pairwise_placements(36, kSeed);
     std::set<std::array<std::size_t, 4>> pairs;
@@ -296,7 +297,7 @@ TEST(HardCasesPlacements, PairsAreComplete) {
             for (std::size_t b = a + 1; b < 5; ++b) pairs.insert({a, v[a], b, v[b]});
     }
     const std::size_t d = distances().size(), s = scales().size(), l = light_directions().size();
-    // Less those of mirrored under lights that no mirror keeps, and of rows that are at home, which compare nothing.
+    // Left out are mirrored placements under lights without mirror symmetry, and unmoved rows, which compare nothing.
     const std::size_t whole = 36 * (d + s + l + 2) + d * s + d * l + 2 * d + s * l + 2 * s + 2 * l;
     EXPECT_GE(pairs.size() + 60, whole);
     RecordProperty("rows", int(rows.size()));

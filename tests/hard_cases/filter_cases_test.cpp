@@ -1,4 +1,4 @@
-// Hard cases 22 to 26: kernels that read averages of functions of depth, tables of sums, and searches for occluders.
+// Tests hard cases 22 to 26: kernels that read averages of functions of depth, tables of sums, and blocker searches.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,13 +11,13 @@
 namespace si::test {
 namespace {
 
-/// Errors beyond the reach of the kernel and its blur.
+/// Returns the errors outside the reach of the kernel and its blur.
 ReferenceErrors errors(const DrawnCase& c, const Shot& shot) {
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
     return compare_with_reference(shot, c.scene, reach + 2);
 }
 
-/// Of the lit sheet of hard_slope(), away from its sides and from the bar's shadow: the share that is not lit.
+/// Returns the unlit share of the lit sheet of hard_slope(), away from its sides and from the bar's shadow.
 double grey_share(const DrawnCase& c) {
     const Shot shot = draw_shot(c);
     const double reach = reach_under(c.settings, shot.light(), shot.frame.map_resolution).edge + c.settings.filter.blur;
@@ -36,7 +36,7 @@ double grey_share(const DrawnCase& c) {
     return double(grey) / std::max(sheet, 1);
 }
 
-// Of depths that are all but equal, what single precision leaves of E(z^2) - E(z)^2 has either sign.
+// For almost equal depths, single precision gives E(z^2) - E(z)^2 either sign.
 TEST(HardCase22, VarianceIsNeverNegative) {
     const DrawnCase mended = hard_view("variance-cancels", true);
     const Shot shot = draw_shot(mended);

@@ -1,4 +1,5 @@
-// Every guided preset loads without a fault and shows what its sentence says, counted against ray-traced truth.
+// Tests that every guided preset loads without a fault and that its claims hold, measured against the ray-traced
+// reference.
 #include <algorithm>
 #include <map>
 #include <memory>
@@ -119,7 +120,7 @@ TEST(GuidedPresetFiles, OpenWithoutRemarksExceptForLostCasters) {
         request.width = 64;
         request.height = 36;
         request.outputs.health = true;
-        ReferenceCache references;  // what is baked or traced for a picture is there when it is shown
+        ReferenceCache references;  // baked or traced results exist when the preset is shown
         trace_sources(hard_renderer(), session.scene, session.settings, request, references);
         const FrameResult frame = hard_renderer().render(session.scene, session.settings, request);
         const auto health = hard_renderer().numeric_health(frame);

@@ -1,5 +1,5 @@
-// The table of hard cases itself: every row has words, a scene and settings that open without a fault, a test that
-// judges it, and its line in docs/lab/stability.md; and where a setting brings the fault back, it does.
+// Tests the table of hard cases: every row has a text, a scene, settings that open without a fault, a test, and its
+// line in docs/lab/stability.md. The setting that brings the fault back does so.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -44,7 +44,7 @@ TEST(HardCaseTable, EveryRowHasATextASceneAndALimit) {
     }
 }
 
-// By number: the parametrised and the plain tests of a row carry it in their suite's name.
+// Suites carry the row's number in their name, plain and parameterised ones.
 TEST(HardCaseTable, EveryRowHasTestsOfItsNumber) {
     const testing::UnitTest& all = *testing::UnitTest::GetInstance();
     for (const HardCase& row : hard_cases()) {
@@ -89,7 +89,7 @@ TEST_P(HardCasePresets, OpensAsPresetAndAsScene) {
     EXPECT_EQ(preset.scene_name, name);
     EXPECT_EQ(load_preset(name).settings, view.settings());
     EXPECT_LT(view.about().size(), 420u);
-    // What the case is about may be told of; all else is a fault of the preset.
+    // Notes about the case's own subject are allowed; all others are faults of the preset.
     static const std::set<std::string_view> remarks = {"spot-angle", "bad-numbers", "degenerate",    "not-finite",
                                                        "exponents",  "map-size",    "flattened",     "light-inside",
                                                        "no-depth",   "split-ends",  "reversed-depth"};
@@ -105,11 +105,11 @@ INSTANTIATE_TEST_SUITE_P(Each, HardCasePresets, testing::ValuesIn(hard_case_view
                          view_identifier);
 
 SI_TEST_IS(DriverIndependent, HardCaseTable, PresetsOfFaultsShowTheFault);
-// The picture of the fault is worse than that of the remedy, by the truth.
+// The picture of the fault has more errors than that of the fix, compared with the reference.
 TEST(HardCaseTable, PresetsOfFaultsShowTheFault) {
     for (const HardCase& row : hard_cases()) {
         if (row.broken.empty()) continue;
-        // What only shows as the camera moves, and what the truth follows, too.
+        // Left out are faults that show only as the camera moves, and faults that the reference shares.
         if (row.key == "snapping" || row.key == "alpha") continue;
         double wrong[2] = {}, mae[2] = {};
         for (const bool fixed : {false, true}) {

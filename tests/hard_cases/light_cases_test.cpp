@@ -1,4 +1,4 @@
-// Hard cases 6 to 9: lights in awkward places.
+// Tests hard cases 6 to 9: lights in awkward places.
 #include <algorithm>
 #include <cmath>
 
@@ -24,14 +24,14 @@ TEST(HardCase6, ALightStraightAboveCastsCorrectShadows) {
         const Shot exact = draw_shot(scene, s);
         expect_fault(6, shadow_share(exact));
         s.lights[0].elevation = 90 - 1e-4 * 180 / M_PI;
-        // 1e-4 rad move the shadow by 0.1 mm: only pixels on its edge may change.
+        // 1e-4 rad move the shadow by 0.1 mm: only edge pixels may change.
         expect_within_limit(6, differing_share(exact, draw_shot(scene, s), 0.5));
         s.lights[0].elevation = -90;
         draw_shot(scene, s);
     }
 }
 
-// Faces exactly parallel to the light face away from it: in the picture, in the truth, in the probe.
+// Faces exactly parallel to the light face away from it: in the picture, in the reference, in the probe.
 TEST(HardCase6, FacesParallelToTheLightAreDark) {
     Scene scene;
     add_object(scene, "floor", -1, add_mesh(scene, "floor", make_plane(10, 10), -1));
@@ -66,7 +66,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
             }
             EXPECT_LE(lit, parallel / 20) << "only where the ray and the rasteriser choose another face";
         }
-    // What the truth counts: none of them, so that none is false.
+    // The reference counts none of these pixels, so none is false.
     for (const double azimuth : {0.0, 90.0, -90.0, 180.0}) {
         Settings s = hard_settings();
         s.lights[0].azimuth = azimuth;
@@ -85,7 +85,7 @@ TEST(HardCase6, FacesParallelToTheLightAreDark) {
     }
 }
 
-// A degree before and at the right angle there is about the same error.
+// The error at the right angle is about that at a degree less.
 TEST(HardCase6, TheStageHasNoMoreErrorUnderALightStraightAbove) {
     const Scene scene = load_scene("stage");
     const auto iou = [&](double elevation) {
@@ -113,7 +113,7 @@ TEST(HardCase7, ALightInsideABoxKeepsItsNearPlanePositive) {
                                 })));
             expect_fault(7, shot.light().clipped_casters);
         }
-    // From outside nothing is clipped, so the count says something.
+    // From outside nothing is clipped, so the count is meaningful.
     Settings s = hard_settings();
     s.lights[0].type = LightType::Spot;
     s.lights[0].distance = 20;
@@ -134,7 +134,8 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
     s.lights[0].elevation = 2;
     s.lights[0].cone = 100;
     s.lights[0].distance = 1.5;
-    // Far guard on, depths behind the light also count as beyond its far plane; off, only the guard on w is left.
+    // With the far guard on, depths behind the light also count as past its far plane. With it off, only the guard on
+    // w remains.
     for (bool far_guard : {true, false})
         for (bool reversed : {false, true}) {
             s.map.far_guard = far_guard;
@@ -156,7 +157,7 @@ TEST(HardCase8, NothingIsMirroredBehindASpot) {
                     ++behind;
                     affected += shot.visibility.at(x, y) != 1;
                     if (p.x < 0 || p.x > 1 || p.y < 0 || p.y > 1) continue;
-                    // What a test without the guard would compare: rows of the map are read back from the top.
+                    // An unguarded test would compare these depths: rows of the map are read back from the top.
                     const int u = std::min(int(p.x * map.width), map.width - 1);
                     const int v = std::min(int((1 - p.y) * map.height), map.height - 1);
                     mirrored += reversed ? p.z < map.at(u, v) : p.z > map.at(u, v);
@@ -198,7 +199,7 @@ INSTANTIATE_TEST_SUITE_P(All, HardCase9,
                          });
 
 TEST(HardCase9Vacuity, FloatTangentOfARightAngleIsNegative) {
-    EXPECT_LT(std::tan(float(M_PI) / 2), 0);  // what an unclamped fit would use
+    EXPECT_LT(std::tan(float(M_PI) / 2), 0);  // the value of an unclamped fit
     expect_fault(9, std::abs(std::tan(float(M_PI) / 2)));
 }
 

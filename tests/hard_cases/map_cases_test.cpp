@@ -1,4 +1,4 @@
-// Hard cases 19, 20 and 29: bad settings, extreme resolutions, the map's border.
+// Tests hard cases 19, 20 and 29: bad settings, extreme resolutions, the map's border.
 #include <algorithm>
 #include <cmath>
 
@@ -55,7 +55,7 @@ TEST(HardCase19, BadSettingsAreRepairedAndReported) {
     EXPECT_TRUE(draw_shot(scene, hard_settings()).frame.notes.empty()) << "good settings need no repair";
 }
 
-// Case 20: maps of one texel, and beyond what the driver can do.
+// Case 20: maps of one texel, and maps above the driver's limit.
 TEST(HardCase20, ErrorsFallWithResolution) {
     const Scene scene = floor_and_box(10, {2, 1.5, 2}, 0.3);
     double before = 2;
@@ -105,7 +105,7 @@ TEST(HardCase20, ResolutionsAboveTheDriversLimitAreReduced) {
     EXPECT_TRUE(renderer.take_gl_messages().empty());
 }
 
-// Case 29: outside of the map, and at its border.
+// Case 29: points outside the map, and at its border.
 TEST(HardCase29, PointsOutsideTheMapAreLit) {
     const Scene scene = floor_and_box(10, {6, 1, 0.5}, 0.2);
     for (const char* filter : {"hard", "hw2x2", "pcf5"}) {
@@ -114,7 +114,7 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
         s.camera.distance = 14;
         s.map.resolution = 128;
         set_setting(s, "filter.kernel", filter);
-        // A map of 4 x 4 m amid 10 x 10 m of floor: the bar's shadow crosses its border.
+        // A map of 4 x 4 m in the middle of 10 x 10 m of floor: the bar's shadow crosses its border.
         s.lights[0].fit = LightFit::Manual;
         s.lights[0].extent = 2;
         const auto wrong_outside = [&](const Shot& shot) {
@@ -127,7 +127,7 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
                     const auto hit = rays.first_hit(origin, dir);
                     if (!hit || glm::dot(hit->normal, shot.light().to_light) <= 1e-3) continue;
                     const glm::dvec4 p = uvdw(shot.view(), hit->position);
-                    // Beyond the reach of kernel and normal offset.
+                    // Outside the reach of kernel and normal offset.
                     const double pad = (reach_of(s).read + 4) / s.map.resolution;
                     if (p.x > -pad && p.x < 1 + pad && p.y > -pad && p.y < 1 + pad) continue;
                     ++outside;
@@ -147,7 +147,7 @@ TEST(HardCase29, PointsOutsideTheMapAreLit) {
     }
 }
 
-// Inside, along the border, the fitted map's margin keeps every kernel right.
+// Inside the map, along the border, the fitted map's margin keeps every kernel correct.
 TEST(HardCase29, NoErrorsLieAlongTheBorder) {
     // The bar touches the edge of the scene, and so of the map.
     Scene scene;

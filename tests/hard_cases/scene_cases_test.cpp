@@ -1,4 +1,4 @@
-// Hard cases 13, 17, 18 and 34: degenerate triangles, nothing to do, flat bounds, large indices.
+// Tests hard cases 13, 17, 18 and 34: degenerate triangles, empty scenes, flat bounds, large indices.
 #include <algorithm>
 #include <cmath>
 
@@ -19,7 +19,7 @@ const PassInfo* shadow_pass(const FrameResult& frame) {
 // Case 13: triangles without area rasterise to depths out of range on some drivers.
 TEST(HardCase13, DegenerateTrianglesChangeNothing) {
     Scene clean, dirty;
-    int without_normal = 0;  // whose plane, and slope, would be 0/0
+    int without_normal = 0;  // triangles whose plane and slope would be 0/0
     for (Scene* scene : {&clean, &dirty}) {
         Mesh box = make_box({1.5, 1, 2});
         if (scene == &dirty) {
@@ -57,7 +57,7 @@ TEST(HardCase13, DegenerateTrianglesChangeNothing) {
     }
 }
 
-// Slivers that keep some area stay, and must not harm anything.
+// Slivers with an area stay in the scene and must do no harm.
 TEST(HardCase13, SliversGiveFinitePictures) {
     Scene scene = floor_and_box();
     Mesh slivers;
@@ -76,7 +76,7 @@ TEST(HardCase13, SliversGiveFinitePictures) {
     }
 }
 
-// Case 17: when nothing casts or receives, or nothing is there, no shadow pass runs and all is lit.
+// Case 17: without casters, receivers or objects no shadow pass runs and everything is lit.
 void expect_no_shadow(const Scene& scene, const Settings& s, const char* what) {
     SCOPED_TRACE(what);
     const Shot shot = draw_shot(scene, s);
@@ -119,7 +119,7 @@ TEST(HardCase17, EmptyScenesAreDrawn) {
 // Case 18: a plane straight under the light has a depth range of zero.
 TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
     const Scene scene = make_scene(make_plane(10, 10));
-    const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // of a fit without a least one
+    const double bare_range = scene.bounds.hi.y - scene.bounds.lo.y;  // range of a fit without a minimum
     expect_fault(18, std::isinf(1 / bare_range));
     for (LightType type : kLightTypes)
         for (bool reversed : {false, true}) {
@@ -136,7 +136,7 @@ TEST(HardCase18, BoundsWithoutThicknessGiveFiniteFits) {
             s.lights[0].elevation = 0;
             draw_shot(scene, s);
         }
-    // It still casts and receives.
+    // The flat scene still casts and receives.
     Scene two;
     add_object(two, "floor", -1, add_mesh(two, "floor", make_plane(10, 10), -1));
     add_object(two, "plate", -1, add_mesh(two, "plate", make_plane(2, 2), -1), moved(0, 1e-2, 0));

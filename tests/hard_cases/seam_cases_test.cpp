@@ -1,4 +1,4 @@
-// Hard case 30: kernels across the borders of a point light's faces. No seam shows where two faces meet.
+// Tests hard case 30: kernels across the borders of a point light's faces show no seams.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ using Sets = std::vector<std::pair<std::string, std::string>>;
 
 struct Seams {
     std::size_t near = 0, near_wrong = 0, inside = 0, inside_wrong = 0;
-    std::size_t across = 0;  ///< whose kernel reaches beyond a face of exactly a right angle
+    std::size_t across = 0;  ///< pixels whose kernel reaches outside a face of exactly a right angle
     double excess() const {
         return double(near_wrong) / double(std::max<std::size_t>(near, 1)) -
                double(inside_wrong) / double(std::max<std::size_t>(inside, 1));
@@ -24,8 +24,7 @@ struct Seams {
 
 class HardCase30 : public testing::Test {
 protected:
-    /// Pixels that are wrong though nothing changes in the kernel's reach of them, near a border of two faces and
-    /// elsewhere.
+    /// Counts wrong pixels away from shadow edges, near a border of two faces and elsewhere.
     Seams count(const Scene& scene, const Settings& s) {
         const test::Shot shot = test::draw_shot(scene, s, 200, 150);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 1.5;
@@ -37,7 +36,7 @@ protected:
             if (reference.hits[i]->normal.y < 0.5) continue;
             glm::dvec3 a = glm::abs(reference.hits[i]->position - shot.light().position);
             std::sort(&a.x, &a.x + 3);
-            // Texels from where the two largest coordinates are equal.
+            // Distance in texels from the border, where the two largest coordinates are equal.
             const double aside = (1 - a.y / a.z) * 0.5 * shot.frame.map_resolution;
             const double v = shot.visibility.data[i];
             const bool wrong = reference.lit[i] == test::Lit::Lit ? v < 0.98 : v > 0.02;
@@ -80,7 +79,7 @@ TEST_F(HardCase30, SeamsHaveNoMoreErrorThanFaces) {
             }
 }
 
-// What a look-up may reach is in the face that it is made in: nothing beyond the sides is ever read.
+// All texels of a look-up lie in its face: nothing outside the sides is ever read.
 TEST_F(HardCase30, NothingIsReadOutsideAFace) {
     const Scene scene = hard_lamp();
     for (const Sets& reach : {Sets{{"filter.kernel", "pcf9"}, {"bias.normal", "6"}},

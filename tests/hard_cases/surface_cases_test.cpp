@@ -1,5 +1,5 @@
-// Hard cases 21, 27, 32, 33, 35 and 36: thin casters and receivers, holes, numbers that are none, facets under smooth
-// normals, and the truth itself.
+// Tests hard cases 21, 27, 32, 33, 35 and 36: thin casters and receivers, holes, NaN positions, facets under smooth
+// normals, and the reference itself.
 #include <algorithm>
 #include <cmath>
 
@@ -18,8 +18,8 @@ MeasuredError measured(const DrawnCase& c, int width = 160, int height = 120) {
     return measure_error(hard_renderer(), c.scene, c.settings, {.width = width, .height = height}, 0, {}, cache);
 }
 
-/// The share of a strip's points whose texel's middle lies in the strip, too: what a map catches of a wire. `width` and
-/// a texel's sides across the strip in like units.
+/// Returns the share of a strip's points whose texel centre lies in the strip too: the share of a wire that a map
+/// catches. @param width width of the strip, in the unit of a texel's sides
 double caught_share(double width, const glm::dvec2& texel_across) {
     constexpr int kSteps = 200;
     double sum = 0;
@@ -51,7 +51,7 @@ TEST(HardCase21, WiresLoseTheShareThatTheirWidthPredicts) {
         int shadow = 0, missing = 0;
         for (std::size_t i = 0; i < reference.lit.size(); ++i) {
             if (!reference.hits[i] || reference.hits[i]->position.y > 1e-3 || reference.lit[i] != Lit::Shadow) continue;
-            // Not the bar's shadow, which crosses that of the wires at their end.
+            // Pixels in the bar's shadow, which crosses that of the wires at their end, are left out.
             const glm::dvec3 p = reference.hits[i]->position + shot.light().to_light * (0.75 / shot.light().to_light.y);
             if (glm::dot(p - glm::dvec3(0, 0.75, -1.75), turn * glm::dvec3(0, 0, 1)) < 0.25) continue;
             ++shadow;
@@ -89,7 +89,7 @@ TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
         const ErrorMetrics m = measured(drawn).metrics;
         return double(m.artefacts[std::size_t(cause)]) / double(std::max<std::size_t>(m.counted, 1));
     };
-    // In the light the stairs shadow themselves where the slope is too small.
+    // In the light, too little slope bias makes the stairs shadow themselves.
     expect_within_limit(
         27, share_of(hard_view("edge-on-planes", true, {{"light.azimuth", "30"}, {"light.elevation", "40"}}),
                      Artefact::Acne));
@@ -97,7 +97,7 @@ TEST(HardCase27, FacesOnePixelWideHaveTheirOwnPlane) {
     expect_fault(27, share_of(hard_view("edge-on-planes", false), Artefact::PeterPanning));
 }
 
-/// Wrong pixels, whatever their cause is called, about which all is shadow or all is light in truth.
+/// Counts wrong pixels of any cause, surrounded by only shadow or only light in the reference.
 double wrong_share(const MeasuredError& e) {
     const Reference& reference = *e.traced.reference;
     const auto inside = [&](int x, int y) {
@@ -131,7 +131,7 @@ TEST(HardCase32, AlphaHolesLetLightThrough) {
 
 TEST(HardCase33, MeshesThatAreNotFiniteAreLeftOutAlone) {
     const DrawnCase c = hard_view("not-finite", true);
-    const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box, without the other mesh
+    const DrawnCase box = hard_view("reversed-depth", true);  // the same floor and box without the other mesh
     EXPECT_TRUE(std::isfinite(c.scene.bounds.radius()));
     expect_fault(33, double(std::ranges::count_if(c.scene.warnings, [](const std::string& w) {
                      return w.find("Broken") != std::string::npos;
@@ -163,7 +163,7 @@ TEST(HardCase35, FacetsTurnedAwayAreNotAcne) {
     EXPECT_EQ(e.metrics.any_acne, 0);
 }
 
-/// Whether a ray in single precision from a point of the triangle meets the triangle beyond its start.
+/// Returns whether a single-precision ray from a point of the triangle meets the triangle after its start.
 bool meets_own(const Triangle& t, const glm::vec3& from, const glm::vec3& along) {
     const glm::vec3 a(t.a), e1(glm::vec3(t.b) - a), e2(glm::vec3(t.c) - a), p = glm::cross(along, e2);
     const float det = glm::dot(e1, p);

@@ -1,4 +1,4 @@
-// Hard cases 10, 11, 14, 15 and 16: far-off, tiny, huge, stretched, mirrored and flattened scenes.
+// Tests hard cases 10, 11, 14, 15 and 16: distant, tiny, huge, stretched, mirrored and flattened scenes.
 #include <cmath>
 #include <glm/gtc/matrix_inverse.hpp>
 
@@ -11,7 +11,7 @@
 namespace si::test {
 namespace {
 
-/// floor_and_box() below a node that moves, turns, scales or mirrors all of it.
+/// Returns floor_and_box() below a node that moves, turns, scales or mirrors both.
 Scene placed_scene(const glm::dmat4& placed) {
     Scene scene;
     const int root = add_node(scene, "root", -1, placed);
@@ -73,7 +73,7 @@ TEST(HardCase11, EveryScaleLooksTheSame) {
             expect_within_limit(11, differing_share(one, other));
         }
     }
-    // A bias in metres does see the scale: the comparison is not blind.
+    // A bias in metres does depend on the scale: the comparison can fail.
     Settings s = hard_settings();
     s.bias = no_bias();
     s.bias.unit = BiasUnit::Metres;
@@ -116,7 +116,7 @@ TEST(HardCase14, NormalsArePerpendicularToStretchedFaces) {
                 return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / M_PI;
             };
             worst = std::max(worst, degrees(n, hit->normal));
-            // What transforming the normal like a point would give, from the right normal back.
+            // A normal transformed like a point would give this, computed back from the right normal.
             const glm::dmat3 m(scene.objects[0].world);
             const glm::dvec3 local = glm::transpose(m) * hit->normal;
             naive_worst = std::max(naive_worst, degrees(m * local, hit->normal));
@@ -155,7 +155,7 @@ TEST(HardCase15, MirroredScenesGiveMirroredPictures) {
                     f.visibility.data[std::size_t(y * b.width + x)] = b.visibility.at(b.width - 1 - x, y);
             return f;
         }();
-        // The mirrored light's map has other axes, so that filtered edges differ; the half-lit contour may not.
+        // The mirrored light's map has other axes, so filtered edges differ; the half-lit contour may not.
         expect_within_limit(15, differing_share(a, flipped, 0.5));
         culled[index_of(cull)] = std::move(a);
     }

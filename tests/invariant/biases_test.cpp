@@ -1,5 +1,5 @@
-// What every bias has to keep to, whichever it is: a loop over the rows of the bias table and over what each has to be
-// turned, under every light, with kernels, formats, fits and places by turns.
+// Tests invariants of every bias: a loop over the rows of the bias table and their settings, under every light, with
+// alternating kernels, formats, fits and positions.
 #include "renderer/settings/biases.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace si::test {
 namespace {
 
-/// A bias, spent by one of its settings, and what it is tried under.
+/// Bias with the setting that raises it, and the conditions of its test.
 struct BiasCase {
     std::string bias, key;
     LightType light;
@@ -27,7 +27,7 @@ struct BiasCase {
     Place place;
 };
 
-/// Without any bias but of this kind.
+/// Returns settings with only this kind of bias.
 Settings unbiased(const Bias& row) {
     Settings s = hard_settings();
     s.bias = no_bias();
@@ -37,7 +37,7 @@ Settings unbiased(const Bias& row) {
     return s;
 }
 
-/// The settings by which a row gives more when they are turned up: its own, and bias.constant of those that compare.
+/// Returns the settings that raise a row's bias: its own, and bias.constant for rows that compare.
 std::vector<std::string> amounts_of(const Bias& row) {
     std::vector<std::string> keys(row.settings.begin(), row.settings.end());
     if (row.stage == BiasStage::Compare) keys.emplace_back("bias.constant");
@@ -53,7 +53,7 @@ std::vector<std::string> amounts_of(const Bias& row) {
     return keys;
 }
 
-/// What a row is turned by; of one without numbers only that it is chosen.
+/// Returns the settings of a row; for a row without numbers only its choice.
 std::vector<std::string> turned(const Bias& row) {
     std::vector<std::string> keys = amounts_of(row);
     return keys.empty() ? std::vector<std::string>{"bias.kind"} : keys;
@@ -90,8 +90,8 @@ protected:
     const BiasCase& c = GetParam();
     const Bias& row = *std::ranges::find(biases(), c.bias, &Bias::key);
 
-    /// The setting at `value`, and whatever else the row gives by at a tenth of it: a slope alone is nothing where the
-    /// light is straight above.
+    /// Sets the setting to `value`, and the row's other settings to a tenth of it: a slope alone is zero under a
+    /// vertical light.
     void give(Settings& s, double value) const {
         for (const std::string& key : amounts_of(row)) {
             const SettingRef ref = *find_setting(key);
@@ -122,8 +122,8 @@ protected:
         return bias_breakdown(frame.lights[0], s, frame.map_resolution,
                               {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
     }
-    /// Of the lit pixels that show a plane turned upwards: those that the settings clear by their account, and how many
-    /// rise across the map by much more than roundings.
+    /// Counts the lit pixels of planes turned upwards that the settings clear by their account, and those that rise
+    /// across the map by much more than rounding.
     struct Told {
         std::vector<std::size_t> cleared;
         std::size_t lit = 0, sloped = 0;
@@ -132,7 +132,7 @@ protected:
         Told out;
         for (std::size_t i = 0; i < reference.lit.size(); i += std::size_t(step)) {
             if (reference.lit[i] != Lit::Lit || reference.hits[i]->normal.y < 0.5) continue;
-            // Moments over the floor's rim are of two surfaces, with what is empty as the other: they bound, no more.
+            // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
             const glm::dvec3 on_floor = reference.hits[i]->position - c.place.at;
             if (filter_of(s).samples == Samples::Moments && on_floor.y < 1 &&
                 std::max(std::abs(on_floor.x), std::abs(on_floor.z)) > 4.4)
@@ -146,10 +146,10 @@ protected:
     }
 };
 
-/// The least value that clears three of four lit pixels: what its theory says.
+/// Returns the least value that clears three of four lit pixels, by the theory.
 template <class Share>
 double least_value(Share share_cleared) {
-    constexpr double kEnough = 0.75, most = 1e8;  // a tenth of it: as much as bias.raster_units may be
+    constexpr double kEnough = 0.75, most = 1e8;  // a tenth of the maximum of bias.raster_units
     double lo = 0, hi = 1e-3;
     if (share_cleared(0) >= kEnough) return 0;
     while (hi < most && share_cleared(hi) < kEnough) {
@@ -204,7 +204,7 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     EXPECT_EQ(acne, 0u) << "of " << t.cleared.size() << " at " << value << ", down to " << darkest;
     EXPECT_EQ(leaks, 0u) << "of " << dark << " at " << value;
     EXPECT_GT(dark, 100u);
-    // Where nothing else clears a plane that rises, it shadows itself without: else all this says little.
+    // A rising plane that nothing else clears shadows itself without bias; otherwise the test would prove little.
     if (filter_of(s).samples == Samples::Depth && t.sloped > t.lit / 2) {
         EXPECT_GT(without, 20u) << value;
     }
@@ -217,7 +217,7 @@ TEST_P(EachBias, ChangesNothingWhereNothingCasts) {
         Settings s = settings(value);
         s.objects["floor"] = s.objects["box"] = {.cast = false};
         for (const float v : draw_shot(scene, s, 64, 48).visibility.data) ASSERT_TRUE(v == 1 || v == 0) << v;
-        // The floor alone does not cast: whatever lies away from the box's shadow reads an empty map.
+        // The floor does not cast: points away from the box's shadow read an empty map.
         s.objects["box"].cast = true;
         const Shot shot = draw_shot(scene, s, 64, 48);
         const double reach = reach_under(s, shot.light(), shot.frame.map_resolution).edge + 5;

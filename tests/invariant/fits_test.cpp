@@ -1,5 +1,5 @@
-// What every fit has to keep to, whichever it is: a loop over the rows of the fit table under every light, with kernels
-// and places by turns.
+// Tests invariants of every fit: a loop over the rows of the fit table under every light, with alternating kernels and
+// positions.
 #include "renderer/settings/fits.h"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ struct FitCase {
     LightType light;
     std::string kernel;
     Place place;
-    bool seen_in_part;  ///< the camera is near, and sees a part of the scene
+    bool seen_in_part;  ///< near camera that sees part of the scene
 };
 
 std::vector<FitCase> fit_cases() {
@@ -27,7 +27,7 @@ std::vector<FitCase> fit_cases() {
     std::size_t turn = 0;
     for (const FitRow& row : fits())
         for (const LightType light : kLightTypes) {
-            // Kernels that count in metres or go by depths meet texels and ranges that change over a warped map.
+            // Kernels with radii in metres or by depth meet varying texels and ranges over a warped map.
             const bool all = row.warps && light == LightType::Directional;
             const std::size_t first = turn++ * 5 % filters().size(), count = all ? filters().size() : 1;
             for (std::size_t i = 0; i < count; ++i)
@@ -65,13 +65,13 @@ protected:
             s.camera.target_x = 1;
         }
         move_camera(s, c.place.at);
-        // Enough for any of these maps: in metres, so that it is the same for all fits.
+        // The bias is enough for any of these maps, in metres and so equal for all fits.
         s.bias.unit = BiasUnit::Metres, s.bias.constant = 0.6;
         return s;
     }
 };
 
-/// A floor, half of it covered 2 m above, and a box that floats over the rest.
+/// Makes a floor, half of it covered at 2 m, and a floating box over the other half.
 Scene covered_in_part(const glm::dvec3& at) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -83,7 +83,8 @@ Scene covered_in_part(const glm::dvec3& at) {
 }
 
 SI_TESTS_ARE(DriverIndependent, EachFit);
-// Away from edges visibility is that of rays, whatever the map leaves out: so it is that of any other fit, too.
+// Away from edges visibility equals that of rays, for any part of the scene that the map leaves out; so all fits
+// agree.
 TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     const Scene scene = covered_in_part(c.place.at);
     Settings s = settings();
@@ -92,12 +93,12 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     set_setting(s, "light.fit", c.fit);
     const Shot shot = draw_shot(scene, s);
     const FitRow& row = fits()[std::size_t(s.lights[0].fit)];
-    // The widest texels of the two maps say where an edge is near; depths that kernels compare may lie beside it.
+    // The widest texels of both maps bound the distance to an edge; compared depths may lie to its side.
     const FittedLight& wider = shot.view().half_width > whole.view().half_width ? shot.light() : whole.light();
     const double reach = reach_under(s, wider, whole.frame.map_resolution).edge + 1.5;
     const ReferenceImage reference = trace_reference(RayReference(scene), whole.frame.camera, wider, whole.width,
                                                      whole.height, whole.frame.map_resolution, reach);
-    // Of a warped map some texels are wider, and some are not.
+    // A warped map has wider and narrower texels.
     const ReferenceImage own = !shot.light().is_warped()
                                    ? reference
                                    : trace_reference(RayReference(scene), whole.frame.camera, shot.light(), whole.width,
@@ -134,7 +135,7 @@ TEST_P(EachFit, AgreesWithTheReferenceInsideAndOutsideItsMap) {
     }
 }
 
-// Where nothing is in shadow, there is nothing to narrow down to: all is lit, inside the map and outside.
+// Without shadows a fit has no region to narrow to: everything is lit, inside the map and outside.
 TEST_P(EachFit, LightsALonePlane) {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});
@@ -154,8 +155,9 @@ TEST_P(EachFit, LightsALonePlane) {
     EXPECT_GT(lit, 1000);
 }
 
-// A spot light may have a map of parallel rays, and a sun one in perspective. Neither has the light's own rays, but the
-// map's own are kept whatever the fit: of the sun that a spot's stand for, and of the point that a sun's come from.
+// A spot light may have an orthographic map, and a sun a perspective one. Neither map has the light's own rays. The
+// picture follows the map's own rays for every fit: of the sun that replaces the spot, and of the point that replaces
+// the sun.
 TEST(EachFitInOtherProjection, AgreesWithTheReferenceAlongItsMapsRays) {
     const Scene scene = covered_in_part({0, 0, 0});
     for (const FitRow& row : fits())

@@ -12,7 +12,7 @@
 namespace si::test {
 namespace {
 
-// The first version's; moving files between folders is refused by it whole.
+// Rules of Landlock's first version, which refuses moving files between folders.
 constexpr std::uint64_t kChanging = LANDLOCK_ACCESS_FS_WRITE_FILE | LANDLOCK_ACCESS_FS_REMOVE_DIR |
                                     LANDLOCK_ACCESS_FS_REMOVE_FILE | LANDLOCK_ACCESS_FS_MAKE_CHAR |
                                     LANDLOCK_ACCESS_FS_MAKE_DIR | LANDLOCK_ACCESS_FS_MAKE_REG |

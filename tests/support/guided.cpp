@@ -17,7 +17,7 @@ bool named(const GuidedDrawing::Nodes& nodes, const std::string& path) {
     });
 }
 
-/// The scene with these nodes' objects alone.
+/// Returns the scene with the objects of these nodes only.
 Scene only(Scene scene, const GuidedDrawing::Nodes& nodes) {
     std::erase_if(scene.objects, [&](const Object& o) { return !named(nodes, scene.nodes[std::size_t(o.node)].path); });
     return scene;
@@ -91,14 +91,14 @@ GuidedDrawing::MeanErrors GuidedDrawing::mean_errors() const {
 bool GuidedDrawing::counts(std::size_t pixel, const Nodes& receivers) const {
     if (!hits()[pixel]) return false;
     const Hit& hit = *hits()[pixel];
-    // Edge-on to the light, where rounding decides the side, is left out.
+    // Surfaces edge-on to the light are left out: rounding decides their side.
     if (glm::dot(hit.normal, direction_to(shot.light(), hit.position)) <= 0.02) return false;
     const int object = rays().triangle(hit.triangle).object;
     return receivers.empty() ||
            named(receivers, scene.nodes[std::size_t(scene.objects[std::size_t(object)].node)].path);
 }
 
-/// Calls `use(hit, visibility)` for the pixels that count.
+/// Calls `use(hit, visibility)` for the counted pixels.
 template <class Use>
 void GuidedDrawing::each_pixel(const Nodes& receivers, Use use) const {
     for (std::size_t i = 0; i < hits().size(); ++i)

@@ -14,7 +14,7 @@
 namespace si::test {
 namespace {
 
-/// Values outside of [0, most] or NaN, and the first of them.
+/// Fails for values outside [0, most] or NaN, and names the first.
 testing::AssertionResult all_within(const FloatImage& image, float most, const char* what) {
     std::size_t bad = 0, first = 0;
     for (std::size_t i = 0; i < image.data.size(); ++i)
@@ -25,7 +25,7 @@ testing::AssertionResult all_within(const FloatImage& image, float most, const c
                                        << first % std::size_t(image.width) << ", " << first / std::size_t(image.width);
 }
 
-// The mean of up to a hundred weighted comparisons rounds: a few steps of a float above 1 are no fault.
+// The mean of up to a hundred weighted comparisons rounds: a few float steps above 1 are accepted.
 constexpr float kMostVisibility = 1 + 0x1p-21f;
 
 int overlay_row(std::string_view key) {
@@ -53,7 +53,7 @@ void expect_finite(const FrameResult& frame) {
 }  // namespace
 
 Renderer& hard_renderer() {
-    // Neither static objects nor exit handlers: parts of the driver may be gone before those, while its threads still
+    // Static objects and exit handlers would end too late: parts of the driver may be gone, while its threads still
     // draw.
     struct Shared : testing::EmptyTestEventListener {
         std::optional<HeadlessContext> context{std::in_place};
@@ -65,7 +65,8 @@ Renderer& hard_renderer() {
         }
     };
     static Shared* shared = nullptr;
-    if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);  // which owns it
+    // the test framework owns it
+    if (!shared) testing::UnitTest::GetInstance()->listeners().Append(shared = new Shared);
     shared->context->make_current();
     expect_requested_driver();
     return *shared->renderer;

@@ -10,7 +10,8 @@ namespace {
 
 constexpr double kFar = 1e300;
 
-/// Möller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997; two-sided. Infinite when missed.
+/// Returns the distance of a two-sided hit; infinite for a miss. Möller and Trumbore, Fast, Minimum Storage
+/// Ray/Triangle Intersection, 1997.
 double intersect(const Triangle& t, const glm::dvec3& origin, const glm::dvec3& dir) {
     const glm::dvec3 e1 = t.b - t.a, e2 = t.c - t.a, p = glm::cross(dir, e2);
     const double det = glm::dot(e1, p);
@@ -87,7 +88,7 @@ std::optional<Hit> RayReference::first_hit(const glm::dvec3& origin_ws, const gl
 bool RayReference::occluded(const glm::dvec3& point_ws, const FittedLight& light, int own, double least) const {
     const glm::dvec3 dir = direction_to(light, point_ws), origin = point_ws - centre_;
     const double reach = light.type == LightType::Directional ? kFar : glm::distance(light.position, point_ws);
-    // Neighbours in the receiver's own plane are met at distance 0.
+    // Neighbours in the receiver's own plane have hits at distance 0.
     const double from = std::max(least, 1e-9 * radius_);
     return visit_near_line(origin, dir, [&](std::size_t i) {
         if (int(i) == own) return false;

@@ -58,7 +58,7 @@ std::string joined(const std::vector<std::string>& cells) {
     return fmt::format("| {} |\n", fmt::join(cells, " | "));
 }
 
-/// Section titles with the lines below them, in the document's order.
+/// Returns section titles with the lines below them, in the page's order.
 std::vector<std::pair<std::string, std::vector<std::string>>> sections() {
     std::vector<std::pair<std::string, std::vector<std::string>>> out;
     std::ifstream in(kPage);
@@ -76,7 +76,7 @@ public:
     static Results& get() {
         static Results* results = [] {
             auto* made = new Results;
-            testing::UnitTest::GetInstance()->listeners().Append(made);  // which owns it
+            testing::UnitTest::GetInstance()->listeners().Append(made);  // the test framework owns it
             return made;
         }();
         return *results;
@@ -146,12 +146,12 @@ void expect_document(const HardCase& row, bool holds) {
 }  // namespace
 
 void expect_within_limit(int number, double value) {
-    hard_renderer();  // a context
+    hard_renderer();  // makes a context
     const HardCase& row = row_of(number);
     Results& results = Results::get();
     results.know_driver();
     std::optional<double>& worst = results.found[number].worst;
-    if (!worst || !(value <= *worst)) worst = value;  // NaN is the worst
+    if (!worst || !(value <= *worst)) worst = value;  // NaN counts as the worst
     EXPECT_LE(value, row.limit) << "hard case " << number << ", " << row.title << ": " << row.measure << ", in "
                                 << row.unit;
     expect_document(row, value <= row.limit);
@@ -170,7 +170,7 @@ void expect_fault(int number, double value) {
 
 std::string stability_driver() {
     const std::string renderer = current_driver();
-    for (const char* driver : {"zink", "llvmpipe"})  // zink's name holds the other's
+    for (const char* driver : {"zink", "llvmpipe"})  // zink's name contains llvmpipe
         if (renderer.find(driver) != std::string::npos) return driver;
     return {};
 }
