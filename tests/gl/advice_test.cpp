@@ -16,7 +16,7 @@ protected:
     int width = 240, height = 160;
     Workers workers;
 
-    /// Clock that counts work, so that ranks do not depend on the machine.
+    /// Returns a meter whose clock counts work, so that ranks do not depend on the machine.
     AdviceMeter meter_by_work(const Scene& scene) {
         AdviceMeter meter = rendered_meter(renderer, scene, width, height, {}, cache, workers);
         meter.time = [judge = meter.judge](const Settings& a, const Settings& b) {
@@ -32,7 +32,7 @@ protected:
     }
 
     /// Makes each suggested change as the editor and --set do, and measures the result as `measure` does.
-    void keeps_what_it_says(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
+    void expect_predicted_effects(const Scene& scene, const Settings& s, const std::vector<TriedAdvice>& all) {
         Measurer measurer(renderer, width, height);
         Settings classified_as = s;
         std::size_t shown = 0;
@@ -71,7 +71,7 @@ TEST_F(AdviceTest, ItsPredictionsHoldOnBuiltInScenes) {
         SCOPED_TRACE(name);
         const Scene scene = load_scene(name);
         const Settings s = settings_for(scene);
-        keeps_what_it_says(scene, s, advised(scene, s));
+        expect_predicted_effects(scene, s, advised(scene, s));
     }
 }
 
@@ -80,12 +80,12 @@ TEST_F(AdviceTest, FindsSettingsWithoutEffect) {
     Settings s = settings_for(scene, {{"filter.kernel", "pcss"}, {"light.size", "0.01"}, {"light.cascades", "4"}});
     std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "narrow-penumbra"));
-    keeps_what_it_says(scene, s, all);
+    expect_predicted_effects(scene, s, all);
     // Too little bias: the change corrects pixels.
     s = settings_for(scene, {{"bias.normal", "0"}, {"bias.constant", "0"}});
     all = advised(scene, s);
     EXPECT_TRUE(has(all, "bias"));
-    keeps_what_it_says(scene, s, all);
+    expect_predicted_effects(scene, s, all);
 }
 
 TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
@@ -101,7 +101,7 @@ TEST_F(AdviceTest, ALightWithoutVisibleShadowNeedsNoMap) {
                                             {"camera.orthographic", "true"}});
     const std::vector<TriedAdvice> all = advised(scene, s);
     EXPECT_TRUE(has(all, "no-shadow"));
-    keeps_what_it_says(scene, s, all);
+    expect_predicted_effects(scene, s, all);
 }
 
 TEST_F(AdviceTest, AnEmptySceneIsNoProblem) {

@@ -103,7 +103,7 @@ TEST_F(CasterOptimisationsTest, KeepEveryTexelOfRealModels) {
     }
 }
 
-/// Makes a floor, a ball, and a distant ball.
+/// Makes a floor with a ball and a distant ball.
 Scene two_balls() {
     Scene scene;
     const int grey = add_material(scene, "grey", {0.6f, 0.6f, 0.6f});

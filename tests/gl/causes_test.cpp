@@ -79,14 +79,14 @@ protected:
         return gpu;
     }
 
-    double named(const Scene& scene, const Settings& wrong, const Settings& twin, const std::vector<Artefact>& causes,
-                 std::size_t least = 100) {
-        return named(measure(scene, wrong), measure(scene, twin), causes, least);
+    double named_share(const Scene& scene, const Settings& wrong, const Settings& twin,
+                       const std::vector<Artefact>& causes, std::size_t least = 100) {
+        return named_share(measure(scene, wrong), measure(scene, twin), causes, least);
     }
     /// Returns the share of pixels with one of the causes, among pixels that are wrong here and right in the twin.
-    double named(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
-                 std::size_t least = 100) {
-        std::size_t cured = 0, told = 0;
+    double named_share(const MeasuredError& a, const MeasuredError& b, const std::vector<Artefact>& causes,
+                       std::size_t least = 100) {
+        std::size_t cured = 0, named = 0;
         std::map<std::string_view, int> others;
         for (std::size_t i = 0; i < a.classified.size(); ++i) {
             if (a.classified[i].artefact == Artefact::None || b.classified[i].artefact != Artefact::None) continue;
@@ -94,14 +94,14 @@ protected:
             bool hit = false;
             for (const Artefact c : causes)
                 hit |= a.classified[i].artefact == c || (a.classified[i].also() >> int(c) & 1) != 0;
-            told += hit;
+            named += hit;
             if (!hit) ++others[name(a.classified[i].artefact)];
         }
         EXPECT_GE(cured, least) << "the twin shows what was wrong";
         std::string text;
         for (const auto& [key, n] : others) text += std::string(key) + " " + std::to_string(n) + "  ";
-        last_ = std::to_string(cured) + " cured, not told: " + text;
-        return cured ? double(told) / double(cured) : 0;
+        last_ = std::to_string(cured) + " fixed, not named: " + text;
+        return cured ? double(named) / double(cured) : 0;
     }
     std::string last_;
 };
@@ -228,7 +228,7 @@ TEST_F(CausesTest, FalseLightOfAWallUnderLowSunIsPeterPanning) {
     const double by_bias = m.metrics.bias_false_light / m.metrics.false_light;
     EXPECT_GT(m.metrics.false_light, 0.002);
     EXPECT_GT(by_bias, 0.6) << "not an edge's: " << counts(m);
-    EXPECT_GE(named(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
+    EXPECT_GE(named_share(scene, s, least, {Artefact::PeterPanning}), 0.95) << last_;
 }
 
 TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
@@ -242,7 +242,7 @@ TEST_F(CausesTest, TheStripOfALargeNormalOffsetIsAttributedToTheOffset) {
     const MeasuredError m = measure(scene, s);
     EXPECT_GT(count(m, Artefact::PeterPanningOffset), 300u);
     EXPECT_LT(count(m, Artefact::EdgeAliasing) + count(m, Artefact::PeterPanning), 20u);
-    EXPECT_GE(named(scene, s, without, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}), 0.95) << last_;
+    EXPECT_GE(named_share(scene, s, without, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}), 0.95) << last_;
 }
 
 TEST_F(CausesTest, AFenceFinerThanATexelIsUndersampled) {
@@ -336,7 +336,7 @@ TEST_F(CausesTest, FaultsAndPairsOfFaultsAreClassifiedAsTheirRepairedTwinShows) 
             // Thirty texels of normal offset exceed the plane's need: its constant bias is not too little then.
             if (faults()[a].what == std::string("little bias") && faults()[b].what == std::string("much offset"))
                 continue;
-            const double share = named(scene, both, twin, faults()[a].causes, 0);
+            const double share = named_share(scene, both, twin, faults()[a].causes, 0);
             const std::string line = std::string(faults()[a].what) +
                                      (a == b ? "" : std::string(" with ") + faults()[b].what) + ": " +
                                      std::to_string(share) + " of " + last_;
@@ -406,7 +406,7 @@ TEST_F(CausesTest, MasksThinnedByCoarserMipLevelsAreLostCasters) {
     const MeasuredError coarse = measure(masked_sheet(true), s), fine = measure(masked_sheet(false), s);
     EXPECT_GT(count(coarse, Artefact::LostCaster), 300u) << counts(coarse);
     EXPECT_EQ(count(fine, Artefact::LostCaster), 0u) << "there are no other levels: " << counts(fine);
-    const double share = named(coarse, fine, {Artefact::LostCaster, Artefact::Filter});
+    const double share = named_share(coarse, fine, {Artefact::LostCaster, Artefact::Filter});
     EXPECT_GE(share, 0.95) << last_;
 }
 
@@ -419,7 +419,7 @@ TEST_F(CausesTest, TapsOutsideTheMapAreClassifiedAsItsSeam) {
     Settings twin = s;
     twin.map.outside = Outside::Lit;
     const MeasuredError dark = measure(scene, s), lit = measure(scene, twin);
-    EXPECT_GE(named(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
+    EXPECT_GE(named_share(dark, lit, {Artefact::OutsideMap}), 0.95) << last_;
     std::size_t seams = 0;
     for (std::size_t i = 0; i < dark.classified.size(); ++i)
         if (!dark.classified[i].has(ClassifiedPixel::kOutside)) seams += dark.classified[i].has(ClassifiedPixel::kSeam);
@@ -489,7 +489,7 @@ TEST_F(CausesTest, EachFaultIsClassifiedInCornersOnTerrainAndUnderEveryLight) {
             place.light(twin);
             Settings wrong = twin;
             faults()[a].wrong(wrong);
-            const double share = named(place.scene, wrong, twin, faults()[a].causes, 0);
+            const double share = named_share(place.scene, wrong, twin, faults()[a].causes, 0);
             if (std::stoul(last_) < 30) continue;
             EXPECT_GE(share, 0.95) << place.what << ", " << faults()[a].what << ": " << share << " of " << last_;
         }

@@ -32,7 +32,7 @@ protected:
         ReferenceCache cache;
         return measure_error(renderer, scene, s, kPicture, 0, {}, cache);
     }
-    /// Returns the first pixel of a class in `measure`, searched from the middle of the picture outwards.
+    /// Returns the first pixel with a class of `measure`, searched from the middle of the picture outwards.
     std::optional<glm::ivec2> find(const MeasuredError& m, Artefact wanted) {
         std::optional<glm::ivec2> best;
         int least = 1 << 30;
@@ -186,7 +186,7 @@ TEST_F(DiagnosisTest, AcneReportsTheNeededBiasAndItsFixWorks) {
             ASSERT_TRUE(d.fix) << kernel;
             EXPECT_EQ(d.fix->settings[0].first, slope ? "bias.slope" : "bias.constant");
             EXPECT_GT(d.fix->worth_texels, 0.999 * d.least.texels);
-            EXPECT_LT(d.fix->worth_texels, 1.02 * d.least.texels) << "it is what the surface needs, rounded up";
+            EXPECT_LT(d.fix->worth_texels, 1.02 * d.least.texels) << "the surface's need, rounded up";
             apply(s, *d.fix);
             EXPECT_TRUE(diagnosis(scene, s, *pixel).right);
             // The floor is one plane under one light: a fix for one pixel fixes all.
@@ -225,8 +225,8 @@ TEST_F(DiagnosisTest, TooMuchBiasIsPeterPanningAndLessFixesIt) {
     ASSERT_TRUE(d.fix);
     EXPECT_EQ(d.fix->settings[0].first, "bias.constant");
     apply(s, *d.fix);
-    const PixelDiagnosis cured = diagnosis(scene, s, *pixel);
-    EXPECT_TRUE(cured.right) << cured.verdict;
+    const PixelDiagnosis after_fix = diagnosis(scene, s, *pixel);
+    EXPECT_TRUE(after_fix.right) << after_fix.verdict;
     EXPECT_EQ(measure(scene, s).metrics.artefacts[std::size_t(Artefact::Acne)], 0u);
 }
 

@@ -1,4 +1,5 @@
 // Tests measured properties of the driver: the effect of glPolygonOffset and the choice of a reliable clock.
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <set>
@@ -63,7 +64,7 @@ TEST_F(DriverTest, PolygonOffsetsAreMeasuredOnceAndOnlyWhereTheyAct) {
     };
     EXPECT_EQ(set_by([&] { draw(s); }), 0) << "nothing asks for an offset";
     s.bias.raster_units = 1;
-    EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures what it is worth";
+    EXPECT_GT(set_by([&] { draw(s); }), 1) << "the first frame with an offset measures its effect";
     EXPECT_EQ(set_by([&] { draw(s); }), 1) << "and the next only draws its map";
     set_setting(s, "map.format", s.map.format == MapFormat::D16 ? "d24" : "d16");
     EXPECT_GT(set_by([&] { draw(s); }), 1) << "another format is another measure";

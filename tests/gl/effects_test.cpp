@@ -32,7 +32,7 @@ EffectState state_of_effect(const std::vector<Effect>& effects, std::string_view
     return effect ? effect->state : EffectState::NotNeeded;
 }
 
-/// Returns whether a clause is missing or is no written sentence.
+/// Returns the clause of an effect that is missing or is no written sentence; empty: none.
 std::string fault_of(const Effect& effect) {
     const std::string& text = effect.reason;
     if (text.empty()) return "no reason";
@@ -85,7 +85,7 @@ TEST_F(EffectsTest, EveryPassIsAnEffectAndEveryReasonASentence) {
 }
 
 /// Effect that the settings do not need, the text that its reason must name, and the change that it requests.
-struct Remedied {
+struct ReasonedChange {
     const char* effect;
     Sets before;
     const char* reason;
@@ -93,7 +93,7 @@ struct Remedied {
 };
 
 TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
-    const Remedied all[] = {
+    const ReasonedChange all[] = {
         {"shadow map 0 (directional)", {{"light.cast", "false"}}, "light.cast", {}},
         {"shadow map 0 (directional)", {{"light.source", "none"}}, "light.source", {{"light.source", "map"}}},
         {"contact shadows of light 0", {}, "light.contact", {{"light.contact", "0.5"}}},
@@ -133,7 +133,7 @@ TEST_F(EffectsTest, TheChangeThatAReasonNamesDrawsTheEffect) {
     const Scene scene = load_scene("boxes");
     FrameRequest cold = small_request();
     cold.force = true;
-    for (const Remedied& r : all) {
+    for (const ReasonedChange& r : all) {
         const std::vector<Effect> before = effects(scene, r.before, cold);
         ASSERT_TRUE(effect_named(before, r.effect)) << r.effect;
         EXPECT_EQ(state_of_effect(before, r.effect), EffectState::NotNeeded) << r.effect;
@@ -197,17 +197,17 @@ TEST_F(EffectsTest, CachedResultsAreReportedAsCached) {
 TEST_F(EffectsTest, AForcedEffectIsDrawn) {
     const Scene scene = load_scene("boxes");
     const Sets sets = {{"light.cast", "false"}, {"shading.separate_visibility", "true"}};
-    const Effect* spared = nullptr;
+    const Effect* skipped = nullptr;
     const std::vector<Effect> before = effects(scene, sets);
-    ASSERT_TRUE(spared = effect_named(before, "look-ups of light 0"));
-    EXPECT_EQ(spared->state, EffectState::NotNeeded);
-    EXPECT_EQ(spared->saving, Optimisation::Uncalled);
+    ASSERT_TRUE(skipped = effect_named(before, "look-ups of light 0"));
+    EXPECT_EQ(skipped->state, EffectState::NotNeeded);
+    EXPECT_EQ(skipped->saving, Optimisation::Uncalled);
     const std::uint64_t draws = last.pass("visibility")->draws;
     FrameRequest request = small_request();
     request.forced = {Optimisation::Uncalled};
     const std::vector<Effect> forced = effects(scene, sets, request);
     EXPECT_EQ(state_of_effect(forced, "look-ups of light 0"), EffectState::Drawn);
-    EXPECT_GT(last.pass("visibility")->draws, draws) << "it is said to be simulated, and nothing more is drawn";
+    EXPECT_GT(last.pass("visibility")->draws, draws) << "it is reported as drawn, and nothing more is drawn";
 }
 
 TEST_F(EffectsTest, PartsSkippedByOptimisationsNameThemAndAreDrawnWhenForced) {
@@ -226,7 +226,7 @@ TEST_F(EffectsTest, PartsSkippedByOptimisationsNameThemAndAreDrawnWhenForced) {
         request.forced = {saving};
         const std::vector<Effect> forced = effects(scene, sets, request);
         EXPECT_EQ(state_of_effect(forced, name), EffectState::Drawn) << name;
-        EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be let go again";
+        EXPECT_EQ(effect_named(forced, name)->saving, saving) << name << ": it could not be released again";
         for (const Effect& e : forced) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
     }
     const std::vector<Effect> sized = effects(scene, {{"filter.kernel", "pcss"}, {"light.size", "1"}});
@@ -247,10 +247,10 @@ TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
     EXPECT_NE(reason_of(rays, "blocker search").find("follows rays"), std::string::npos);
     EXPECT_FALSE(effect_named(rays, "search for a penumbra of light 0"));
     const Sets no_size = {{"filter.kernel", "smrt"}, {"light.size", "0"}};
-    const std::vector<Effect> spared = effects(scene, no_size);
-    EXPECT_NE(reason_of(spared, "blocker search").find("none is followed where nothing"), std::string::npos);
-    ASSERT_TRUE(effect_named(spared, "search for a penumbra of light 0")) << "it could not be forced";
-    EXPECT_EQ(effect_named(spared, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
+    const std::vector<Effect> skipped = effects(scene, no_size);
+    EXPECT_NE(reason_of(skipped, "blocker search").find("none is followed where nothing"), std::string::npos);
+    ASSERT_TRUE(effect_named(skipped, "search for a penumbra of light 0")) << "it could not be forced";
+    EXPECT_EQ(effect_named(skipped, "search for a penumbra of light 0")->saving, Optimisation::Blockers);
     FrameRequest request = small_request();
     request.forced = {Optimisation::Blockers};
     EXPECT_EQ(state_of_effect(effects(scene, no_size, request), "search for a penumbra of light 0"),
@@ -261,7 +261,7 @@ TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
         << "all places are looked at";
     EXPECT_FALSE(effect_named(effects(scene, {{"filter.kernel", "dpcf"}, {"light.size", "0"}}),
                               "search for a penumbra of light 0"))
-        << "its taps compare whatever the light's size: nothing is spared";
+        << "its taps compare whatever the light's size: nothing is skipped";
     const std::vector<Effect> two =
         effects(scene, {{"filter.kernel", "pcss"}, {"light.count", "2"}, {"light.0.size", "1"}, {"light.1.size", "0"}});
     for (const char* name : {"blocker search", "light's size"}) {
@@ -270,7 +270,7 @@ TEST_F(EffectsTest, BlockerSearchesFollowTheKernelUnderEachLight) {
     }
     EXPECT_FALSE(effect_named(two, "search for a penumbra of light 0"));
     EXPECT_TRUE(effect_named(two, "search for a penumbra of light 1"));
-    for (const std::vector<Effect>* all : {&rays, &spared, &two})
+    for (const std::vector<Effect>* all : {&rays, &skipped, &two})
         for (const Effect& e : *all) EXPECT_EQ(fault_of(e), "") << e.name << ": " << e.reason;
 }
 
@@ -307,7 +307,7 @@ TEST(SharedOptimisations, CountTheEffectsThatNameThem) {
                                      {.name = "d", .saving = Optimisation::Views},
                                      {.name = "e"}};
     EXPECT_EQ(saved_together(all, all[0]), 2u);
-    EXPECT_EQ(saved_together(all, all[1]), 1u) << "what no saving spares is alone";
+    EXPECT_EQ(saved_together(all, all[1]), 1u) << "an effect that no optimisation skips is alone";
     EXPECT_EQ(saved_together(all, all[2]), 1u);
 }
 
@@ -334,7 +334,7 @@ TEST(PassParts, ReportedByPassesAreEffectsWithTheirOptimisation) {
     PassInfo pass{.name = "shadow map 0 (spot)", .state = PassState::Drawn, .reason = "its inputs changed", .light = 0};
     pass.parts.push_back({.name = "casters of light 0",
                           .state = PassState::Drawn,
-                          .reason = "they lie beside what the light reaches",
+                          .reason = "they lie outside the light's reach",
                           .left_out = 7,
                           .unit = "casters",
                           .by = Optimisation::Uncalled});
@@ -342,7 +342,7 @@ TEST(PassParts, ReportedByPassesAreEffectsWithTheirOptimisation) {
     const std::vector<Effect> all = frame_effects(scene, {}, frame);
     const Effect* part = effect_named(all, "casters of light 0");
     ASSERT_TRUE(part);
-    EXPECT_EQ(part->reason, "They lie beside what the light reaches. 7 casters are left out.");
+    EXPECT_EQ(part->reason, "They lie outside the light's reach. 7 casters are left out.");
     EXPECT_EQ(part->saving, Optimisation::Uncalled);
     EXPECT_TRUE(part->part);
     EXPECT_EQ(part->pass, pass.name);

@@ -20,7 +20,7 @@ protected:
     void SetUp() override { test::expect_requested_driver(); }
     void TearDown() override { gl::fault_injection() = {}; }
 
-    /// Counts calls of one kind and fails the one with this number. 0: none fails.
+    /// Counter of calls of one kind, which fails the call with a given number. 0: none fails.
     struct Count {
         int calls = 0, failing = 0;
         std::string failed;  ///< purpose of the failed call
@@ -34,7 +34,7 @@ protected:
         };
         return count;
     }
-    /// Returns the number of calls of this kind.
+    /// Lets every call for this purpose fail.
     static void always_fail(const std::string& name) {
         gl::fault_injection().fails = [name](DriverFailure of, std::string_view what) {
             return of == DriverFailure::Memory && what.find(name) != std::string_view::npos;
@@ -57,7 +57,7 @@ protected:
     }
     /// Draws whole frames with a new renderer, with another failing call in each. The frames that follow draw as
     /// usual.
-    void survive_each(DriverFailure kind, std::size_t least_calls) {
+    void expect_each_failure_handled(DriverFailure kind, std::size_t least_calls) {
         const Scene scene = load_scene("boxes");
         const Settings s = settings(scene);
         ByteImage whole;
@@ -82,7 +82,7 @@ protected:
                           std::string::npos)
                     << text;
                 EXPECT_NE(text.find(count->failed), std::string::npos) << "it does not say where: " << text;
-                EXPECT_NE(text.find("; "), std::string::npos) << "it names no remedy: " << text;
+                EXPECT_NE(text.find("; "), std::string::npos) << "it names no fix: " << text;
             }
             EXPECT_FALSE(count->failed.empty()) << "nothing failed";
             what.insert(count->failed);
@@ -98,11 +98,11 @@ protected:
 
 SI_TESTS_ARE(DriverIndependent, FailuresTest);
 TEST_F(FailuresTest, OutOfMemoryIsHandledAtEveryCallOfAFrame) {
-    survive_each(DriverFailure::Memory, 20);
+    expect_each_failure_handled(DriverFailure::Memory, 20);
 }
 
 TEST_F(FailuresTest, FailureOfEveryShaderIsHandled) {
-    survive_each(DriverFailure::Shader, 10);
+    expect_each_failure_handled(DriverFailure::Shader, 10);
 }
 
 TEST_F(FailuresTest, SmallerMapsAreDrawnAndReported) {
@@ -123,7 +123,7 @@ TEST_F(FailuresTest, SmallerMapsAreDrawnAndReported) {
     EXPECT_TRUE(told) << fmt::format("{}", fmt::join(frame.notes, "; "));
     const ByteImage picture = renderer.read_colour(frame.colour);
     gl::fault_injection() = {};
-    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried anew in every frame";
+    EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 128) << "it is tried again in every frame";
     EXPECT_EQ(draw(renderer, scene, smaller), picture);
     EXPECT_EQ(renderer.render(scene, s, request()).map_resolution, 512) << "another resolution ends it";
 }

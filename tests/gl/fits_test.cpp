@@ -19,14 +19,14 @@ class FitsTest : public FrameTest {
 protected:
     ReferenceCache cache;
 
-    struct Judged {
+    struct Comparison {
         std::size_t beyond = 0, shadowed_beyond = 0, unlit_beyond = 0, shadowed = 0;
         ErrorMetrics metrics;
         FittedLight light;
     };
 
     /// Compares every pixel's visibility with the hard reference.
-    Judged judge(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
+    Comparison compare_with_reference(const Scene& scene, const Settings& s, int width = 240, int height = 135) {
         FrameRequest request{.width = width, .height = height};
         request.outputs = {.colour = false, .visibility = true, .map_coordinates = true};
         const FrameResult frame = renderer.render(scene, s, request);
@@ -35,7 +35,7 @@ protected:
         request.outputs = {.colour = false};
         const MeasuredError measured = measure_error(renderer, scene, s, request, 0, {}, cache);
         const Reference& reference = *measured.traced.reference;
-        Judged out{.metrics = measured.metrics, .light = frame.lights.at(0)};
+        Comparison out{.metrics = measured.metrics, .light = frame.lights.at(0)};
         const FloatImage& hard = reference.hard();
         for (std::size_t i = 0; i < reference.state.size(); ++i) {
             if (reference.state[i] != PixelState::Counted) continue;
@@ -67,12 +67,12 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceOverAllScenesAndDirectio
             SCOPED_TRACE(std::string(row.key) + " " + light[0].second + " " + light[1].second);
             light.emplace_back("map.resolution", "1024");
             light.emplace_back("light.fit", "scene");
-            const Judged whole = judge(scene, settings_for(scene, light));
+            const Comparison whole = compare_with_reference(scene, settings_for(scene, light));
             for (const FitRow& fit : fits()) {
                 if (!fit.narrows) continue;
                 SCOPED_TRACE(fit.key);
                 light.back().second = fit.key;
-                const Judged j = judge(scene, settings_for(scene, light));
+                const Comparison j = compare_with_reference(scene, settings_for(scene, light));
                 EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
                 EXPECT_EQ(j.unlit_beyond, 0u);
                 EXPECT_TRUE(j.metrics.outside_map == 0 || !j.light.closed);
@@ -116,7 +116,7 @@ TEST_F(FitsTest, PointsOutsideTheMapAreLitInTheReferenceUnderRandomCameras) {
             camera.fov = i % 5 == 4 ? 15 : 55;
             camera.orthographic = i % 6 == 1;
             camera.height = 0.6 * r;
-            const Judged j = judge(scene, s, 112, 63);
+            const Comparison j = compare_with_reference(scene, s, 112, 63);
             EXPECT_EQ(j.shadowed_beyond, 0u) << "of " << j.beyond;
             EXPECT_EQ(j.unlit_beyond, 0u);
             beyond += j.beyond;
@@ -139,7 +139,7 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
             for (const auto& [key, value] :
                  Sets{{"map.wrap", wrap}, {"map.outside", outside}, {"light.fit", "casters"}, {"bias.normal", "0"}})
                 set_setting(s, key, value);
-            const Judged j = judge(scene, s);
+            const Comparison j = compare_with_reference(scene, s);
             EXPECT_TRUE(j.light.closed);
             EXPECT_GT(j.beyond, 3000u) << "the floor is much wider than the box";
             EXPECT_EQ(j.unlit_beyond, 0u);
@@ -148,7 +148,7 @@ TEST_F(FitsTest, WrapAndOutsideModesChangeNothingOutsideTheCasterRegion) {
             // The same map with manual settings has an outside.
             s.lights[0].fit = LightFit::Manual;
             s.lights[0].extent = j.light.views[0].half_width;
-            EXPECT_GT(judge(scene, s).metrics.outside_map, 0.1);
+            EXPECT_GT(compare_with_reference(scene, s).metrics.outside_map, 0.1);
         }
 }
 

@@ -27,9 +27,9 @@ protected:
         return s;
     }
 
-    /// Finds fixes and expects each row to have the effect that it reports. One row fixes nine of ten pixels of one
-    /// cause, and the first row fixes eight of ten of all causes.
-    FixTable cured(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
+    /// Finds fixes and expects each row to have the effect that it reports. One row fixes nine of ten pixels with one
+    /// of the causes, and the first row eight of ten. @returns the fixes
+    FixTable expect_fixes(const Scene& scene, const Settings& s, std::vector<Artefact> causes, std::size_t least) {
         const FixTable table = find_fixes(renderer, scene, s, width, height, {}, cache);
         const MeasuredError before = measure(scene, s);
         for (const MeasuredFix& row : table.rows) {
@@ -78,7 +78,7 @@ SI_TESTS_ARE(Repeated, FixesTest);
 TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
     const Scene scene = test::wall_on_plane();
     const Settings s = test::low_sun_settings("pcf3", 512, 11);
-    const FixTable table = cured(scene, s, {Artefact::PeterPanning}, 100);
+    const FixTable table = expect_fixes(scene, s, {Artefact::PeterPanning}, 100);
     const MeasuredFix* least = row(table, "least bias, constant alone");
     ASSERT_TRUE(least);
     EXPECT_GT(least->cured_of[std::size_t(Artefact::PeterPanning)],
@@ -88,7 +88,8 @@ TEST_F(FixesTest, TheLeastBiasRemovesPeterPanning) {
 TEST_F(FixesTest, ASmallerNormalOffsetRemovesItsStrip) {
     Settings s = test::texel_settings("pcf3", 2048, 2);
     s.bias.normal = 60;
-    cured(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow}, 300);
+    expect_fixes(test::floor_and_box(10, {1.5, 1, 2}, 0.2), s, {Artefact::PeterPanningOffset, Artefact::OffsetShadow},
+                 300);
 }
 
 TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
@@ -101,8 +102,8 @@ TEST_F(FixesTest, FixesWorkOnTheStageWithTooMuchBiasAndFrontCulling) {
         for (const auto& [key, value] : sets) set_setting(s, key, value);
         return s;
     };
-    cured(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
-    cured(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
+    expect_fixes(stage, under({{"bias.constant", "40"}, {"bias.normal", "0"}}), {Artefact::PeterPanning}, 120);
+    expect_fixes(stage, under({{"caster.cull", "front"}}), {Artefact::LostCaster}, 120);
 }
 
 TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
@@ -117,7 +118,7 @@ TEST_F(FixesTest, TheNeededResolutionRestoresAFence) {
     s.camera.distance = 7;
     width = 480;
     height = 360;
-    cured(scene, s, {Artefact::Undersampled}, 300);
+    expect_fixes(scene, s, {Artefact::Undersampled}, 300);
 }
 
 TEST_F(FixesTest, APixelsFixesAndUntriedFixesAreListed) {

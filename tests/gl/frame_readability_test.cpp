@@ -15,7 +15,7 @@ struct Shown {
 
 class FrameReadability : public FrameTest {
 protected:
-    /// Two frames that share nothing: scene, number and types of lights, formats, sizes and camera differ.
+    /// Returns two frames that share nothing: scene, number and types of lights, formats, sizes and camera differ.
     std::vector<Shown> shown() {
         std::vector<Shown> out;
         Scene boxes = load_scene("boxes"), plane = load_scene("stage");

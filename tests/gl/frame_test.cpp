@@ -171,7 +171,8 @@ TEST_F(ProgramsTest, EveryChoiceCompiles) {
 
 // Each choice of each row under some choice of each other row.
 TEST_F(ProgramsTest, PairsOfChoicesCompile) {
-    if (!std::getenv("SI_LONG")) GTEST_SKIP() << "texts that tests/glsl judges, by the driver as well: SI_LONG=1";
+    if (!std::getenv("SI_LONG"))
+        GTEST_SKIP() << "tests/glsl compiles these texts; the driver compiles them too with SI_LONG=1";
     const Scene boxes = load_scene("boxes");
     for (std::size_t a = 0; a < rows.size(); ++a)
         for (std::size_t b = a + 1; b < rows.size(); ++b)
@@ -321,7 +322,7 @@ TEST_F(FrameTest, SkippingAndCachingChangeNoPixel) {
     }
 }
 
-/// After each step a renderer with all earlier steps draws the same as a new renderer.
+/// Steps through settings. After each step a renderer with all earlier steps draws the same as a new renderer.
 using Walk = std::vector<std::pair<std::string, std::string>>;
 
 void expect_cached_as_fresh(HeadlessContext& context, Renderer& renderer, const Scene& scene, Settings s,

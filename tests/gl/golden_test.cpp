@@ -16,10 +16,11 @@ namespace {
 
 constexpr int kTolerance = 8;  ///< accepted difference in any channel, of 255
 
-/// Share of the pixels that may differ by more. The pictures are llvmpipe's, which may round otherwise on another
-/// machine. Lavapipe under zink differed in 0.6 % where 16 bits hold four moments, elsewhere in 0.2 % at most.
+/// Returns the share of pixels that may differ by more than kTolerance. The pictures are llvmpipe's, which may round
+/// otherwise on another machine. Lavapipe under zink differed in 0.6 % where 16 bits hold four moments, elsewhere in
+/// 0.2 % at most.
 /// @returns nothing for other drivers, whose rasterisers have rules of their own
-std::optional<double> most_different(std::string_view driver) {
+std::optional<double> max_differing_share(std::string_view driver) {
     if (driver.find("llvmpipe") == std::string_view::npos) return {};
     return driver.starts_with("zink") ? 0.01 : 0.002;
 }
@@ -35,7 +36,7 @@ class GoldenTest : public FrameTest, public testing::WithParamInterface<std::str
 SI_TESTS_ARE(Repeated, GoldenTest);
 TEST_P(GoldenTest, RowsMatchTheirGoldenPictures) {
     const std::string driver = current_driver();
-    const std::optional<double> most = most_different(driver);
+    const std::optional<double> most = max_differing_share(driver);
     if (!most) GTEST_SKIP() << "the golden pictures are llvmpipe's, and this is " << driver;
     const std::filesystem::path folder = fresh_test_folder();
     for (const GoldenPicture& picture : golden_pictures(GetParam())) {

@@ -54,17 +54,17 @@ Scene table_alone() {
     return scene;
 }
 
-/// Scene with an added ground, and the same without.
-struct Stood {
+/// Model with an added ground, and the same without.
+struct GroundedModel {
     std::string name;
     Session with, without;
 };
-Stood stood(const std::string& name, Scene (*make)()) {
+GroundedModel stood(const std::string& name, Scene (*make)()) {
     return {name, session_of(make()), session_of(make(), {"scene.ground=off"})};
 }
 /// Returns the box, and the real models that exist.
-std::vector<Stood> stood_models() {
-    std::vector<Stood> out{stood("box", box_alone)};
+std::vector<GroundedModel> grounded_models() {
+    std::vector<GroundedModel> out{stood("box", box_alone)};
     for (const test::SharedModel& model : test::shared_models()) {
         const std::string name = model.file.filename().string();
         if (name != "sunflower.gltf" && name != "GlassVaseFlowers.gltf" && name != "Suzanne.gltf" &&
@@ -87,7 +87,8 @@ struct FirstPicture {
     double read = 0;  ///< share of the map's texels
 };
 
-/// Returns for each object whether it shows shadows: the ground, or a sheet at the bottom that carries the model.
+/// Returns for each object whether it is a floor for shadows: the ground, or a sheet at the bottom that carries the
+/// model.
 std::vector<bool> floors_of(const Scene& scene) {
     std::vector<bool> floors;
     const glm::dvec3 size = scene.bounds.hi - scene.bounds.lo;
@@ -135,7 +136,7 @@ protected:
         }
         return out;
     }
-    /// Opens the editor's first view of a file with cameras, as a dropped file. Returns the visible shadow.
+    /// Draws the editor's first view of a dropped file with cameras. Returns a text about the visible shadow.
     std::string picture_by_own_camera(Session& session) {
         const Scene& scene = session.scene;
         session.settings.camera = base_settings(scene).camera;
@@ -145,7 +146,7 @@ protected:
         const glm::dvec4 middle = camera.project(scene.bounds.centre(), width, height);
         EXPECT_GT(middle.w, 0) << "the scene lies behind it";
         EXPECT_TRUE(middle.x >= 0 && middle.x < width && middle.y >= 0 && middle.y < height)
-            << middle.x << ", " << middle.y << ": the scene lies beside its picture";
+            << middle.x << ", " << middle.y << ": the scene lies outside its picture";
         const FirstPicture seen = first_picture(session);
         const std::size_t standing = seen.surfaces - seen.ground;
         const std::string text =
@@ -194,7 +195,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
     EXPECT_EQ(drawn(with.scene), drawn(without.scene)) << "into the map";
     EXPECT_EQ(ReferenceGeometry(with.scene, with.settings).caster_triangles(),
               ReferenceGeometry(without.scene, with.settings).caster_triangles())
-        << "in the truth";
+        << "in the reference";
     // Under a light from below the box is lit as it is without a ground.
     Settings s = with.settings;
     s.camera = manual_camera(without.scene, without.settings, 16.0 / 9);
@@ -221,7 +222,7 @@ TEST_F(GroundTest, ReceivesShadowsWithoutCastingOrWideningFits) {
 
 // The picture shows the whole model.
 TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
-    for (const Stood& model : stood_models()) {
+    for (const GroundedModel& model : grounded_models()) {
         ASSERT_FALSE(model.with.scene.ground_bounds.empty()) << model.name;
         const Camera camera = make_camera(model.with.scene, model.with.settings, 16.0 / 9);
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
@@ -241,7 +242,7 @@ TEST_F(GroundTest, KeepsTheExtentOfModelsMaps) {
 
 // Depths reach to the end of the shadow, with room for a kernel. Points past a map's far plane are not looked up.
 TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
-    const Stood box = stood("box", box_alone);
+    const GroundedModel box = stood("box", box_alone);
     const Camera camera = make_camera(box.with.scene, box.with.settings, 16.0 / 9);
     for (const char* fit : {"scene", "casters", "view", "stabilised"}) {
         SCOPED_TRACE(fit);
@@ -265,7 +266,7 @@ TEST_F(GroundTest, ExtendsMapDepthToTheEndOfTheShadow) {
 
 // The whole model is visible, and the map has the same texels.
 TEST_F(GroundTest, KeepsTheVisibilityOfTheModelsPixels) {
-    for (const Stood& model : stood_models())
+    for (const GroundedModel& model : grounded_models())
         for (const Choice& fit : find_setting("light.fit")->param->choices()) {
             SCOPED_TRACE(model.name + " " + std::string(fit.key));
             Settings s = model.with.settings;
@@ -339,7 +340,7 @@ TEST_F(GroundTest, ShowsACompleteShadowUnderEveryFit) {
 
 // Visible ground needs shadows of invisible casters. The map grows for those, up to the bounds of its casters.
 TEST_F(GroundTest, AMapOfPartOfAModelCoversOnlyItsCasters) {
-    const Stood table = stood("table", table_alone);
+    const GroundedModel table = stood("table", table_alone);
     Settings s = table.with.settings;
     s.camera = manual_camera(table.with.scene, table.with.settings, 16.0 / 9);
     const auto half_width = [&](const Scene& scene, std::string_view fit, double nearer) {
@@ -366,7 +367,7 @@ constexpr std::pair<std::string_view, std::string_view> kOthers[] = {
     {"MorphStressTest.glb", "it is five times as long as wide, and the map is square"},
     {"chainlink_fence.glb", "its wires are thinner than a hundredth of the fence's height"},
     {"huge_extent.glb", "it lies about a million metres apart"},
-    {"LightsPunctualLamp.gltf", "its first light hangs low beside the stem, whose shadow runs to the ground's end"},
+    {"LightsPunctualLamp.gltf", "its first light hangs low at the stem, whose shadow runs to the ground's end"},
     {"ToyCar.gltf", "it stands on a cloth of its own, which spreads as wide and as flat as its shadow falls"},
 };
 

@@ -73,11 +73,11 @@ std::vector<Value> others(const SettingRef& ref, const Value& present) {
     return values;
 }
 
-/// Returns all pictures of a frame, one after the other.
+/// Bytes of all pictures of a frame, one picture after the other.
 using Bytes = std::vector<std::uint8_t>;
 
-/// A directional light's map may move along its axis, which rounds depths differently: one step of the scale is no
-/// effect.
+/// Compares the pictures of two frames. A directional light's map may move along its axis, which rounds depths
+/// differently: one step of the scale is no effect.
 std::string difference(const Bytes& a, const Bytes& b) {
     if (a.size() != b.size()) return "other pictures";
     std::size_t differ = 0;

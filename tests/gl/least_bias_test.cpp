@@ -20,7 +20,7 @@ protected:
     std::mt19937 random{20261};
     double uniform(double lo, double hi) { return std::uniform_real_distribution<double>(lo, hi)(random); }
 
-    /// Makes a plane somewhere in the world that fills the picture, with a small sheet before it that gives the light
+    /// Plane somewhere in the world that fills the picture, with a small sheet before it that gives the light
     /// a depth range.
     struct Sight {
         Scene scene;

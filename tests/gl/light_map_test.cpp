@@ -157,7 +157,7 @@ TEST_F(LightMapTest, PenumbraeMatchTheLightsDisc) {
     EXPECT_LT(std::sqrt(squares / double(within)), 0.02);
 }
 
-/// Rotates off the axes, so that rounding alone moves points out of the wall's plane.
+/// Rotation off the axes in degrees, so that rounding alone moves points out of the wall's plane.
 constexpr double kRoomsTurned = 33;
 
 /// Makes two rooms of 3 m with or without a wall of 2 cm between them. One room has a roof and walls, the other is

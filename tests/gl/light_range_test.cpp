@@ -127,7 +127,7 @@ TEST_F(LightRange, PointsOutOfRangeAreNotMeasured) {
     EXPECT_GT(cut.metrics.outside_false_shadow, 0) << "the map ends before the light does";
     set_setting(s, "light.range", "0");
     const MeasuredError endless = measure_error(renderer, scene, s, small_request(), 0, {}, cache);
-    EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range is another truth";
+    EXPECT_EQ(endless.metrics.counted, error.metrics.counted + beyond) << "another range needs another reference";
 }
 
 }  // namespace

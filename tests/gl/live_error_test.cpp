@@ -130,11 +130,11 @@ TEST_F(LiveErrorTest, FollowsTheBiasWithoutNewRays) {
     s.bias.constant = 0;
     frame = renderer.render(scene, s, request);
     ASSERT_TRUE(frame.error);
-    EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is judged at once, too";
+    EXPECT_GT(frame.error->metrics.any_acne, acne) << "another kernel is measured at once";
     set_setting(s, "filter.kernel", "hard");
     s.lights[0].azimuth += 1;
     frame = renderer.render(scene, s, request);
-    EXPECT_FALSE(frame.reference.met) << "another light, another truth";
+    EXPECT_FALSE(frame.reference.met) << "another light needs another reference";
     EXPECT_FALSE(frame.error);
     EXPECT_EQ(request.reference, reference);
 }
@@ -216,7 +216,7 @@ TEST_F(LiveErrorTest, BiasWindowIsTheGapMinusThePlanesNeed) {
                 off += !(std::abs(value - texels) <= 0.02 + 2e-3 * std::abs(texels));
             }
         EXPECT_GT(shadowed, 1000u);
-        EXPECT_GT(closed, 20u) << "beside the box no bias is right";
+        EXPECT_GT(closed, 20u) << "at the box no bias is valid";
         EXPECT_LT(off, shadowed / 200) << int(type);
     }
 }
@@ -232,7 +232,7 @@ TEST_F(LiveErrorTest, ReferencePictureIsShadedWithTheReference) {
     s.bias.constant = 0;
     s.map.resolution = 256;
     frame = render_with_reference(renderer, scene, s, request, cache);
-    EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the truth knows no map";
+    EXPECT_EQ(reference.data, renderer.read_colour(frame.true_colour).data) << "the reference has no map";
     EXPECT_GT(different_pixels(renderer.read_colour(frame.colour), reference, 2), map.data.size() / 4 / 10);
 }
 

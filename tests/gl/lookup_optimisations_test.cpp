@@ -67,7 +67,7 @@ protected:
 
 const OptimisationSet kLookups = {Optimisation::EarlyOut, Optimisation::Blockers, Optimisation::Facing};
 
-/// Makes a bare floor within the map, whose outside mode continues the floor.
+/// Returns settings for a bare floor within the map, whose outside mode continues the floor.
 Settings floor_settings(std::string_view kernel) {
     Settings s = test::texel_settings(kernel, 256, 0.2);
     set_setting(s, "bias.kind", "adaptive");
@@ -166,7 +166,7 @@ TEST_F(LookupOptimisationsTest, NothingIsFetchedForLightThatDoesNotArrive) {
     }
 }
 
-/// Each row tests one way in which bounds could be wrong.
+/// Returns the cases: each tests one way in which bounds could be wrong.
 const std::vector<Sets>& ways() {
     static const std::vector<Sets> all = {
         {},

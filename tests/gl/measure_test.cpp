@@ -15,12 +15,12 @@ protected:
     const ErrorMetrics& measure(const Scene& scene, const Settings& settings, const ReferenceOptions& options = {},
                                 int width = 320, int height = 240) {
         measured = measure_error(renderer, scene, settings, {.width = width, .height = height}, 0, options, cache);
-        sums_are_whole();
+        expect_sums_of_causes();
         return measured.metrics;
     }
     std::size_t count(Artefact a) const { return measured.metrics.artefacts[std::size_t(a)]; }
     /// Expects false shadow and false light to be the sums of their causes, to the pixel.
-    void sums_are_whole() const {
+    void expect_sums_of_causes() const {
         const ErrorMetrics& m = measured.metrics;
         const auto px = [&](double share) { return std::llround(share * double(m.counted)); };
         EXPECT_EQ(px(m.false_shadow),

@@ -23,7 +23,7 @@ protected:
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    /// Returns the memory in addition to that of other renderers of this process.
+    /// Returns a holder's memory without that of other renderers of this process.
     MemoryUse of(const std::string& holder) const {
         for (MemoryUse h : memory_report().holders) {
             if (h.holder != holder) continue;

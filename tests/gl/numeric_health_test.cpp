@@ -17,7 +17,7 @@ namespace {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN(), kInf = std::numeric_limits<float>::infinity();
 
 /// Faulty values for one texel of an image, written before the search.
-struct Spoilt {
+struct FaultyTexel {
     std::string image;  ///< "shadow map"
     int layer = 0, level = 0;
     glm::ivec2 at{0};  ///< texel; row 0 is at the bottom
@@ -31,9 +31,9 @@ protected:
         gl::fault_injection() = {};
         FrameTest::TearDown();
     }
-    static void spoil(const std::vector<Spoilt>& all) {
+    static void spoil(const std::vector<FaultyTexel>& all) {
         gl::fault_injection().corrupt_image = [all](std::string_view image, GLuint texture) {
-            for (const Spoilt& s : all) {
+            for (const FaultyTexel& s : all) {
                 if (s.image != image) continue;
                 constexpr GLenum kFormats[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
                 const GLenum format = s.depth ? GLenum(GL_DEPTH_COMPONENT) : kFormats[s.numbers.size() - 1];
@@ -62,8 +62,8 @@ protected:
         return health_of(loaded, settings_for(loaded, small));
     }
     /// Expects the written fault as the only finding. @param place expected place of the finding
-    void expect_alone(const char* scene, const Sets& sets, const Spoilt& s, NumberFault fault, const std::string& place,
-                      glm::ivec2 at) {
+    void expect_alone(const char* scene, const Sets& sets, const FaultyTexel& s, NumberFault fault,
+                      const std::string& place, glm::ivec2 at) {
         SCOPED_TRACE(fmt::format("{} in {}", fault_label(fault), place));
         spoil({s});
         const NumericHealth health = health_of(scene, sets);

@@ -54,11 +54,11 @@ protected:
     /// Expects each of these to have acted; otherwise nothing was compared.
     void expect_made(std::initializer_list<Optimisation> some) {
         for (const Optimisation saving : some)
-            EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " was never made";
+            EXPECT_TRUE(made.contains(saving)) << row_of(saving).key << " never acted";
     }
 };
 
-/// Settings of lights, kernels and maps that decide which optimisations can act.
+/// Returns settings of lights, kernels and maps that decide which optimisations can act.
 const std::vector<Sets>& cases() {
     static const std::vector<Sets> all = {
         {},

@@ -15,7 +15,7 @@ protected:
     void TearDown() override {
         for (const std::string& message : renderer.messages.take_messages()) ADD_FAILURE() << "driver: " << message;
     }
-    /// Returns all cached images of a renderer without a reference.
+    /// Returns a request for everything that a renderer caches without a reference.
     static FrameRequest request(int width, int height) {
         FrameRequest r{.width = width, .height = height};
         r.outputs = {.shadow_map = true,

@@ -149,7 +149,7 @@ TEST(PrecisionTest, IsComputedOnlyWhenEnabled) {
 }
 
 /// Returns cascades over the visible part of a wide floor with a box.
-Settings crawling(bool snap) {
+Settings shimmer_settings(bool snap) {
     Settings s = hard_settings();
     s.lights[0].fit = LightFit::Stabilised;
     s.lights[0].snap = snap;
@@ -162,8 +162,8 @@ Settings crawling(bool snap) {
 TEST(ShimmerTest, CountsShimmeringPixelsOnlyWithoutTexelSnapping) {
     const Scene scene = floor_and_box(60);
     const ShimmerOptions options{.steps = 6, .step_texels = 0.3};
-    const Shimmer snapped = measure_shimmer(hard_renderer(), scene, crawling(true), kWidth, kHeight, options);
-    const Shimmer free = measure_shimmer(hard_renderer(), scene, crawling(false), kWidth, kHeight, options);
+    const Shimmer snapped = measure_shimmer(hard_renderer(), scene, shimmer_settings(true), kWidth, kHeight, options);
+    const Shimmer free = measure_shimmer(hard_renderer(), scene, shimmer_settings(false), kWidth, kHeight, options);
     EXPECT_EQ(snapped.most_flips, 0u);
     EXPECT_EQ(snapped.restless, 0u);
     EXPECT_GT(free.flips_a_step, 1);

@@ -11,7 +11,7 @@ namespace {
 
 class ProxySceneTest : public FrameTest {};
 
-/// Returns the programs of a frame, reported by the passes that use them.
+/// The test compares the programs that both scenes need.
 TEST_F(ProxySceneTest, NeedsTheProgramsOfItsScene) {
     std::vector<std::string> names = {"stage", "boxes", "landscape"};
     for (const char* file : {"gen_forest_10k/forest_10k.glb", "gen_leaf_mask_uv1/leaf_mask_uv1.glb"}) {

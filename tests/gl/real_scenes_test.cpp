@@ -94,7 +94,7 @@ TEST_F(RealScenes, AShadowMovesInASharedSkinnedModel) {
     EXPECT_NE(visibility(a.scene, a.settings).data, visibility(b.scene, b.settings).data);
 }
 
-/// Returns one texel of a tangent-space normal.
+/// Adds a normal map of one texel to the scene. Returns its index.
 int add_normal_map(Scene& scene, const glm::vec3& n) {
     Texture t;
     t.width = t.height = 1;

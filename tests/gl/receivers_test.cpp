@@ -10,7 +10,7 @@ namespace {
 
 class ReceiversTest : public FrameTest {};
 
-/// Returns the joined neighbours by the definition in receivers.cpp.
+/// Returns whether two neighbours are joined, by the definition in receivers.cpp.
 bool on_one_surface(const Receiver& a, const Receiver& b) {
     if (!a.hit() || !b.hit()) return false;
     const glm::dvec3 d = b.position_ws - a.position_ws;

@@ -37,7 +37,7 @@ protected:
         return cross_section(light(), &diagnosis, cut, n, true_profile(casters, light(), cut, n));
     }
 
-    /// Makes a floor under a sun at an elevation in degrees over the map's v axis.
+    /// Returns settings with a sun over the map's v axis. @param elevation degrees
     static Settings sun(double elevation, double constant_texels) {
         Settings s = test::texel_settings("hard", 256, constant_texels);
         s.lights[0].azimuth = 0;
@@ -49,7 +49,7 @@ protected:
         return s.surface_at.y + (x - s.surface_at.x) * s.surface_along.y / s.surface_along.x;
     }
 
-    /// Sets no depth bias, a normal offset in texels, and one hard comparison.
+    /// Returns settings with a normal offset in texels as the only bias, and one hard comparison.
     static Settings offset_alone(LightType type, double texels) {
         Settings s = test::texel_settings("hard", 256, 0);
         s.lights[0].type = type;
@@ -211,7 +211,7 @@ TEST_F(SectionTest, OnATiltedPlaneAcneFollowsFromTheAngle) {
         EXPECT_LT(s.window_from, (0.505 + 1.0 / 16) * texel * std::tan(theta) + 0.01 * texel);
         EXPECT_NEAR(s.window_from, diagnosis.least.metres, 1e-9);
         EXPECT_GT(s.window_from, s.looked_up()->from.y) << "and clears this step";
-        ASSERT_EQ(s.profile.size(), 1u) << "one surface in truth";
+        ASSERT_EQ(s.profile.size(), 1u) << "one surface in the reference";
         EXPECT_GT(s.profile[0].size(), 8u * s.steps.size());
         for (const glm::dvec2& p : s.profile[0]) EXPECT_NEAR(p.y, surface_y(s, p.x), 1e-4 * texel);
     }
@@ -227,7 +227,7 @@ TEST_F(SectionTest, ANormalOffsetOfHClearsHOverCosine) {
     EXPECT_NEAR(s.moved.y, h * std::cos(theta), 1e-6);
     EXPECT_NEAR(std::abs(s.moved.x), h * std::sin(theta), 1e-6);
     EXPECT_NEAR(s.moved.y - surface_y(s, s.moved.x), h / std::cos(theta), 1e-6);
-    EXPECT_NEAR(s.has.metres, h / std::cos(theta), 1e-6) << "what the dossier says it is worth";
+    EXPECT_NEAR(s.has.metres, h / std::cos(theta), 1e-6) << "the diagnosis' equivalent depth bias";
     EXPECT_TRUE(s.lit && s.artefact.empty());
     EXPECT_GT(s.compared.y, s.window_from);
     EXPECT_TRUE(s.terms.empty()) << "no depth bias";

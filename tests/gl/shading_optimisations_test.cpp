@@ -69,12 +69,12 @@ SI_TESTS_ARE(Repeated, ShadingOptimisationsTest);
 TEST_F(ShadingOptimisationsTest, NearObjectsAreDrawnBeforeHiddenOnes) {
     const Scene far_first = row_of_plates(8, false);
     const Settings s = settings_for(far_first, kFromAbove);
-    const std::uint64_t spared = written_fragments(far_first, s, {}),
+    const std::uint64_t optimised = written_fragments(far_first, s, {}),
                         forced = written_fragments(far_first, s, {Optimisation::Order}),
                         least = written_fragments(row_of_plates(8, true), s, {Optimisation::Order});
     EXPECT_GT(least, 2000u);
-    EXPECT_EQ(spared, least) << "each pixel is shaded once";
-    EXPECT_GT(forced, 2 * spared);
+    EXPECT_EQ(optimised, least) << "each pixel is shaded once";
+    EXPECT_GT(forced, 2 * optimised);
 }
 
 TEST_F(ShadingOptimisationsTest, DrawingLargeMeshesLastShadesFewerHiddenPixels) {
@@ -96,7 +96,7 @@ TEST_F(ShadingOptimisationsTest, OrderChangesNoPixel) {
     EXPECT_EQ(different_pixels(picture(scene, s), picture(scene, s, forced)), 0u);
 }
 
-/// Makes a plate, and a small one to its side.
+/// Makes a plate, and a small one at a distance to its side.
 Mesh plates(double aside) {
     Mesh mesh = make_plane(2, 2);
     append(mesh, transformed(make_plane(0.2, 0.2), moved(aside, 0, 0)));

@@ -14,7 +14,7 @@
 namespace si {
 namespace {
 
-/// Makes masked materials opaque, as volumes treat them.
+/// Returns the scene with masked materials made opaque, as volumes treat them.
 Scene solid(Scene scene) {
     for (Material& m : scene.materials)
         if (m.alpha == AlphaMode::Mask) m.alpha = AlphaMode::Opaque;
@@ -43,7 +43,8 @@ protected:
     ReferenceCache cache;
     FrameRequest request{.width = 480, .height = 270, .outputs = {.colour = false, .visibility = true}};
 
-    /// Edges are those of the reference and of visible triangles: at an edge a pixel's centre may lie on either side.
+    /// Compares drawn visibility with rays. Edges are those of the reference and of visible triangles: at an edge a
+    /// pixel's centre may lie on either side.
     Compared compare(const Scene& scene, Settings s) {
         set_setting(s, "light.source", "volumes-zfail");
         const FrameResult frame = renderer.render(scene, s, request);
@@ -74,8 +75,8 @@ protected:
             }
         return c;
     }
-    /// @param inside accepted differing pixels away from edges
-    void exact(const Scene& scene, const Settings& s, std::size_t least_dark, std::size_t inside = 0) {
+    /// Expects visibility to equal that of rays. @param inside accepted differing pixels away from edges
+    void expect_exact(const Scene& scene, const Settings& s, std::size_t least_dark, std::size_t inside = 0) {
         const Compared c = compare(scene, s);
         EXPECT_LE(double(c.off), 1e-4 * double(c.pixels));
         EXPECT_LE(c.off_inside, inside) << "such as " << c.x << ", " << c.y;
@@ -91,12 +92,12 @@ TEST_F(ShadowVolumesTest, AreExactOverScenesAndLights) {
         for (const char* type : {"directional", "spot", "point"})
             for (const auto& [azimuth, elevation] : {std::pair{"-40", "38"}, {"0", "90"}, {"90", "30"}}) {
                 SCOPED_TRACE(testing::Message() << name << " " << type << " " << azimuth << " " << elevation);
-                exact(scene,
-                      settings_for(scene, {{"light.type", type},
-                                           {"light.azimuth", azimuth},
-                                           {"light.elevation", elevation},
-                                           {"volumes.allow_large", "true"}}),
-                      std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
+                expect_exact(scene,
+                             settings_for(scene, {{"light.type", type},
+                                                  {"light.azimuth", azimuth},
+                                                  {"light.elevation", elevation},
+                                                  {"volumes.allow_large", "true"}}),
+                             std::string(name) == "plane" || std::string(name) == "relief" ? 0 : 100);
             }
     }
 }
@@ -137,7 +138,7 @@ TEST_F(ShadowVolumesTest, AreExactTenKilometresFromTheOrigin) {
     const Scene scene = moved_by(solid(load_scene("boxes")), {1e4, -3e3, 1e4});
     for (const char* type : {"directional", "spot", "point"}) {
         SCOPED_TRACE(type);
-        exact(scene, settings_for(scene, {{"light.type", type}}), 500);
+        expect_exact(scene, settings_for(scene, {{"light.type", type}}), 500);
     }
 }
 
@@ -176,22 +177,22 @@ TEST_F(ShadowVolumesTest, AreExactWithTheCameraInside) {
             auto all = camera;
             all.insert(all.end(), light.begin(), light.end());
             SCOPED_TRACE(testing::Message() << inside_out << " " << light[0].second << " " << light.back().second);
-            exact(scene, settings_for(scene, all), 1000);
+            expect_exact(scene, settings_for(scene, all), 1000);
         }
     }
     // The camera is in the shadow of a box, close enough for the near plane to cut its volume.
     const Scene boxes = load_scene("boxes");
     for (const char* elevation : {"5", "20", "60"}) {
         SCOPED_TRACE(elevation);
-        exact(boxes,
-              settings_for(boxes, {{"light.azimuth", "180"},
-                                   {"light.elevation", elevation},
-                                   {"camera.source", "manual"},
-                                   {"camera.azimuth", "0"},
-                                   {"camera.elevation", "3"},
-                                   {"camera.distance", "4"},
-                                   {"camera.near", "0.4"}}),
-              100);
+        expect_exact(boxes,
+                     settings_for(boxes, {{"light.azimuth", "180"},
+                                          {"light.elevation", elevation},
+                                          {"camera.source", "manual"},
+                                          {"camera.azimuth", "0"},
+                                          {"camera.elevation", "3"},
+                                          {"camera.distance", "4"},
+                                          {"camera.near", "0.4"}}),
+                     100);
     }
 }
 
@@ -203,18 +204,18 @@ TEST_F(ShadowVolumesTest, AreExactAtTheNearAndFarPlanes) {
             for (const auto& [near, far] : {std::pair{"0", "9"}, {"7", "0"}, {"0", "0"}})
                 for (const char* azimuth : {"-150", "60"}) {
                     SCOPED_TRACE(testing::Message() << type << " " << parallel << " " << near << " " << far);
-                    exact(scene,
-                          settings_for(scene, {{"light.type", type},
-                                               {"light.azimuth", azimuth},
-                                               {"light.elevation", "25"},
-                                               {"camera.source", "manual"},
-                                               {"camera.orthographic", parallel},
-                                               {"camera.distance", "8"},
-                                               {"camera.azimuth", "35"},
-                                               {"camera.elevation", "25"},
-                                               {"camera.near", near},
-                                               {"camera.far", far}}),
-                          50);
+                    expect_exact(scene,
+                                 settings_for(scene, {{"light.type", type},
+                                                      {"light.azimuth", azimuth},
+                                                      {"light.elevation", "25"},
+                                                      {"camera.source", "manual"},
+                                                      {"camera.orthographic", parallel},
+                                                      {"camera.distance", "8"},
+                                                      {"camera.azimuth", "35"},
+                                                      {"camera.elevation", "25"},
+                                                      {"camera.near", near},
+                                                      {"camera.far", far}}),
+                                 50);
                 }
 }
 
@@ -229,14 +230,14 @@ TEST_F(ShadowVolumesTest, AreExactAlongTheView) {
                                                                                    {"0", "90", "0", "90"},
                                                                                    {"0", "90", "0", "0"}}) {
             SCOPED_TRACE(testing::Message() << parallel << " " << azimuth << " " << elevation << " " << camera_azimuth);
-            exact(scene,
-                  settings_for(scene, {{"light.azimuth", azimuth},
-                                       {"light.elevation", elevation},
-                                       {"camera.source", "manual"},
-                                       {"camera.orthographic", parallel},
-                                       {"camera.azimuth", camera_azimuth},
-                                       {"camera.elevation", camera_elevation}}),
-                  0, 1);  // a volume's side is a line in the picture there, and a pixel may lie on it
+            expect_exact(scene,
+                         settings_for(scene, {{"light.azimuth", azimuth},
+                                              {"light.elevation", elevation},
+                                              {"camera.source", "manual"},
+                                              {"camera.orthographic", parallel},
+                                              {"camera.azimuth", camera_azimuth},
+                                              {"camera.elevation", camera_elevation}}),
+                         0, 1);  // a volume's side is a line in the picture there, and a pixel may lie on it
         }
 }
 
@@ -327,7 +328,7 @@ TEST_F(ShadowVolumesTest, LargeVolumesNeedConsent) {
     const FloatImage lit = renderer.read_float(f.visibility, 1);
     EXPECT_EQ(std::count(lit.data.begin(), lit.data.end(), 0.f), 0);
     s.volumes.allow_large = true;
-    exact(scene, s, 500);
+    expect_exact(scene, s, 500);
     s.volumes.allow_large = false;
     s.objects[scene.nodes[1].path].cast = false;
     EXPECT_TRUE(renderer.render(scene, s, request).notes.empty());

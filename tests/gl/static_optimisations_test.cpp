@@ -15,7 +15,7 @@
 namespace si {
 namespace {
 
-/// Makes small boxes around the scene, so that moving casters change neither the scene's bounds nor the views of its
+/// Adds small boxes around the scene, so that moving casters change neither the scene's bounds nor the views of its
 /// maps.
 void fence(Scene& scene) {
     const Bounds b = scene.bounds;
@@ -159,7 +159,7 @@ TEST_F(StaticOptimisationsTest, OnlyMovingCastersAreDrawnAfterTwoFrames) {
             }
         }
         EXPECT_EQ(drawn[0], all);
-        EXPECT_EQ(drawn[1], all) << "nothing yet tells what moves";
+        EXPECT_EQ(drawn[1], all) << "movement is not yet known";
         EXPECT_EQ(drawn[3], ball);
         EXPECT_EQ(drawn[4], ball);
         for (const char* name : {"Ball", "Mover"}) {
@@ -288,18 +288,18 @@ TEST_F(StaticOptimisationsTest, AMovingCameraSeesCompleteMaps) {
     }
 }
 
-/// Lights without a static cache, and the reason that the plan must name.
-struct Declined {
+/// Settings under which a light has no static cache, and the reason that the plan must name.
+struct UncachedLight {
     Sets sets;
     const char* mover;
     const char* reason;
 };
 
 TEST_F(StaticOptimisationsTest, LightsWithoutStaticCacheReportTheReason) {
-    const Declined all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
-                            {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
-                            {{{"light.fit", "scene"}}, "Post", "views changed"}};
-    for (const Declined& d : all) {
+    const UncachedLight all[] = {{{{"map.format", "colour"}, {"light.fit", "scene"}}, "Mover", "map.format"},
+                                 {{{"map.format", "linear16"}, {"light.fit", "scene"}}, "Mover", "map.format"},
+                                 {{{"light.fit", "scene"}}, "Post", "views changed"}};
+    for (const UncachedLight& d : all) {
         Scene scene = many_balls();
         const Settings s = small_maps(scene, d.sets);
         for (int i = 0; i < 4; ++i) {
@@ -332,7 +332,7 @@ TEST_F(StaticOptimisationsTest, ReportTheirEffect) {
     EXPECT_NE(kept.reason.find("49 casters are left out"), std::string::npos) << kept.reason;
 }
 
-/// The ball moves by an animation of a second.
+/// Makes a scene whose ball moves by an animation of a second.
 Scene animated_ball() {
     Scene scene = many_balls();
     auto rig = std::make_shared<Rig>();

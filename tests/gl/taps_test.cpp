@@ -33,8 +33,8 @@ double area(Density density, double lo, double hi) {
 /// Kernels that closed_form() defines. Other rows are tested by their recorded taps alone.
 constexpr std::string_view kDefinedKernels[] = {"hard", "hw2x2", "pcf", "tent3", "tent", "gauss"};
 
-/// Weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner: the area of
-/// the kernel's shape above the texel, by its definition.
+/// Returns the weight of the column (or row) `texel` for a kernel centred at `centre`, in texels from the map's corner:
+/// the area of the kernel's shape above the texel, by its definition.
 /// @returns nothing for kernels that are not among kDefinedKernels
 std::optional<double> closed_form(const Settings& s, int texel, double centre) {
     const std::string_view kernel = filter_of(s).key;

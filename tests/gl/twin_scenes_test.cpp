@@ -42,7 +42,7 @@ Scene baked(const Scene& moved) {
 
 class TwinScenes : public FrameTest {
 protected:
-    /// Returns the pixels in which the shaded picture or an overlay differs between the twins.
+    /// Counts the pixels in which the shaded picture or an overlay differs between the twins.
     std::size_t differences(const Scene& a, const Scene& b, const char* overlay, const Settings& base) {
         Settings s = base;
         set_setting(s, "view.overlay", overlay);

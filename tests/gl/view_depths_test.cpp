@@ -103,7 +103,7 @@ Scene floor_under_far_sheet(const test::Place& place) {
     return scene;
 }
 
-/// Sets a sun whose maps for the view frustum hold only the floor.
+/// Returns settings with a sun whose maps for the view frustum hold only the floor.
 Settings far_sheet_settings(const Scene& scene, const test::Place& place, const char* fit, int cascades) {
     Settings s = test::texel_settings("pcf3", 256, 3);
     set_setting(s, "light.fit", fit);

@@ -24,7 +24,7 @@ Scene row_of_balls() {
     return scene;
 }
 
-/// Sets a camera that looks down at a place on the floor.
+/// Returns settings of a camera that looks down at a place on the floor.
 Sets camera_over(const char* x) {
     return {{"camera.source", "manual"}, {"camera.target_x", x},   {"camera.target_y", "0.5"},
             {"camera.target_z", "0"},    {"camera.distance", "5"}, {"camera.elevation", "40"},
@@ -378,14 +378,14 @@ TEST_F(ViewOptimisationsTest, ReadersOfWholeMapsGetThemWhole) {
 }
 
 /// Settings under which a light's maps are not needed, and the reason.
-struct Uncalled {
+struct UnneededMaps {
     Sets sets;
     const char* reason;
 };
 
 TEST_F(ViewOptimisationsTest, AnUnusedLightHasNoMapAndReportsTheReason) {
     const Scene scene = row_of_balls();
-    const Uncalled all[] = {
+    const UnneededMaps all[] = {
         {{{"light.intensity", "0"}}, "intensity"},
         {{{"light.red", "0"}, {"light.green", "0"}, {"light.blue", "0"}}, "colour"},
         {{{"camera.target_y", "500"}}, "camera sees nothing"},
@@ -397,7 +397,7 @@ TEST_F(ViewOptimisationsTest, AnUnusedLightHasNoMapAndReportsTheReason) {
           {"light.range", "10"}},
          "range and cone"},
     };
-    for (const Uncalled& u : all) {
+    for (const UnneededMaps& u : all) {
         const Settings s = settings_for(scene, joined(camera_over("-16"), u.sets));
         const auto [saved, forced] = expect_one_picture(scene, s, u.reason);
         EXPECT_EQ(saved, 0u) << u.reason;

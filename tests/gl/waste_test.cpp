@@ -17,8 +17,8 @@
 namespace si {
 namespace {
 
-/// Triangles drawn into maps, and the time that they take.
-constexpr double kMostWaste = 0.05;
+/// Accepted share of waste, in triangles drawn into maps and in their time.
+constexpr double kMaxWasteShare = 0.05;
 
 class WasteTest : public FrameTest {
 protected:
@@ -96,7 +96,7 @@ TEST_F(WasteTest, LookEffectsAreTriedWhereTheyAreEnabled) {
     const Waste plain = waste_of(scene, {{"shading.sky", "plain"}, {"shading.curve", "plain"}});
     for (const char* name :
          {"sky and its ambient light", "tone curve", "ground", "alpha test in maps", "stored-depth quads"})
-        EXPECT_FALSE(was_tried(plain, name)) << name << " is not simulated";
+        EXPECT_FALSE(was_tried(plain, name)) << name << " is not drawn";
     EXPECT_TRUE(was_tried(waste_of(scene, {{"shading.curve", "plain"}, {"shading.exposure", "1"}}), "tone curve"));
 }
 
@@ -180,7 +180,7 @@ TEST_F(WasteTest, OverlaysAreTriedPaneByPane) {
     const Waste see_through = waste_of(scene, {{"view.overlay", "n-dot-l"}, {"view.overlay_opacity", "0"}});
     EXPECT_FALSE(tried_named(see_through, "overlay n-dot-l").changes) << "drawn, and nobody sees it";
     EXPECT_FALSE(was_tried(waste_of(scene, {{"view.overlay", "truth"}}), "overlay truth")) << "there is no truth";
-    EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the picture is judged without it";
+    EXPECT_TRUE(tried_named(see_through, "map of light 0").changes) << "the overlay is left out of the comparison";
 }
 
 TEST_F(WasteTest, WasteIsTimedOnRequest) {
@@ -275,7 +275,7 @@ std::vector<Named> scene_names() {
     return names;
 }
 
-/// Nothing: the model was refused, which its list allows.
+/// Loads a scene or a model. Returns nothing if the model was refused, which its list allows.
 std::optional<Scene> loaded(const Named& named) {
     try {
         Scene scene = load_scene(named.name);
@@ -295,7 +295,7 @@ TEST_F(WasteTest, OfMapsIsSmallOverScenesAndModels) {
             sum.add(std::filesystem::path(named.name).stem().string(), waste_of(*scene, {}, takes_long()));
     sum.print();
     EXPECT_GT(sum.drawn, 0u);
-    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMaxWasteShare);
     if (takes_long()) {
         EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
     }
@@ -316,8 +316,8 @@ TEST_F(WasteTest, OfFacesAndCascadesIsSmallOverScenesAndModels) {
     sum.print();
     others.print();  // further maps are waste: flat casters, which nothing proves free of self-shadowing
     EXPECT_GT(sum.drawn, 0u);
-    EXPECT_LE(sum.share(sum.changes_nothing), kMostWaste);
-    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMostWaste);
+    EXPECT_LE(sum.share(sum.changes_nothing), kMaxWasteShare);
+    EXPECT_LE(sum.share(sum.unread + sum.changes_nothing), kMaxWasteShare);
     EXPECT_GT(sum.maps_ms, 0) << "its share is printed: times are no test's";
 }
 

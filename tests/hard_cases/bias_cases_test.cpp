@@ -13,7 +13,7 @@ namespace {
 
 constexpr MapFormat kFormats[] = {MapFormat::D16, MapFormat::D24, MapFormat::D32F, MapFormat::Colour};
 
-/// Makes an unshadowed plane, and a camera that sees most of it.
+/// Makes an unshadowed plane with a camera that sees most of it.
 Scene plane_scene() {
     return make_scene(make_plane(10, 10));
 }

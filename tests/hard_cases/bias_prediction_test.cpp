@@ -52,14 +52,14 @@ Settings plane_settings(const Case& c, const char* filter, double theta_deg) {
 }
 
 /// Points of the plane that pixels show inside the map, with their pixels.
-struct Seen {
+struct PlanePixels {
     std::vector<std::size_t> pixels;
     std::vector<glm::dvec3> points;
 };
 
-Seen seen_points(const Scene& scene, const FrameResult& frame) {
+PlanePixels seen_points(const Scene& scene, const FrameResult& frame) {
     static const RayReference rays(scene);
-    Seen seen;
+    PlanePixels seen;
     for (int y = 0; y < kHeight; ++y)
         for (int x = 0; x < kWidth; ++x) {
             glm::dvec3 origin, dir;
@@ -89,12 +89,12 @@ struct Row {
     }
 };
 
-/// @param driver driver of the prediction; the current one is measured
+/// Measures one row of the table. @param driver driver of the prediction; the current one is measured
 Row measured(const Scene& scene, const Case& c, const char* filter, double theta, const RasterTraits& driver) {
     Settings s = plane_settings(c, filter, theta);
     const FrameRequest request{.width = kWidth, .height = kHeight, .outputs = {.colour = false, .visibility = true}};
     FrameResult frame = hard_renderer().render(scene, s, request);
-    const Seen seen = seen_points(scene, frame);
+    const PlanePixels seen = seen_points(scene, frame);
     EXPECT_GT(seen.pixels.size(), 4000u);
     Row row;
     for (const glm::dvec3& point : seen.points) {
@@ -205,7 +205,7 @@ TEST_P(BiasPrediction, AgreesWithTheMeasuredBias) {
     EXPECT_GE(classified, 12) << "too few cases in which quantisation does not decide";
     if (std::getenv("SI_UPDATE_ASSETS")) return write_section(c, rows);
     const auto [first, end] = section(lines, c.heading());
-    ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it anew";
+    ASSERT_EQ(end - first, rows.size()) << kTable << " lacks rows of \"" << c.heading() << "\"; measure it again";
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const std::string& line = lines[first + i];
         EXPECT_EQ(line.rfind(rows[i].config, 0), 0u) << kTable << ": " << line << "\npredicted now: " << rows[i].config;

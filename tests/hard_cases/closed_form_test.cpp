@@ -88,7 +88,7 @@ TEST_P(BoxShadow, EdgesLieWithinATexel) {
     EXPECT_GT(inside, 500) << "the box must cast";
     EXPECT_GT(outside, 5000);
     EXPECT_GT(edge, 20);
-    EXPECT_LT(edge, inside + outside) << "most pixels must be judged";
+    EXPECT_LT(edge, inside + outside) << "most pixels must be compared";
     EXPECT_EQ(wrong, 0);
 }
 

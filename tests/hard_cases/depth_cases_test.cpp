@@ -232,7 +232,7 @@ TEST(HardCase5, PolygonOffsetActsAsMeasured) {
         s.bias.raster_units = format == MapFormat::D16 ? 100 : 1000;
         const double r = largest_change(flat.maps[0], draw_shot(scene, s, 64, 48).maps[0]) / s.bias.raster_units;
         EXPECT_GE(r, 0.49 * step);
-        EXPECT_LE(offset.unit(step), 1.002 * r) << "bias must not be thought worth more than it is";
+        EXPECT_LE(offset.unit(step), 1.002 * r) << "bias must not be overestimated";
         if (offset.unit_depth > 0 || format == MapFormat::D32F) {
             EXPECT_NEAR(offset.unit(step) / r, 1, 0.01);
         }

@@ -14,11 +14,11 @@
 namespace si::test {
 namespace {
 
-constexpr int kAcross = 96, kDown = 72, kMostTexels = 256;
+constexpr int kAcross = 96, kDown = 72, kMaxTexels = 256;
 /// Share of all pixels of a case that rounding may move across an edge.
-constexpr double kMostDiffering = 5e-4;
-constexpr double kMostOfOne = 1.5e-3;  ///< share of one picture's pixels: ten
-constexpr double kSameCause = 0.99;    ///< least share of wrong pixels with equal cause
+constexpr double kMaxDifferingShare = 5e-4;
+constexpr double kMaxDifferingShareOfOne = 1.5e-3;  ///< share of one picture's pixels: ten
+constexpr double kSameCause = 0.99;                 ///< least share of wrong pixels with equal cause
 // Resolution of a double at the offset, in radii of the scene. Above the first limit no picture can be equal. Above
 // the second the light's position, no sum of few powers of two, and some last bits of floats round differently from
 // the unmoved case.
@@ -75,17 +75,18 @@ double resolved(const HardCase& row, const Placement& placement) {
 }
 
 /// Picture with its reference.
-struct Judged {
+struct ClassifiedPicture {
     std::vector<float> visibility, reference;
     std::vector<PixelState> state;
     std::vector<Artefact> cause;
-    bool operator==(const Judged&) const = default;
+    bool operator==(const ClassifiedPicture&) const = default;
 };
 
-/// @param turn change of the light's elevation, degrees
-std::optional<Judged> classified(const HardCase& row, bool fixed, const Placement& placement, double turn = 0) {
+/// Draws and classifies a placed case. @param turn change of the light's elevation, degrees
+std::optional<ClassifiedPicture> classified(const HardCase& row, bool fixed, const Placement& placement,
+                                            double turn = 0) {
     DrawnCase c = hard_view(row.key, fixed);
-    c.settings.map.resolution = std::min(c.settings.map.resolution, kMostTexels);
+    c.settings.map.resolution = std::min(c.settings.map.resolution, kMaxTexels);
     if (!place_settings(c.settings, placement) || resolved(row, placement) > allowance_of(row.key).finest_place)
         return {};
     c.settings.lights[0].elevation += turn;
@@ -93,7 +94,7 @@ std::optional<Judged> classified(const HardCase& row, bool fixed, const Placemen
     ReferenceCache cache;
     const MeasuredError e =
         measure_error(hard_renderer(), c.scene, c.settings, {.width = kAcross, .height = kDown}, 0, {}, cache);
-    Judged out;
+    ClassifiedPicture out;
     for (int y = 0; y < kDown; ++y)
         for (int x = 0; x < kAcross; ++x) {
             const auto i = std::size_t(y * kAcross + (placement.mirrored ? kAcross - 1 - x : x));
@@ -107,7 +108,7 @@ std::optional<Judged> classified(const HardCase& row, bool fixed, const Placemen
 }
 
 /// Returns whether the unmoved picture changes within two pixels, where rounding may show.
-bool near_edge(const Judged& home, std::size_t i) {
+bool near_edge(const ClassifiedPicture& home, std::size_t i) {
     const int x = int(i) % kAcross, y = int(i) / kAcross;
     for (int v = std::max(y - 2, 0); v <= std::min(y + 2, kDown - 1); ++v)
         for (int u = std::max(x - 2, 0); u <= std::min(x + 2, kAcross - 1); ++u) {
@@ -121,7 +122,7 @@ bool near_edge(const Judged& home, std::size_t i) {
 
 struct Differences {
     std::size_t pixels = 0, visibility = 0, reference = 0, inside = 0, wrong = 0, other_cause = 0;
-    void add(const Judged& home, const Judged& there, double look) {
+    void add(const ClassifiedPicture& home, const ClassifiedPicture& there, double look) {
         pixels += home.state.size();
         for (std::size_t i = 0; i < home.state.size(); ++i) {
             const bool seen = std::abs(home.visibility[i] - there.visibility[i]) > look;
@@ -140,7 +141,7 @@ struct Differences {
 };
 
 /// Returns the differences of two pictures in words.
-std::string bytes_off(const Judged& a, const Judged& b) {
+std::string bytes_off(const ClassifiedPicture& a, const ClassifiedPicture& b) {
     std::size_t visibility = 0, reference = 0, state = 0, cause = 0;
     float most = 0;
     for (std::size_t i = 0; i < a.state.size(); ++i) {
@@ -151,26 +152,26 @@ std::string bytes_off(const Judged& a, const Judged& b) {
         most = std::max(most, std::abs(a.visibility[i] - b.visibility[i]));
     }
     return std::to_string(visibility) + " visibilities by up to " + std::to_string(most) + ", " +
-           std::to_string(reference) + " truths, " + std::to_string(state) + " states and " + std::to_string(cause) +
-           " causes differ";
+           std::to_string(reference) + " references, " + std::to_string(state) + " states and " +
+           std::to_string(cause) + " causes differ";
 }
 
 /// Pictures of unmoved cases, by case, fix and light.
-class Homes {
+class UnmovedPictures {
 public:
-    const Judged& of(const HardCase& row, bool fixed, std::size_t light) {
+    const ClassifiedPicture& of(const HardCase& row, bool fixed, std::size_t light) {
         const auto key = std::tuple(row.number, fixed, light);
-        if (const auto it = homes_.find(key); it != homes_.end()) return it->second;
-        return homes_[key] = *classified(row, fixed, {.light = light});
+        if (const auto it = pictures_.find(key); it != pictures_.end()) return it->second;
+        return pictures_[key] = *classified(row, fixed, {.light = light});
     }
 
 private:
-    std::map<std::tuple<int, bool, std::size_t>, Judged> homes_;
+    std::map<std::tuple<int, bool, std::size_t>, ClassifiedPicture> pictures_;
 };
 
 /// Compares placements of a case with the unmoved case. Returns the number of comparisons.
-int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>& placements, Homes& homes,
-                   Differences& all) {
+int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>& placements,
+                   UnmovedPictures& unmoved_pictures, Differences& all) {
     const Allowance allowed = allowance_of(row.key);
     const bool rounding = !fixed && std::ranges::find(kRoundingIsTheFault, row.key) != std::end(kRoundingIsTheFault);
     const double look = rounding ? 1 : allowed.look;
@@ -178,7 +179,7 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
     for (const Placement& placement : placements) {
         if (placement.is_unmoved() || (placement.mirrored && !allowed.mirrors)) continue;
         SCOPED_TRACE(std::string(row.key) + ": " + placement.name());
-        const Judged& home = homes.of(row, fixed, placement.light);
+        const ClassifiedPicture& home = unmoved_pictures.of(row, fixed, placement.light);
         const auto there = classified(row, fixed, placement);
         if (!there) continue;
         ++compared;
@@ -196,7 +197,8 @@ int compare_places(const HardCase& row, bool fixed, const std::vector<Placement>
         here.add(home, *there, look);
         EXPECT_LE(here.inside, allowed.inside)
             << "of " << here.visibility << " pixels that look and " << here.reference << " that are otherwise";
-        EXPECT_LE(std::max(here.visibility, here.reference), std::size_t(kMostOfOne * double(here.pixels)));
+        EXPECT_LE(std::max(here.visibility, here.reference),
+                  std::size_t(kMaxDifferingShareOfOne * double(here.pixels)));
         all.add(home, *there, look);
     }
     return compared;
@@ -207,8 +209,10 @@ void expect_alike(const HardCase& row, const Differences& d) {
                                                    std::to_string(d.reference) + " are otherwise of " +
                                                    std::to_string(d.pixels) + "; " + std::to_string(d.other_cause) +
                                                    " of " + std::to_string(d.wrong) + " wrong ones have another cause");
-    EXPECT_LE(double(d.visibility), kMostDiffering * double(d.pixels)) << "pixels that look otherwise, of " << d.pixels;
-    EXPECT_LE(double(d.reference), kMostDiffering * double(d.pixels)) << "pixels that are otherwise, of " << d.pixels;
+    EXPECT_LE(double(d.visibility), kMaxDifferingShare * double(d.pixels))
+        << "pixels that look otherwise, of " << d.pixels;
+    EXPECT_LE(double(d.reference), kMaxDifferingShare * double(d.pixels))
+        << "pixels that are otherwise, of " << d.pixels;
     EXPECT_GE(double(d.wrong - d.other_cause), allowance_of(row.key).same_cause * double(d.wrong))
         << "wrong pixels of one cause";
 }
@@ -226,25 +230,25 @@ std::vector<Placement> in_pairs(const HardCase& row) {
 
 // Exactly along an axis, where sines are 0 and faces stand parallel to the light, results equal those a millionth of a
 // radian off the axis.
-void expect_axes_nothing_special(const HardCase& row, Homes& homes) {
+void expect_axes_nothing_special(const HardCase& row, UnmovedPictures& unmoved_pictures) {
     // A larger turn would move the shadows of grazing light; upwards, it would light a strip below tops of one height.
     const double turn = -1e-6 * 180 / M_PI;
     std::size_t pixels = 0, look = 0, wrong = 0, other_cause = 0;
     for (std::size_t light = 1; light < light_directions().size(); ++light) {
-        const Judged& exact = homes.of(row, true, light);
-        const auto beside = classified(row, true, {.light = light}, turn);
-        ASSERT_TRUE(beside);
+        const ClassifiedPicture& exact = unmoved_pictures.of(row, true, light);
+        const auto off_axis = classified(row, true, {.light = light}, turn);
+        ASSERT_TRUE(off_axis);
         for (std::size_t i = 0; i < exact.state.size(); ++i) {
             // Faces parallel to the light face away from it, and a little towards it off the axis.
-            if (exact.state[i] != PixelState::Counted || beside->state[i] != PixelState::Counted) continue;
+            if (exact.state[i] != PixelState::Counted || off_axis->state[i] != PixelState::Counted) continue;
             ++pixels;
-            look += std::abs(exact.visibility[i] - beside->visibility[i]) > 0.5f;
-            if (exact.cause[i] == Artefact::None || beside->cause[i] == Artefact::None) continue;
+            look += std::abs(exact.visibility[i] - off_axis->visibility[i]) > 0.5f;
+            if (exact.cause[i] == Artefact::None || off_axis->cause[i] == Artefact::None) continue;
             ++wrong;
-            other_cause += exact.cause[i] != beside->cause[i];
+            other_cause += exact.cause[i] != off_axis->cause[i];
         }
     }
-    EXPECT_LE(double(look), 1e-3 * double(pixels)) << "pixels that look otherwise beside an axis";
+    EXPECT_LE(double(look), 1e-3 * double(pixels)) << "pixels that look different off an axis";
     EXPECT_LE(double(other_cause), std::max(1.0, (1 - kSameCause) * double(wrong))) << "of another cause there";
 }
 
@@ -253,19 +257,19 @@ class HardCasesEverywhere : public testing::TestWithParam<const HardCase*> {};
 // One test draws all placements of a case, so that one process compiles its programs.
 TEST_P(HardCasesEverywhere, LookAndErrAsInPlace) {
     const HardCase& row = *GetParam();
-    Homes homes;
+    UnmovedPictures unmoved_pictures;
     Differences d;
-    EXPECT_GE(compare_places(row, true, single_factor_placements(), homes, d), 14)
+    EXPECT_GE(compare_places(row, true, single_factor_placements(), unmoved_pictures, d), 14)
         << "most placements must lie in settings' ranges";
-    EXPECT_GE(compare_places(row, true, exact_placements(), homes, d), 6);
-    EXPECT_GE(compare_places(row, true, in_pairs(row), homes, d), 4);
+    EXPECT_GE(compare_places(row, true, exact_placements(), unmoved_pictures, d), 6);
+    EXPECT_GE(compare_places(row, true, in_pairs(row), unmoved_pictures, d), 4);
     expect_alike(row, d);
-    expect_axes_nothing_special(row, homes);
+    expect_axes_nothing_special(row, unmoved_pictures);
     // The case with its fault is compared too: errors and their causes are equal everywhere.
     if (row.broken.empty()) return;
     Differences faults;
-    compare_places(row, false, single_factor_placements(), homes, faults);
-    compare_places(row, false, exact_placements(), homes, faults);
+    compare_places(row, false, single_factor_placements(), unmoved_pictures, faults);
+    compare_places(row, false, exact_placements(), unmoved_pictures, faults);
     expect_alike(row, faults);
 }
 
@@ -280,9 +284,9 @@ INSTANTIATE_TEST_SUITE_P(Each, HardCasesEverywhere, testing::ValuesIn(all_rows()
 // SI_LONG=1, or ctest -L long, runs this test.
 TEST_P(HardCasesEverywhere, LookAndErrAsInPlaceInEveryPlacement) {
     if (!std::getenv("SI_LONG")) GTEST_SKIP() << "some 800 pictures a case: SI_LONG=1";
-    Homes homes;
+    UnmovedPictures unmoved_pictures;
     Differences d;
-    compare_places(*GetParam(), true, all_placements(), homes, d);
+    compare_places(*GetParam(), true, all_placements(), unmoved_pictures, d);
     expect_alike(*GetParam(), d);
 }
 

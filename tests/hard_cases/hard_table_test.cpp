@@ -71,7 +71,7 @@ TEST(HardCaseTable, IsInTheDocumentForBothDrivers) {
             const auto wanted = stability_cells(row);
             ASSERT_GE(it->cells.size(), wanted.size() + 5);
             for (std::size_t i = 0; i < wanted.size(); ++i)
-                EXPECT_EQ(it->cells[i], wanted[i]) << driver << ": write it anew by scripts/stability.sh";
+                EXPECT_EQ(it->cells[i], wanted[i]) << driver << ": write it again by scripts/stability.sh";
             EXPECT_EQ(it->verdict(), "holds") << row.key << " on " << driver;
         }
     }

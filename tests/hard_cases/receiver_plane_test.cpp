@@ -43,7 +43,7 @@ Settings over(const Plane& plane, LightType type, double theta_deg) {
     return s;
 }
 
-/// Returns the positions of the plane's pixels inside the map.
+/// Returns the plane's pixels inside the map, with their world positions.
 std::vector<std::pair<std::size_t, glm::dvec3>> seen(const Shot& shot, const Plane& plane) {
     std::vector<std::pair<std::size_t, glm::dvec3>> out;
     for (int y = 0; y < shot.height; ++y)

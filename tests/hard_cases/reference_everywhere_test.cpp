@@ -66,17 +66,17 @@ double enters_ball(const Solids& s, const glm::dvec3& p, const glm::dvec3& d) {
     return far <= 0 ? INFINITY : std::max(0.0, (-b - std::sqrt(under)) / glm::dot(d, d));
 }
 
-struct Seen {
+struct CameraHit {
     Body body = Body::None;
     bool lit = false;
-    bool operator==(const Seen&) const = default;
+    bool operator==(const CameraHit&) const = default;
 };
 
 /// Returns the hit of a camera ray, and whether a body blocks the light there.
 /// @param light direction towards it, or (by_place) its position
 /// @param facing cosine between the surface's normal and the light
-Seen seen_by(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const glm::dvec3& light, bool by_place,
-             double* facing) {
+CameraHit first_hit(const Solids& s, const glm::dvec3& p, const glm::dvec3& d, const glm::dvec3& light, bool by_place,
+                    double* facing) {
     const double floor = meets_floor(s, p, d), box = enters_box(s, p, d), ball = enters_ball(s, p, d);
     const double t = std::min({floor, box, ball});
     if (!std::isfinite(t)) return {};
@@ -159,12 +159,12 @@ TEST_P(HardCase36Everywhere, TheReferenceEqualsTheClosedForm) {
                 const auto i = std::size_t(y * width + x);
                 glm::dvec3 from, along;
                 e.camera.pixel_ray(x, y, width, height, from, along);
-                std::vector<Seen> answers;
+                std::vector<CameraHit> answers;
                 double facing = 0;
                 for (const Solids& solids : variants())
                     answers.push_back(
-                        seen_by(solids, home(from - origin), factor * home(along), light, by_place, &facing));
-                const Seen& seen = answers[0];
+                        first_hit(solids, home(from - origin), factor * home(along), light, by_place, &facing));
+                const CameraHit& seen = answers[0];
                 if (answers[1] != seen || answers[2] != seen || seen.body == Body::None) continue;
                 const PixelState state = e.traced.reference->state[i];
                 if (std::abs(facing) < 1e-12) {

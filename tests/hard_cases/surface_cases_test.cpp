@@ -191,7 +191,7 @@ TEST(HardCase36, ConvexBodiesDoNotShadowThemselves) {
     expect_within_limit(36, shadowed);
     expect_fault(36, double(own) / std::max(bodies, 1));
     EXPECT_GT(e.traced.reference->visibility.data.size(), 0u);
-    EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source are the truth";
+    EXPECT_LT(e.metrics.mae, 1e-6) << "rays as the source equal the reference";
 }
 
 }  // namespace

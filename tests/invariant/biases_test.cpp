@@ -122,14 +122,14 @@ protected:
         return bias_breakdown(frame.lights[0], s, frame.map_resolution,
                               {hit.position, hit.normal, hit.normal, frame.camera.origin()}, hard_renderer().driver());
     }
-    /// Counts the lit pixels of planes turned upwards that the settings clear by their account, and those that rise
-    /// across the map by much more than rounding.
-    struct Told {
+    /// Counts of lit pixels of planes turned upwards: those that the settings clear by their account, and those that
+    /// rise across the map by much more than rounding.
+    struct ClearedPixels {
         std::vector<std::size_t> cleared;
         std::size_t lit = 0, sloped = 0;
     };
-    Told told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
-        Told out;
+    ClearedPixels told(const ReferenceImage& reference, const FrameResult& frame, const Settings& s, int step) const {
+        ClearedPixels out;
         for (std::size_t i = 0; i < reference.lit.size(); i += std::size_t(step)) {
             if (reference.lit[i] != Lit::Lit || reference.hits[i]->normal.y < 0.5) continue;
             // Moments over the floor's rim mix two surfaces, the floor and empty space: they bound, but do not clear.
@@ -178,13 +178,13 @@ TEST_P(EachBias, LightsAPlaneByTheLeastAmountAndKeepsCoveredFloorsDark) {
     ReferenceImage reference = reference_within(reach);
     const double value = least_value([&](double v) {
         give(s, v);
-        const Told t = told(reference, none.frame, s, 13);
+        const ClearedPixels t = told(reference, none.frame, s, 13);
         return double(t.cleared.size()) / double(std::max<std::size_t>(t.lit, 1));
     });
     if (row.stage == BiasStage::LookUp) reference = reference_within(reach + value);  // edges move by as much
     give(s, value * 1.001);
     const Shot least = draw_shot(scene, s);
-    const Told t = told(reference, least.frame, s, 1);
+    const ClearedPixels t = told(reference, least.frame, s, 1);
     const Tolerance& tolerance = filter_of(s).tolerance;
     ASSERT_GT(t.lit, 2000u);
     EXPECT_GT(double(t.cleared.size()), 0.7 * double(t.lit)) << "at " << value;

@@ -25,10 +25,10 @@ namespace {
 
 constexpr unsigned kParts = 12;  ///< parts of the run, one test each
 constexpr unsigned kUsualSeeds = 300, kUsualSeedsAProgram = 12;
-constexpr unsigned kSeedsARenderer = 150;  ///< limit of programs in memory
-constexpr int kPixels = 64;                ///< side of the picture
-constexpr int kRounding = 1;               ///< steps of 255 between two programs' roundings of a colour
-constexpr int kMostTold = 3;               ///< reduced failures per part
+constexpr unsigned kSeedsPerRenderer = 150;  ///< limit of programs in memory
+constexpr int kPixels = 64;                  ///< side of the picture
+constexpr int kRounding = 1;                 ///< steps of 255 between two programs' roundings of a colour
+constexpr int kMaxReducedFailures = 3;       ///< reduced failures per part
 
 /// Fault of a case; empty: none.
 struct Verdict {
@@ -52,7 +52,7 @@ protected:
         return renderer->render(scene, s, request);
     }
 
-    Verdict judge(const RandomCase& of) {
+    Verdict check(const RandomCase& of) {
         const Scene& scene = small_scene(of.scene);
         try {
             const FrameResult frame = draw(scene, of.settings, true);
@@ -99,7 +99,7 @@ protected:
             for (const SettingRef& ref : changed_settings(of.settings)) {
                 RandomCase less = of;
                 set_value(less.settings, ref, default_value(ref));
-                if (judge(less).kind == kind) of = std::move(less);
+                if (check(less).kind == kind) of = std::move(less);
             }
         return of;
     }
@@ -156,7 +156,7 @@ TEST_F(RandomSettings, EarlierFaultsStayFixed) {
     for (const Found& found : all) {
         RandomCase of{.scene = found.scene, .settings = {}};
         for (const auto& [key, value] : found.sets) set_setting(of.settings, key, value);
-        const Verdict verdict = judge(of);
+        const Verdict verdict = check(of);
         EXPECT_TRUE(verdict.good()) << found.scene << " " << found.sets[0].first << ": " << verdict.text;
     }
     // In a depth buffer they were at the near plane.
@@ -183,15 +183,15 @@ TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
     const unsigned to = std::min(groups * (GetParam() + 1) / kParts * each, seeds);
     for (unsigned i = from; i < to; ++i) {
         const unsigned seed = first + i / each * kSeedsPerProgram + i % each;
-        if (i > from && seed % kSeedsARenderer == 0) {
+        if (i > from && seed % kSeedsPerRenderer == 0) {
             renderer.reset();
             renderer = std::make_unique<Renderer>();
         }
         const RandomCase of = random_case(seed);
-        const Verdict verdict = judge(of);
+        const Verdict verdict = check(of);
         if (verdict.good()) continue;
         renderer->take_gl_messages();
-        if (++failures > kMostTold) {
+        if (++failures > kMaxReducedFailures) {
             ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << verdict.text;
             continue;
         }
@@ -200,7 +200,7 @@ TEST_P(RandomSeeds, GiveFinitePicturesAndNoBrighterShadows) {
         for (const SettingRef& ref : changed_settings(least.settings))
             settings +=
                 fmt::format(" --set {}={}", setting_key(ref), value_text(*ref.param, get_value(least.settings, ref)));
-        ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << judge(least).text << "\nscene "
+        ADD_FAILURE() << "seed " << seed << ": " << verdict.kind << ": " << check(least).text << "\nscene "
                       << least.scene << settings << "\n"
                       << keep(least, seed, verdict);
         renderer->take_gl_messages();

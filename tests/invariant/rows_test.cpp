@@ -18,7 +18,7 @@
 namespace si::test {
 namespace {
 
-/// Kernel outside the built-in table: weights 1 2 1 across the map, by the interface that every kernel uses.
+/// Adds a kernel to the built-in table: weights 1 2 1 across the map, by the interface that every kernel uses.
 const bool row_added = [] {
     gl::add_shader_text("filters/added_here.glsl", R"(
 float filter_visibility(Receiver r) {
@@ -452,7 +452,7 @@ TEST(Vsm, MomentsAreDrawnWithTheMapAndOnlyWhenNeeded) {
     const FrameResult on = renderer.render(scene, s, request);
     EXPECT_EQ(on.pass("moments")->state, PassState::Drawn);
     EXPECT_EQ(on.pass("moments")->category, PassCategory::Maps);
-    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw anew";
+    EXPECT_EQ(on.pass("shadow map 0 (directional)")->state, PassState::Cached) << "a kernel is no reason to draw again";
     s.filter.bleed = 0.4;
     EXPECT_EQ(renderer.render(scene, s, request).pass("moments")->state, PassState::Cached);
     s.filter.blur = 4;

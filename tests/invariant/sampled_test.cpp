@@ -27,7 +27,7 @@ Scene covered_floor_and_a_brick() {
     return scene;
 }
 
-/// Sets a light straight above.
+/// Returns settings with a light straight above.
 Settings soft_settings(std::string_view kernel, LightType type) {
     Settings s = texel_settings(kernel, 1024, 1);
     s.lights[0].type = type;

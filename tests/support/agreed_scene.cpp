@@ -21,7 +21,7 @@ constexpr std::array<glm::vec3, kColours + 1> kColour = {{{0.55f, 0.55f, 0.55f},
                                                           {0.85f, 0.85f, 0.8f},
                                                           {0.9f, 0.5f, 0.2f}}};
 
-/// Numbers of segments of the shapes.
+/// Subdivision of the shapes.
 struct Cut {
     int ground, box, sphere_segments, sphere_rings, torus_segments, torus_sides;
 };

@@ -26,7 +26,7 @@ testing::AssertionResult all_within(const FloatImage& image, float most, const c
 }
 
 // The mean of up to a hundred weighted comparisons rounds: a few float steps above 1 are accepted.
-constexpr float kMostVisibility = 1 + 0x1p-21f;
+constexpr float kMaxVisibility = 1 + 0x1p-21f;
 
 int overlay_row(std::string_view key) {
     for (std::size_t i = 0; i < overlays().size(); ++i)
@@ -89,7 +89,7 @@ Shot draw_shot(const Scene& scene, const Settings& settings, int width, int heig
     expect_finite(shot.frame);
     if (shot.frame.visibility.texture) shot.visibility = renderer.read_float(shot.frame.visibility, 1);
     EXPECT_EQ(shot.visibility.data.size(), std::size_t(width) * std::size_t(height));
-    EXPECT_TRUE(all_within(shot.visibility, kMostVisibility, "visibility"));
+    EXPECT_TRUE(all_within(shot.visibility, kMaxVisibility, "visibility"));
     shot.colour = renderer.read_colour(shot.frame.colour);
     const std::size_t light = std::size_t(std::max(s.view.light, 0));
     if (light < shot.frame.lights.size() && shot.frame.lights[light].casts)
@@ -124,7 +124,7 @@ double shadow_share(const Shot& shot) {
 
 ReferenceErrors compare_with_reference(const Shot& shot, const Scene& scene, double reach_texels) {
     const RayReference rays(scene);
-    EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "truth and picture see different scenes";
+    EXPECT_EQ(rays.triangle_count(), scene.triangle_count()) << "reference and picture have different scenes";
     const ReferenceImage reference = trace_reference(rays, shot.frame.camera, shot.light(), shot.width, shot.height,
                                                      shot.frame.map_resolution, reach_texels);
     ReferenceErrors e;

@@ -16,9 +16,9 @@ namespace {
 
 constexpr std::array<const char*, 5> kScenes = {"boxes", "plane", "teapot", "relief", "figures"};
 
-constexpr int kMostTexels = 512;      ///< texels per side of a map
-constexpr double kMostBlurred = 1e7;  ///< texels of all maps times the texels of their blur
-constexpr int kMostTaps = 512;        ///< taps of all lights per pixel
+constexpr int kMaxMapTexels = 512;         ///< texels per side of a map
+constexpr double kMaxBlurredTexels = 1e7;  ///< texels of all maps times the texels of their blur
+constexpr int kMaxTaps = 512;              ///< taps of all lights per pixel
 
 /// Generator that is equal everywhere, unlike the standard library's distributions.
 class Chance {
@@ -35,9 +35,9 @@ private:
     std::mt19937 random_;
 };
 
-/// Settings that a scene's file decides, or that only make a case slow.
-double greatest(const Param& p) {
-    static const std::map<std::string_view, double> most = {{"map.resolution", kMostTexels},
+/// Returns the largest random value of a setting. Some limits are low, because high values only make a case slow.
+double max_random(const Param& p) {
+    static const std::map<std::string_view, double> most = {{"map.resolution", kMaxMapTexels},
                                                             {"light_map.resolution", 64},
                                                             {"light_map.samples", 4},
                                                             {"truth.samples", 16},
@@ -46,6 +46,7 @@ double greatest(const Param& p) {
     return found == most.end() ? p.max : std::min(p.max, found->second);
 }
 
+/// Returns whether a setting stays unchanged: texts, and settings that depend on the scene's file.
 bool is_left_alone(const Param& p) {
     return is_text(p) || p.key == "scene.index" || p.key == "scene.animation" || p.key == "scene.time" ||
            p.key == "camera.index";
@@ -53,7 +54,7 @@ bool is_left_alone(const Param& p) {
 
 /// @param kind 0 to 9: one end of the range, zero, or a random value; some zeros save programs work
 double random_number(int kind, Chance& chance, const Param& p, double standard) {
-    const double least = p.min, most = greatest(p);
+    const double least = p.min, most = max_random(p);
     if (p.unit == "deg" && kind < 3)
         return std::clamp(90.0 * std::round(chance.between(least, most) / 90), least, most);
     switch (kind) {
@@ -81,7 +82,7 @@ Value random_value(int kind, Chance& chance, const SettingRef& ref) {
     if (std::holds_alternative<bool>(standard)) return chance.is(0.5);
     if (p.choices) return chance.below(int(p.choices().size()));
     if (const int* whole = std::get_if<int>(&standard))
-        return int(std::lround(std::clamp(random_number(kind, chance, p, *whole), p.min, greatest(p))));
+        return int(std::lround(std::clamp(random_number(kind, chance, p, *whole), p.min, max_random(p))));
     return random_number(kind, chance, p, std::get<double>(standard));
 }
 
@@ -135,14 +136,14 @@ void aim(Settings& s, Chance& of_programs, Chance& chance, const Scene& scene) {
 void make_cheap(Settings& s) {
     const int lights = std::max(s.light_count, 1);
     for (int* taps : {&s.filter.taps, &s.filter.blocker_taps, &s.filter.rays})
-        *taps = std::min(*taps, std::max(kMostTaps / lights, 1));
+        *taps = std::min(*taps, std::max(kMaxTaps / lights, 1));
     double views = 0;
     for (int i = 0; i < s.light_count; ++i) {
         const LightSettings& l = s.lights[std::size_t(i)];
         views += l.type == LightType::Point ? 6 : l.type == LightType::Directional ? l.cascades : 1;
     }
     const double blurred = 1 + 2 * s.map.blur_texels + 2 * s.filter.blur + s.map.samples;
-    while (s.map.resolution > 16 && views * blurred * s.map.resolution * s.map.resolution > kMostBlurred)
+    while (s.map.resolution > 16 && views * blurred * s.map.resolution * s.map.resolution > kMaxBlurredTexels)
         s.map.resolution /= 2;
 }
 

@@ -18,7 +18,7 @@ namespace si::test {
 namespace {
 
 constexpr const char* kPage = SI_SOURCE_DIR "/docs/lab/stability.md";
-constexpr const char* kRemedy = "; scripts/stability.sh writes it anew";
+constexpr const char* kHowToUpdate = "; scripts/stability.sh writes it again";
 constexpr std::string_view kIntro =
     "# Stability\n\n"
     "Results of the tests of the [hard cases](../hard-cases.md), by driver. `scripts/stability.sh` writes this page "
@@ -136,11 +136,11 @@ void expect_document(const HardCase& row, bool holds) {
     if (driver.empty()) return;
     const auto it = std::ranges::find(rows, row.number, &StabilityRow::number);
     if (it == rows.end()) {
-        ADD_FAILURE() << kPage << " has no row of hard case " << row.number << " on " << driver << kRemedy;
+        ADD_FAILURE() << kPage << " has no row of hard case " << row.number << " on " << driver << kHowToUpdate;
         return;
     }
     EXPECT_EQ(it->verdict(), holds ? "holds" : "FAILS")
-        << kPage << ", hard case " << row.number << " on " << driver << kRemedy;
+        << kPage << ", hard case " << row.number << " on " << driver << kHowToUpdate;
 }
 
 }  // namespace
